@@ -1,0 +1,73 @@
+#pragma once
+
+#include "image.h"
+
+#include "../job.h"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+/// Reading and writing image files. Formats by extension: .exr (OpenEXR), .hdr (Radiance), .tif .png and whatever else OpenImageIO
+/// reads. OpenImageIO is loaded on first need: linking it costs every process a third of a second.
+namespace mirrorball {
+
+/// What a file says about itself, read from its header only.
+struct ImageFileInfo {
+    std::filesystem::path path{};
+    std::string format{};         ///< "openexr", "hdr", "tiff", "png", ...
+    int width = 0;
+    int height = 0;
+    int channels = 0;             ///< as stored in the file
+    std::string sampleType{};     ///< "float", "half", "uint8", ...
+    bool tiled = false;
+    int levels = 1;               ///< mip levels in the file
+    int parts = 1;
+    std::string compression{};
+    std::string envmap{};         ///< OpenEXR's envmap attribute: "latlong", "cube" or empty
+    std::map<std::string, std::string> attributes{}; ///< the strings that Mirrorball wrote ("mirrorball:parameterization", ...)
+};
+
+/// A file opened for reading top to bottom in blocks of rows, as linear RGB float: what a probe of any size streams through.
+/// Grey is copied to three channels, alpha is dropped, a file in another RGB encoding (8-bit sRGB) is linearised.
+class ImageReader {
+public:
+    virtual ~ImageReader() = default;
+    virtual const ImageFileInfo& info() const = 0;
+    /// Reads rows [firstRow, firstRow + rows) into `rgb`, 3 floats a texel. Rows are asked for in increasing order.
+    /// @throws FileError when the file is damaged or ends early
+    virtual void readRows(int firstRow, int rows, float* rgb) = 0;
+};
+
+/// @throws FileError for a missing, empty, damaged, absurdly large (over 2^28 texels) or unknown file
+std::unique_ptr<ImageReader> openImage(const std::filesystem::path& path);
+
+/// The whole image as linear RGB. @throws FileError
+Image readImage(const std::filesystem::path& path, const JobControl& job = {});
+
+enum class SampleType { Float, Half };
+
+struct WriteOptions {
+    SampleType sampleType = SampleType::Float;       ///< .exr and .tif; half is clamped to +-65504 first
+    std::map<std::string, std::string> attributes{}; ///< stored where the format can hold strings (not .hdr)
+};
+
+/// Whether the format of this extension keeps a mip chain in one file (.exr, .tif).
+bool holdsMips(const std::filesystem::path& path);
+
+/// Writes linear RGB. .png is tone-mapped (color.h) and sRGB-encoded; .hdr takes no negative values (clamped to 0).
+/// The file appears whole or not at all: it is written under a temporary name beside the target and renamed.
+/// @throws InvalidArgument for an extension that cannot be written; WorkError when writing fails
+void writeImage(const std::filesystem::path& path, const Image& image, const WriteOptions& options = {});
+
+/// Writes a mip chain, largest first, into one file; level i is half of level i-1 rounded down, at least 1.
+/// The format's own chain may go on past the levels given (a stacked cube's 1 x 6): the remaining ones are filled with box averages.
+/// @throws InvalidArgument where holdsMips(path) is false
+void writeMips(const std::filesystem::path& path, const std::vector<Image>& levels, const WriteOptions& options = {});
+
+/// Reads one mip level of a file, as linear RGB. @throws FileError
+Image readLevel(const std::filesystem::path& path, int level);
+
+} // namespace mirrorball

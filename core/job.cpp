@@ -1,0 +1,75 @@
+#include "job.h"
+
+#include "error.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace mirrorball {
+
+int JobControl::threadCount() const
+{
+    if (threads > 0)
+        return threads;
+    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+void JobControl::checkStop() const
+{
+    if (stop.stop_requested())
+        throw Cancelled();
+}
+
+void parallelRows(int rows, const JobControl& job, const std::function<void(int, int)>& body, int grain)
+{
+    if (rows <= 0)
+        return;
+    grain = std::max(1, grain);
+    std::atomic<int> next{0};
+    std::atomic<bool> failed{false};
+    std::mutex mutex; // guards error and the progress callback
+    std::exception_ptr error;
+    int finished = 0;
+
+    const auto work = [&] {
+        try {
+            for (;;) {
+                if (failed.load(std::memory_order_relaxed))
+                    return;
+                job.checkStop();
+                const int first = next.fetch_add(grain);
+                if (first >= rows)
+                    return;
+                const int last = std::min(rows, first + grain);
+                body(first, last);
+                if (job.progress) {
+                    const std::lock_guard lock(mutex);
+                    finished += last - first;
+                    job.progress(static_cast<float>(finished) / static_cast<float>(rows));
+                }
+            }
+        } catch (...) {
+            const std::lock_guard lock(mutex);
+            if (!error)
+                error = std::current_exception();
+            failed = true;
+        }
+    };
+
+    const int chunks = (rows + grain - 1) / grain;
+    const int workers = std::min(job.threadCount(), chunks);
+    std::vector<std::jthread> others;
+    others.reserve(static_cast<size_t>(workers));
+    for (int i = 1; i < workers; ++i)
+        others.emplace_back(work);
+    work();
+    others.clear(); // joins
+    if (error)
+        std::rethrow_exception(error);
+}
+
+} // namespace mirrorball
