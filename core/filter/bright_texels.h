@@ -1,0 +1,33 @@
+#pragma once
+
+#include "lobe.h"
+#include "spectrum.h"
+
+#include "../image/environment_map.h"
+#include "../job.h"
+
+#include <vector>
+
+namespace mirrorball {
+
+/// A probe split into a calm part and the excess of its few brightest texels.
+///
+/// A sun of some dozen texels holds most of a probe's energy and its spectrum is flat, so that a lobe with a kink at the horizon
+/// (diffuse, rough ggx, small exponents), whose own spectrum falls slowly, would have to be followed to l of 1500. The sum is linear:
+/// the excess of those texels goes through the lobe one by one, in closed form, and the calm rest is done by l of 100.
+struct BrightTexels {
+    std::vector<glm::dvec3> directions{};
+    std::vector<glm::dvec3> flux{};  ///< excess radiance times texel solid angle, RGB
+};
+
+/// Takes the excess of the texels that hold more than 1/2000 of the probe's energy each, at most 96 of them, out of `latlong`.
+/// @param latlong the whole probe on entry, the calm part on return
+BrightTexels takeBrightTexels(EnvironmentMap& latlong);
+
+/// Adds the bright texels' share to a filtered map of the calm part:
+///   E(r) += sum_b flux_b k(r.d_b) / N(r),   N the filter of a constant 1, as the reference sum normalises
+/// @param calm, k  the spectrum and coefficients that the map was filtered with: they give N
+void addBrightTexels(EnvironmentMap& map, const BrightTexels& bright, const Lobe& lobe, const Spectrum& calm, const std::vector<double>& k,
+                     double yaw, const JobControl& job = {});
+
+} // namespace mirrorball
