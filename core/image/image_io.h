@@ -20,6 +20,8 @@ struct ImageFileInfo {
     std::string format{};         ///< "openexr", "hdr", "tiff", "png", ...
     int width = 0;
     int height = 0;
+    int offsetX = 0;              ///< of the texels in OpenEXR's display window: a cropped picture has one; the window itself is not padded
+    int offsetY = 0;
     int channels = 0;             ///< as stored in the file
     std::string sampleType{};     ///< "float", "half", "uint8", ...
     bool tiled = false;

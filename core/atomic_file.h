@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+
+namespace mirrorball {
+
+/// A file that appears whole or not at all: bytes go to a temporary name beside the target, commit() renames it into place, and an
+/// object that goes without commit() leaves nothing behind. Every failure of the system is seen: a full disk shows up in write() or,
+/// at the latest, in commit(), also when the code between swallowed the exception (OpenEXR's destructors do).
+/// A target that is a symbolic link is written through; an existing target keeps its permissions.
+class AtomicFile {
+public:
+    /// @throws WorkError when the folder is missing or not writable, or the target is a folder or a device
+    explicit AtomicFile(const std::filesystem::path& target);
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+    ~AtomicFile();
+
+    /// @throws WorkError
+    void write(const void* bytes, size_t count);
+    /// Reads back what was written; libtiff links its mip levels that way. @return how many bytes there were
+    size_t read(void* bytes, size_t count);
+    std::uint64_t position();
+    void seek(std::uint64_t position);
+    /// Closes the file and gives it its name. @throws WorkError, also for a write that failed earlier
+    void commit();
+
+private:
+    [[noreturn]] void fail(int error);
+
+    std::filesystem::path m_named;     ///< as the caller wrote it, for messages
+    std::filesystem::path m_target;    ///< links followed
+    std::filesystem::path m_temporary;
+    std::FILE* m_file = nullptr;
+    int m_error = 0;                   ///< errno of the first failure
+};
+
+} // namespace mirrorball

@@ -1,0 +1,202 @@
+#include "image_io.h"
+
+#include "exr_format.h"
+#include "hdr_format.h"
+#include "input_checks.h"
+#include "openimageio_loader.h"
+
+#include "../atomic_file.h"
+#include "../error.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+
+namespace mirrorball {
+namespace {
+
+constexpr int blockTexels = 1 << 18; ///< read at a time: small enough to stop soon, large enough for all threads
+
+/// The first bytes of a regular file. @throws FileError for anything else, before a reader could block on a pipe
+std::string firstBytes(const std::filesystem::path& path)
+{
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    if (status.type() == std::filesystem::file_type::not_found)
+        throw FileError(path.string(), "there is no such file; check the name");
+    if (status.type() == std::filesystem::file_type::directory)
+        throw FileError(path.string(), "this is a folder; name an image file");
+    if (status.type() != std::filesystem::file_type::regular)
+        throw FileError(path.string(), error ? "cannot be read: " + error.message() + "; check its permissions"
+                                             : std::string("this is not a regular file; save the image to one first"));
+    errno = 0;
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream)
+        throw FileError(path.string(), std::string("cannot be read: ") + std::strerror(errno) + "; check its permissions");
+    std::string bytes(16, '\0');
+    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    bytes.resize(static_cast<size_t>(stream.gcount()));
+    if (bytes.empty())
+        throw FileError(path.string(), "the file is empty; export or download it again");
+    return bytes;
+}
+
+std::string lowerExtension(const std::filesystem::path& path)
+{
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+/// What a file is, is told by its first bytes; its name is asked only where a format has no signature.
+std::unique_ptr<ImageReader> openLevel(const std::filesystem::path& path, int level)
+{
+    const std::string signature = firstBytes(path);
+    if (exr::hasSignature(signature))
+        return exr::open(path, level);
+    if (hdr::hasSignature(signature)) {
+        if (level != 0)
+            throw FileError(path.string(), "a Radiance picture has no mip levels; ask for level 0");
+        return hdr::open(path);
+    }
+    return openimageio::open(path, signature, level);
+}
+
+Image readAll(ImageReader& reader, const JobControl& job)
+{
+    const int width = reader.info().width;
+    const int height = reader.info().height;
+    const auto rowFloats = 3 * static_cast<size_t>(width);
+    Image image;
+    image.width = width;
+    image.height = height;
+    // Reserved but touched only as rows arrive: a damaged file costs no more memory than the rows it really holds.
+    image.texels.reserve(rowFloats * static_cast<size_t>(height));
+    const int blockRows = std::max(1, blockTexels / width);
+    for (int y = 0; y < height; y += blockRows) {
+        job.checkStop();
+        const int rows = std::min(blockRows, height - y);
+        image.texels.resize(rowFloats * static_cast<size_t>(y + rows));
+        reader.readRows(y, rows, image.row(y));
+        if (job.progress)
+            job.progress(static_cast<float>(y + rows) / static_cast<float>(height));
+    }
+    return image;
+}
+
+/// Averages over the area that each texel of the smaller level covers; texels cut by its edge count in part.
+Image boxHalved(const Image& image)
+{
+    Image half(std::max(1, image.width / 2), std::max(1, image.height / 2), image.channels);
+    const double scaleX = static_cast<double>(image.width) / half.width;
+    const double scaleY = static_cast<double>(image.height) / half.height;
+    for (int y = 0; y < half.height; ++y)
+        for (int x = 0; x < half.width; ++x)
+            for (int c = 0; c < image.channels; ++c) {
+                double sum = 0.0;
+                for (int sy = static_cast<int>(y * scaleY); sy < image.height && sy < (y + 1) * scaleY; ++sy)
+                    for (int sx = static_cast<int>(x * scaleX); sx < image.width && sx < (x + 1) * scaleX; ++sx) {
+                        const double coverY = std::min(sy + 1.0, (y + 1) * scaleY) - std::max<double>(sy, y * scaleY);
+                        const double coverX = std::min(sx + 1.0, (x + 1) * scaleX) - std::max<double>(sx, x * scaleX);
+                        sum += coverX * coverY * image.texel(sx, sy)[c];
+                    }
+                half.texel(x, y)[c] = static_cast<float>(sum / (scaleX * scaleY));
+            }
+    return half;
+}
+
+/// The chain down to 1 x 1. @throws InvalidArgument for a level of the wrong size
+std::vector<Image> fullChain(const std::filesystem::path& path, const std::vector<Image>& levels)
+{
+    std::vector<Image> chain = levels;
+    for (size_t i = 1; i < levels.size(); ++i) {
+        const Image& larger = levels[i - 1];
+        if (levels[i].width != std::max(1, larger.width / 2) || levels[i].height != std::max(1, larger.height / 2) ||
+            levels[i].channels != larger.channels || (larger.width == 1 && larger.height == 1))
+            throw InvalidArgument(path.string() + ": mip level " + std::to_string(i) + " is " + std::to_string(levels[i].width) + " x " +
+                                  std::to_string(levels[i].height) + "; it must be half of the level before, rounded down");
+    }
+    while (chain.back().width > 1 || chain.back().height > 1)
+        chain.push_back(boxHalved(chain.back()));
+    return chain;
+}
+
+void checkWritable(const std::filesystem::path& path, const Image& image)
+{
+    if (image.empty() || (image.channels != 1 && image.channels != 3 && image.channels != 4))
+        throw InvalidArgument(path.string() + ": an image of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+                              " texels and " + std::to_string(image.channels) + " channels cannot be written; 1, 3 or 4 channels can");
+}
+
+bool isExr(const std::string& extension)
+{
+    return extension == ".exr";
+}
+
+bool isHdr(const std::string& extension)
+{
+    return extension == ".hdr" || extension == ".pic" || extension == ".rgbe";
+}
+
+} // namespace
+
+std::unique_ptr<ImageReader> openImage(const std::filesystem::path& path)
+{
+    return openLevel(path, 0);
+}
+
+Image readImage(const std::filesystem::path& path, const JobControl& job)
+{
+    return readAll(*openLevel(path, 0), job);
+}
+
+Image readLevel(const std::filesystem::path& path, int level)
+{
+    return readAll(*openLevel(path, level), {});
+}
+
+bool holdsMips(const std::filesystem::path& path)
+{
+    const std::string extension = lowerExtension(path);
+    return isExr(extension) || extension == ".tif" || extension == ".tiff" || extension == ".tx";
+}
+
+void writeImage(const std::filesystem::path& path, const Image& image, const WriteOptions& options)
+{
+    checkWritable(path, image);
+    const std::string extension = lowerExtension(path);
+    if (!isExr(extension) && !isHdr(extension))
+        openimageio::checkWrites(path, extension);
+    AtomicFile file(path);
+    if (isExr(extension))
+        exr::write(file, image, options);
+    else if (isHdr(extension))
+        hdr::write(file, image);
+    else
+        openimageio::write(file, path, {image}, options);
+    file.commit();
+}
+
+void writeMips(const std::filesystem::path& path, const std::vector<Image>& levels, const WriteOptions& options)
+{
+    if (!holdsMips(path))
+        throw InvalidArgument(path.string() + ": this format keeps no mip levels; write .exr or .tif, or one file a level");
+    if (levels.empty())
+        throw InvalidArgument(path.string() + ": there are no mip levels to write; give at least one");
+    for (const Image& level : levels)
+        checkWritable(path, level);
+    const std::vector<Image> chain = fullChain(path, levels);
+    AtomicFile file(path);
+    if (isExr(lowerExtension(path)))
+        exr::writeMips(file, chain, options);
+    else
+        openimageio::write(file, path, chain, options);
+    file.commit();
+}
+
+} // namespace mirrorball

@@ -1,0 +1,165 @@
+#include "openimageio_loader.h"
+
+#include "color.h"
+#include "input_checks.h"
+#include "openimageio_module.h"
+
+#include "../error.h"
+
+#include <array>
+#include <cstdint>
+
+#include <dlfcn.h>
+
+namespace mirrorball::openimageio {
+namespace {
+
+constexpr const char* moduleFile = "libmirrorball_openimageio.so";
+
+/// Beside the running program as installed or as built, then where this build installs to.
+std::vector<std::filesystem::path> moduleFolders()
+{
+    std::error_code ignored;
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
+    return {program / MIRRORBALL_MODULE_FROM_BIN, program / "../lib/mirrorball", program / "../lib", MIRRORBALL_MODULE_INSTALLED};
+}
+
+const Module& loadModule()
+{
+    std::string reason = "it is not installed";
+    for (const std::filesystem::path& folder : moduleFolders()) {
+        const auto file = folder / moduleFile;
+        std::error_code ignored;
+        if (!std::filesystem::exists(file, ignored))
+            continue;
+        void* const library = ::dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL);
+        if (!library) {
+            reason = oneLine(::dlerror());
+            continue;
+        }
+        const auto entry = reinterpret_cast<const Module* (*)()>(::dlsym(library, entryPoint));
+        if (entry && entry()->version == moduleVersion)
+            return *entry(); // stays loaded: OpenImageIO does not survive being unloaded
+        reason = file.string() + " is of another version";
+    }
+    throw WorkError("formats other than .exr and .hdr need " + std::string(moduleFile) + ", which cannot be loaded (" + reason +
+                    "); reinstall Mirrorball or convert the image to .exr");
+}
+
+const Module& module()
+{
+    static const Module& loaded = loadModule(); // a failure is tried again on the next use
+    return loaded;
+}
+
+struct Signature {
+    std::string_view bytes;
+    size_t offset;
+    const char* format; ///< OpenImageIO's name
+};
+
+using namespace std::string_view_literals;
+
+constexpr std::array<Signature, 23> signatures{{
+    {"\x89PNG\r\n"sv, 0, "png"}, {"\xff\xd8\xff"sv, 0, "jpeg"}, {"II*\0"sv, 0, "tiff"},     {"MM\0*"sv, 0, "tiff"},
+    {"II+\0"sv, 0, "tiff"},      {"MM\0+"sv, 0, "tiff"},        {"GIF8"sv, 0, "gif"},       {"BM"sv, 0, "bmp"},
+    {"WEBP"sv, 8, "webp"},       {"8BPS"sv, 0, "psd"},          {"DDS "sv, 0, "dds"},       {"SDPX"sv, 0, "dpx"},
+    {"XPDS"sv, 0, "dpx"},        {"\xff\x4f\xff\x51"sv, 0, "jpeg2000"}, {"jP  "sv, 4, "jpeg2000"}, {"ftyp"sv, 4, "heif"},
+    {"P1"sv, 0, "pnm"},          {"P2"sv, 0, "pnm"},            {"P3"sv, 0, "pnm"},         {"P5"sv, 0, "pnm"},
+    {"P6"sv, 0, "pnm"},          {"Pf"sv, 0, "pnm"},            {"PF"sv, 0, "pnm"},
+}};
+
+std::string formatOf(std::string_view firstBytes)
+{
+    for (const Signature& signature : signatures)
+        if (firstBytes.size() > signature.offset && firstBytes.substr(signature.offset).starts_with(signature.bytes))
+            return signature.format;
+    return {};
+}
+
+/// Turns what the module reads into linear RGB.
+class LinearReader final : public ImageReader {
+public:
+    explicit LinearReader(std::unique_ptr<RawReader> raw) : m_raw(std::move(raw)) {}
+
+    const ImageFileInfo& info() const override { return m_raw->info(); }
+
+    void readRows(int firstRow, int rows, float* rgb) override
+    {
+        const size_t texels = static_cast<size_t>(info().width) * static_cast<size_t>(rows);
+        const auto channels = static_cast<size_t>(info().channels);
+        m_samples.resize(texels * channels);
+        m_raw->readRows(firstRow, rows, m_samples.data());
+        const bool grey = channels < 3; // two are grey and alpha
+        for (size_t i = 0; i < texels; ++i)
+            for (size_t c = 0; c < 3; ++c) {
+                const float sample = m_samples[i * channels + (grey ? 0 : c)];
+                rgb[3 * i + c] = m_raw->isSrgb() ? decodeSrgb(sample) : sample;
+            }
+    }
+
+private:
+    std::unique_ptr<RawReader> m_raw;
+    std::vector<float> m_samples{};
+};
+
+class FileSink final : public Sink {
+public:
+    explicit FileSink(AtomicFile& file) : m_file(file) {}
+    void write(const void* bytes, size_t count) override { m_file.write(bytes, count); }
+    size_t read(void* bytes, size_t count) override { return m_file.read(bytes, count); }
+    std::uint64_t position() override { return m_file.position(); }
+    void seek(std::uint64_t position) override { m_file.seek(position); }
+
+private:
+    AtomicFile& m_file;
+};
+
+bool holdsFloats(const std::string& extension)
+{
+    return extension == ".tif" || extension == ".tiff" || extension == ".tx" || extension == ".pfm";
+}
+
+std::string lowerCase(std::string text)
+{
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+} // namespace
+
+std::unique_ptr<ImageReader> open(const std::filesystem::path& path, std::string_view firstBytes, int level)
+{
+    const std::string format = formatOf(firstBytes);
+    const std::string extension = lowerCase(path.extension().string());
+    if (format.empty() && (extension.empty() || extension == ".exr" || extension == ".hdr" || extension == ".pic"))
+        throw FileError(path.string(), "this is no image of a known format; export or download it again");
+    return std::make_unique<LinearReader>(module().open(path, format, level));
+}
+
+void checkWrites(const std::filesystem::path& path, const std::string& extension)
+{
+    if (extension.empty() || !module().writes(extension))
+        throw InvalidArgument(path.string() + ": no image can be written with the extension \"" + extension +
+                              "\"; use .exr, .hdr, .tif or .png");
+}
+
+void write(AtomicFile& file, const std::filesystem::path& named, const std::vector<Image>& levels, const WriteOptions& options)
+{
+    const bool floats = holdsFloats(lowerCase(named.extension().string()));
+    std::vector<std::vector<std::uint8_t>> bytes;
+    std::vector<RawLevel> raw;
+    for (const Image& image : levels) {
+        raw.push_back({image.width, image.height, image.channels, image.texels.data(), nullptr});
+        if (floats)
+            continue;
+        const Image display = toDisplay(image, 0.0, ToneCurve::Filmic);
+        bytes.emplace_back(display.texels.size());
+        std::transform(display.texels.begin(), display.texels.end(), bytes.back().begin(), toByte);
+        raw.back().bytes = bytes.back().data();
+    }
+    FileSink sink(file);
+    module().write(sink, named, raw, options);
+}
+
+} // namespace mirrorball::openimageio

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "image_io.h"
+
+#include "../atomic_file.h"
+
+#include <string_view>
+
+/// All formats but .exr and .hdr: loads the module that links OpenImageIO on first use and puts what it reads into linear RGB.
+namespace mirrorball::openimageio {
+
+/// The format is told by the first bytes, else by the extension. @throws FileError; WorkError when the module cannot be loaded
+std::unique_ptr<ImageReader> open(const std::filesystem::path& path, std::string_view firstBytes, int level);
+
+/// @throws InvalidArgument when no format of this extension can be written
+void checkWrites(const std::filesystem::path& path, const std::string& extension);
+
+/// Float formats (.tif, .pfm) take linear values, 8-bit ones a display picture (color.h: no exposure, filmic curve).
+/// @throws WorkError
+void write(AtomicFile& file, const std::filesystem::path& named, const std::vector<Image>& levels, const WriteOptions& options);
+
+} // namespace mirrorball::openimageio

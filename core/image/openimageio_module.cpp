@@ -1,0 +1,248 @@
+#include "openimageio_module.h"
+
+#include "input_checks.h"
+
+#include "../error.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+
+namespace mirrorball::openimageio {
+namespace {
+
+constexpr int tileEdge = 64;                   ///< of the mip chains written here
+constexpr const char* attributePrefix = "mirrorball:";
+
+/// TIFF holds no attributes of free names: there they go, one a line, into the image description.
+std::map<std::string, std::string> readAttributes(const OIIO::ImageSpec& spec)
+{
+    std::map<std::string, std::string> attributes;
+    for (const OIIO::ParamValue& attribute : spec.extra_attribs)
+        if (attribute.type() == OIIO::TypeString && attribute.name().string().starts_with(attributePrefix))
+            attributes[attribute.name().string()] = attribute.get_string();
+    std::istringstream lines(spec.get_string_attribute("ImageDescription"));
+    for (std::string line; std::getline(lines, line);)
+        if (const size_t equals = line.find('='); line.starts_with(attributePrefix) && equals != std::string::npos)
+            attributes[line.substr(0, equals)] = line.substr(equals + 1);
+    return attributes;
+}
+
+bool isSrgb(const OIIO::ImageSpec& spec)
+{
+    const std::string space = spec.get_string_attribute("oiio:ColorSpace");
+    if (OIIO::Strutil::iequals(space, "sRGB"))
+        return true;
+    if (!space.empty())
+        return false;
+    return !spec.format.is_floating_point(); // integers without a word about it come from displays and cameras
+}
+
+class Reader final : public RawReader {
+public:
+    Reader(const std::filesystem::path& path, const std::string& format, int level)
+    {
+        const std::string name = path.string();
+        const std::string plugin = format.empty() ? path.extension().string().substr(1) : format;
+        m_input = OIIO::ImageInput::create(plugin);
+        OIIO::ImageSpec spec;
+        if (!m_input)
+            throw FileError(name, "this is no image of a known format; export it as .exr or .hdr (" + oneLine(OIIO::geterror()) + ")");
+        if (!m_input->open(name, spec))
+            throw damaged(name);
+        m_info.levels = countLevels();
+        if (level < 0 || level >= m_info.levels)
+            throw FileError(name, "there is no mip level " + std::to_string(level) + " among its " + std::to_string(m_info.levels) +
+                                      "; ask for one it has");
+        m_level = level;
+        m_spec = m_input->spec(0, level);
+        checkImageSize(name, m_spec.width, m_spec.height);
+        if (m_spec.depth > 1 || m_spec.deep || m_spec.nchannels < 1 || m_spec.nchannels > 1024)
+            throw FileError(name, "this is not a flat image; export it as one");
+        m_info.path = path;
+        m_info.format = m_input->format_name();
+        m_info.width = m_spec.width;
+        m_info.height = m_spec.height;
+        m_info.channels = m_spec.nchannels;
+        m_info.sampleType = m_spec.format.c_str();
+        m_info.tiled = m_spec.tile_width > 0;
+        m_info.compression = m_spec.get_string_attribute("compression");
+        m_info.attributes = readAttributes(m_spec);
+    }
+
+    const ImageFileInfo& info() const override { return m_info; }
+    bool isSrgb() const override { return openimageio::isSrgb(m_spec); }
+
+    void readRows(int firstRow, int rows, float* samples) override
+    {
+        const size_t rowFloats = static_cast<size_t>(m_info.width) * static_cast<size_t>(m_info.channels);
+        if (!m_info.tiled) {
+            const int top = m_spec.y + firstRow;
+            if (!m_input->read_scanlines(0, m_level, top, top + rows, m_spec.z, 0, m_info.channels, OIIO::TypeFloat, samples))
+                throw damaged(m_info.path.string());
+            return;
+        }
+        for (int y = firstRow; y < firstRow + rows; ++y, samples += rowFloats) {
+            if (y / m_spec.tile_height != m_heldTileRow)
+                readTileRow(y / m_spec.tile_height, rowFloats);
+            std::copy_n(m_held.data() + static_cast<size_t>(y % m_spec.tile_height) * rowFloats, rowFloats, samples);
+        }
+    }
+
+private:
+    FileError damaged(const std::string& name) const
+    {
+        const std::string reason = oneLine(m_input->geterror());
+        return FileError(name, "the image is damaged (" + (reason.empty() ? "it cannot be decoded" : reason) +
+                                   "); export or download it again");
+    }
+
+    int countLevels()
+    {
+        int levels = 1;
+        while (levels < 32 && m_input->seek_subimage(0, levels))
+            ++levels;
+        static_cast<void>(m_input->geterror()); // the question past the last level leaves one
+        m_input->seek_subimage(0, 0);
+        return levels;
+    }
+
+    void readTileRow(int tileRow, size_t rowFloats)
+    {
+        const int top = m_spec.y + tileRow * m_spec.tile_height;
+        const int bottom = std::min(top + m_spec.tile_height, m_spec.y + m_spec.height);
+        m_heldTileRow = -1;
+        m_held.resize(rowFloats * static_cast<size_t>(bottom - top));
+        if (!m_input->read_tiles(0, m_level, m_spec.x, m_spec.x + m_spec.width, top, bottom, m_spec.z, m_spec.z + 1, 0, m_info.channels,
+                                 OIIO::TypeFloat, m_held.data()))
+            throw damaged(m_info.path.string());
+        m_heldTileRow = tileRow;
+    }
+
+    std::unique_ptr<OIIO::ImageInput> m_input;
+    OIIO::ImageSpec m_spec;
+    ImageFileInfo m_info{};
+    int m_level = 0;
+    int m_heldTileRow = -1;
+    std::vector<float> m_held{};
+};
+
+std::unique_ptr<RawReader> open(const std::filesystem::path& path, const std::string& format, int level)
+{
+    return std::make_unique<Reader>(path, format, level);
+}
+
+/// Formats that take an IOProxy only: the others would write past our temporary file.
+std::unique_ptr<OIIO::ImageOutput> createOutput(const std::string& extension)
+{
+    auto output = OIIO::ImageOutput::create(extension.substr(1));
+    static_cast<void>(OIIO::geterror());
+    return output && output->supports("ioproxy") ? std::move(output) : nullptr;
+}
+
+bool writes(const std::string& extension)
+{
+    return createOutput(extension) != nullptr;
+}
+
+/// OpenImageIO's view of a Sink. An error must not fly through libtiff or libpng, which are C: it is kept and thrown afterwards.
+class SinkProxy final : public OIIO::Filesystem::IOProxy {
+public:
+    explicit SinkProxy(Sink& sink) : IOProxy("", Write), m_sink(sink) {}
+    const char* proxytype() const override { return "sink"; }
+
+    int64_t tell() override
+    {
+        return static_cast<int64_t>(m_sink.position());
+    }
+    bool seek(int64_t offset) override
+    {
+        return guarded([&] { m_sink.seek(static_cast<std::uint64_t>(offset)); });
+    }
+    size_t write(const void* bytes, size_t count) override
+    {
+        if (!guarded([&] { m_sink.write(bytes, count); }))
+            return 0;
+        m_size = std::max(m_size, static_cast<size_t>(m_sink.position()));
+        return count;
+    }
+    size_t read(void* bytes, size_t count) override
+    {
+        size_t got = 0;
+        guarded([&] { got = m_sink.read(bytes, count); });
+        return got;
+    }
+    size_t size() const override { return m_size; }
+    void rethrow() const
+    {
+        if (m_error)
+            std::rethrow_exception(m_error);
+    }
+
+private:
+    template <class Action>
+    bool guarded(const Action& action)
+    {
+        if (m_error)
+            return false;
+        try {
+            action();
+        } catch (...) {
+            m_error = std::current_exception();
+        }
+        return !m_error;
+    }
+
+    Sink& m_sink;
+    size_t m_size = 0;
+    std::exception_ptr m_error{};
+};
+
+OIIO::ImageSpec makeSpec(const RawLevel& level, const WriteOptions& options, bool mipped)
+{
+    const OIIO::TypeDesc floats = options.sampleType == SampleType::Half ? OIIO::TypeHalf : OIIO::TypeFloat;
+    OIIO::ImageSpec spec(level.width, level.height, level.channels, level.bytes ? OIIO::TypeUInt8 : floats);
+    spec.attribute("oiio:ColorSpace", level.bytes ? "sRGB" : "Linear");
+    spec.attribute("compression", "zip");
+    if (mipped)
+        spec.tile_width = spec.tile_height = tileEdge;
+    std::string description;
+    for (const auto& [name, text] : options.attributes) {
+        spec.attribute(name, text);
+        if (name.starts_with(attributePrefix))
+            description += name + "=" + text + "\n";
+    }
+    if (!description.empty())
+        spec.attribute("ImageDescription", description);
+    return spec;
+}
+
+void write(Sink& sink, const std::filesystem::path& named, const std::vector<RawLevel>& levels, const WriteOptions& options)
+{
+    const auto output = createOutput(named.extension().string());
+    SinkProxy proxy(sink);
+    const auto check = [&](bool done) {
+        proxy.rethrow();
+        if (!done)
+            throw WorkError(named.string() + ": cannot be written: " + oneLine(output->geterror()) + "; try .exr");
+    };
+    output->set_ioproxy(&proxy);
+    for (size_t i = 0; i < levels.size(); ++i) {
+        const OIIO::ImageSpec spec = makeSpec(levels[i], options, levels.size() > 1);
+        check(output->open(named.string(), spec, i == 0 ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendMIPLevel));
+        check(levels[i].bytes ? output->write_image(OIIO::TypeUInt8, levels[i].bytes)
+                              : output->write_image(OIIO::TypeFloat, levels[i].floats));
+    }
+    check(output->close());
+}
+
+const Module exported{moduleVersion, &open, &writes, &write};
+
+} // namespace
+} // namespace mirrorball::openimageio
+
+extern "C" __attribute__((visibility("default"))) const mirrorball::openimageio::Module* mirrorballOpenImageIo()
+{
+    return &mirrorball::openimageio::exported;
+}
