@@ -8,7 +8,6 @@
 #include "../image/reproject.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <sstream>
 
@@ -17,17 +16,6 @@ namespace mirrorball {
 namespace {
 
 constexpr std::array<std::string_view, allMethods.size()> methodNames{"auto", "reference", "spectral", "direct"};
-
-/// Times one stage and adds it to the list.
-template <typename Work>
-auto timed(std::vector<PrefilterStage>& stages, std::string stageName, Work&& work)
-{
-    const auto start = std::chrono::steady_clock::now();
-    auto result = work();
-    stages.push_back({.name = std::move(stageName),
-                      .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()});
-    return result;
-}
 
 /// Band limits are rounded up to steps when a spectrum is made, so that the next lobe, a little narrower, finds what it needs.
 int roundedUp(int bandLimit)
@@ -151,20 +139,19 @@ Settled settleBandLimit(FilterSource& source, const PrefilterOptions& options, c
 EnvironmentMap runSpectral(FilterSource& source, const PrefilterOptions& options, const JobControl& job, PrefilterOutcome& outcome)
 {
     const int knownBefore = source.knownBandLimit() + source.knownCalmBandLimit();
-    const Settled settled = timed(outcome.stages, "spectrum", [&] { return settleBandLimit(source, options, job); });
+    const Settled settled = timedStage(outcome.stages, "spectrum", [&] { return settleBandLimit(source, options, job); });
     if (source.knownBandLimit() + source.knownCalmBandLimit() == knownBefore)
         outcome.stages.back() = {.name = "spectrum", .leftOut = true, .why = "kept from an earlier lobe"};
     outcome.bandLimit = settled.plan.bandLimit;
     outcome.predictedError = std::max(settled.plan.predictedError, 0.4 * options.tolerance);
-    EnvironmentMap map = timed(outcome.stages, "synthesis", [&] {
+    EnvironmentMap map = timedStage(outcome.stages, "synthesis", [&] {
         const auto points = options.target.kind == Parameterization::Latlong ? std::span<const SpherePoint>{}
                                                                              : source.points(options.target, job);
         return filterSpectral(*settled.spectrum, settled.plan, options.target, points, options.tolerance, options.yaw, job);
     });
     if (settled.split && !source.brightTexels().directions.empty())
-        timed(outcome.stages, "bright texels", [&] {
+        timedStage(outcome.stages, "bright texels", [&] {
             addBrightTexels(map, source.brightTexels(), options.lobe, *settled.spectrum, settled.plan.k, options.yaw, job);
-            return 0;
         });
     return map;
 }
@@ -297,7 +284,7 @@ PrefilterOutcome prefilter(FilterSource& source, const PrefilterOptions& options
         if (!source.latlong())
             throw InvalidArgument("lobe: too narrow to filter a probe that is read row by row; use convert");
         outcome.stages.push_back({.name = "filter", .leftOut = true, .why = plan.why});
-        outcome.map = timed(outcome.stages, "resample", [&] {
+        outcome.map = timedStage(outcome.stages, "resample", [&] {
             return options.lobe.isMirror() ? reproject(*source.latlong(), {.target = options.target, .yaw = options.yaw}, job)
                                            : lookUp(*source.latlong(), options.target, options.yaw, job);
         });
@@ -306,14 +293,14 @@ PrefilterOutcome prefilter(FilterSource& source, const PrefilterOptions& options
     switch (plan.method) {
     case Method::Spectral: outcome.map = runSpectral(source, options, job, outcome); break;
     case Method::Direct:
-        outcome.map = timed(outcome.stages, "direct sum", [&] {
+        outcome.map = timedStage(outcome.stages, "direct sum", [&] {
             return toMap(options.target, directSum(*source.latlong(), options.lobe, lookupDirections(options.target, options.yaw),
                                                    {.level = directLevel(options.tolerance)}, job));
         });
         break;
     case Method::Reference:
     case Method::Auto:
-        outcome.map = timed(outcome.stages, "reference sum", [&] {
+        outcome.map = timedStage(outcome.stages, "reference sum", [&] {
             return toMap(options.target,
                          referenceSum(*source.latlong(), options.lobe, lookupDirections(options.target, options.yaw), job));
         });

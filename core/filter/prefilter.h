@@ -7,6 +7,7 @@
 
 #include "../image/environment_map.h"
 #include "../job.h"
+#include "../stage.h"
 
 #include <array>
 #include <memory>
@@ -76,12 +77,6 @@ struct PrefilterOptions {
 };
 
 /// What was done, and how well.
-struct PrefilterStage {
-    std::string name{};
-    double seconds = 0.0;
-    bool leftOut = false;
-    std::string why{};
-};
 struct PrefilterOutcome {
     EnvironmentMap map{};
     Method method = Method::Auto;  ///< the one that ran
@@ -89,7 +84,7 @@ struct PrefilterOutcome {
     int bandLimit = 0;             ///< spectral only
     double predictedError = 0.0;   ///< rel_rms against the reference sum
     std::string why{};             ///< why this method
-    std::vector<PrefilterStage> stages{};
+    std::vector<Stage> stages{};
 };
 
 /// What prefilter() would do, decided without doing it.
