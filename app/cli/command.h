@@ -1,8 +1,5 @@
 #pragma once
 
-#include "core/image/environment_map.h"
-#include "core/image/image_io.h"
-#include "core/image/repair.h"
 #include "core/job.h"
 #include "core/sphere/parameterization.h"
 #include "core/stage.h"
@@ -10,7 +7,6 @@
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,24 +43,8 @@ void writeStats(const std::filesystem::path& path, const Stats& stats);
 /// Prints stages as a table for `--explain`: name, needed or left out, why.
 void printStages(const std::vector<Stage>& stages);
 
-/// A probe named on the command line: a file, or builtin:NAME.
-struct LoadedProbe {
-    EnvironmentMap map{};
-    RepairReport repaired{};
-};
-/// Reads a probe, repairs it, and finds out its parameterization unless `from` forces one.
-/// @throws InvalidArgument, FileError
-LoadedProbe loadProbe(const std::string& probe, const std::optional<Parameterization>& from, const JobControl& job,
-                      std::vector<Stage>& stages);
-
 /// A job on `threads` threads (0: all cores) that draws a progress bar on stderr once the work has taken a second, when stderr is a
 /// terminal; never in a pipe. `label` stands before the bar.
 JobControl jobWithProgress(const std::string& label, int threads);
-
-/// Writes a map or a mip chain to `out` as the command line promises: one file, mips inside where the format holds them, else one
-/// file a level (`name.0.ext`, ...); `%s` in the name of a cube makes six files px nx py ny pz nz. Attributes say what the map is.
-/// @return the files written
-std::vector<std::filesystem::path> writeMap(const std::filesystem::path& out, const std::vector<EnvironmentMap>& levels,
-                                            const WriteOptions& options);
 
 } // namespace mirrorball::cli
