@@ -133,32 +133,17 @@ void checkWritable(const std::filesystem::path& path, const Image& image)
                               " texels and " + std::to_string(image.channels) + " channels cannot be written; 1, 3 or 4 channels can");
 }
 
-bool isExr(const std::string& extension)
-{
-    return extension == ".exr";
-}
+bool isExr(const std::string& extension) { return extension == ".exr"; }
 
-bool isHdr(const std::string& extension)
-{
-    return extension == ".hdr" || extension == ".pic" || extension == ".rgbe";
-}
+bool isHdr(const std::string& extension) { return extension == ".hdr" || extension == ".pic" || extension == ".rgbe"; }
 
 } // namespace
 
-std::unique_ptr<ImageReader> openImage(const std::filesystem::path& path)
-{
-    return openLevel(path, 0);
-}
+std::unique_ptr<ImageReader> openImage(const std::filesystem::path& path) { return openLevel(path, 0); }
 
-Image readImage(const std::filesystem::path& path, const JobControl& job)
-{
-    return readAll(*openLevel(path, 0), job);
-}
+Image readImage(const std::filesystem::path& path, const JobControl& job) { return readAll(*openLevel(path, 0), job); }
 
-Image readLevel(const std::filesystem::path& path, int level)
-{
-    return readAll(*openLevel(path, level), {});
-}
+Image readLevel(const std::filesystem::path& path, int level) { return readAll(*openLevel(path, level), {}); }
 
 bool holdsMips(const std::filesystem::path& path)
 {
