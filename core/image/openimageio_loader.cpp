@@ -168,22 +168,28 @@ private:
     AtomicFile& m_file;
 };
 
-bool holdsFloats(const std::string& extension)
+std::string lowerExtension(const std::filesystem::path& path)
 {
-    return extension == ".tif" || extension == ".tiff" || extension == ".tx" || extension == ".pfm";
-}
-
-std::string lowerCase(std::string text)
-{
+    std::string text = path.extension().string();
     std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return text;
+}
+
+/// What OpenImageIO writes through a stream of ours; its other formats would leave half a file behind when they fail.
+constexpr std::array<std::string_view, 3> floatExtensions{".tif", ".tiff", ".tx"};
+constexpr std::array<std::string_view, 7> byteExtensions{".png", ".jpg", ".jpeg", ".tga", ".bmp", ".ppm", ".webp"};
+
+template <class List>
+bool holds(const List& list, const std::string& extension)
+{
+    return std::find(list.begin(), list.end(), extension) != list.end();
 }
 
 } // namespace
 
 std::unique_ptr<ImageReader> open(const std::filesystem::path& path, std::string_view firstBytes, int level)
 {
-    const std::string extension = lowerCase(path.extension().string());
+    const std::string extension = lowerExtension(path);
     const std::string format = formatOf(firstBytes).empty() && extension == ".png" ? "png" : formatOf(firstBytes);
     if (format.empty() && (extension.empty() || extension == ".exr" || extension == ".hdr" || extension == ".pic"))
         throw FileError(path.string(), "this is no image of a known format; export or download it again");
@@ -192,16 +198,17 @@ std::unique_ptr<ImageReader> open(const std::filesystem::path& path, std::string
     return std::make_unique<LinearReader>(module().open(path, format, level));
 }
 
-void checkWrites(const std::filesystem::path& path, const std::string& extension)
+void checkWrites(const std::filesystem::path& path)
 {
-    if (extension.empty() || !module().writes(extension))
+    const std::string extension = lowerExtension(path);
+    if (!holds(floatExtensions, extension) && !holds(byteExtensions, extension))
         throw InvalidArgument(path.string() + ": no image can be written with the extension \"" + extension +
                               "\"; use .exr, .hdr, .tif or .png");
 }
 
 void write(AtomicFile& file, const std::filesystem::path& named, const std::vector<Image>& levels, const WriteOptions& options)
 {
-    const bool floats = holdsFloats(lowerCase(named.extension().string()));
+    const bool floats = holds(floatExtensions, lowerExtension(named));
     std::vector<std::vector<std::uint8_t>> bytes;
     std::vector<std::vector<float>> clamped;
     std::vector<RawLevel> raw;

@@ -133,15 +133,13 @@ std::unique_ptr<RawReader> open(const std::filesystem::path& path, const std::st
     return std::make_unique<Reader>(path, format, level);
 }
 
-/// Formats that take an IOProxy only: the others would write past our temporary file.
-std::unique_ptr<OIIO::ImageOutput> createOutput(const std::string& extension)
+std::unique_ptr<OIIO::ImageOutput> createOutput(const std::filesystem::path& named)
 {
-    auto output = OIIO::ImageOutput::create(extension.substr(1));
-    static_cast<void>(OIIO::geterror());
-    return output && output->supports("ioproxy") ? std::move(output) : nullptr;
+    auto output = OIIO::ImageOutput::create(named.extension().string().substr(1));
+    if (!output || !output->supports("ioproxy"))
+        throw WorkError(named.string() + ": this OpenImageIO cannot write the format; write .exr (" + oneLine(OIIO::geterror()) + ")");
+    return output;
 }
-
-bool writes(const std::string& extension) { return createOutput(extension) != nullptr; }
 
 /// OpenImageIO's view of a Sink. An error must not fly through libtiff or libpng, which are C: it is kept and thrown afterwards.
 class SinkProxy final : public OIIO::Filesystem::IOProxy {
@@ -223,7 +221,7 @@ WorkError writeError(const std::filesystem::path& named, const std::string& reas
 
 void write(Sink& sink, const std::filesystem::path& named, const RawLevel& image, const WriteOptions& options)
 {
-    const auto output = createOutput(named.extension().string());
+    const auto output = createOutput(named);
     SinkProxy proxy(sink);
     output->set_ioproxy(&proxy);
     const bool written = output->open(named.string(), makeSpec(image, options, false)) && writePixels(*output, image) && output->close();
@@ -235,7 +233,7 @@ void write(Sink& sink, const std::filesystem::path& named, const RawLevel& image
 void writeMips(const std::filesystem::path& temporary, const std::filesystem::path& named, const std::vector<RawLevel>& levels,
                const WriteOptions& options)
 {
-    const auto output = createOutput(named.extension().string());
+    const auto output = createOutput(named);
     const auto append = output->supports("mipmap") ? OIIO::ImageOutput::AppendMIPLevel : OIIO::ImageOutput::AppendSubimage;
     bool written = true;
     for (size_t i = 0; i < levels.size() && written; ++i)
@@ -253,7 +251,7 @@ void writeMips(const std::filesystem::path& temporary, const std::filesystem::pa
     throw writeError(named, {});
 }
 
-const Module exported{moduleVersion, &open, &writes, &write, &writeMips};
+const Module exported{moduleVersion, &open, &write, &writeMips};
 
 } // namespace
 } // namespace mirrorball::openimageio

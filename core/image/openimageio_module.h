@@ -41,8 +41,6 @@ struct Module {
     int version = 0;
     /// `format` is OpenImageIO's name of it, empty: by extension. @throws FileError
     std::unique_ptr<RawReader> (*open)(const std::filesystem::path& path, const std::string& format, int level) = nullptr;
-    /// Whether this extension can be written.
-    bool (*writes)(const std::string& extension) = nullptr;
     /// One image goes into the sink. `named` is the target, for its extension and messages. @throws WorkError
     void (*write)(Sink& sink, const std::filesystem::path& named, const RawLevel& image, const WriteOptions& options) = nullptr;
     /// A mip chain goes into the existing file `temporary`: TIFF levels are appended by reading back, which no sink can do. @throws

@@ -19,7 +19,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::vector<std::string> writtenFormats{".exr", ".hdr", ".tif", ".png", ".jpg"};
+const std::vector<std::string> writtenFormats{".exr", ".hdr", ".tif", ".png", ".jpg", ".tga", ".bmp", ".ppm", ".webp"};
 
 size_t filesIn(const std::filesystem::path& folder)
 {
@@ -139,6 +139,8 @@ TEST_F(ImageIo, TellsTheFormatByContentNotByName)
 {
     const Image image = test::smallIntegerImage(20, 10);
     for (const std::string& extension : writtenFormats) {
+        if (extension == ".tga")
+            continue; // the one format without a signature
         const auto named = folder / ("a" + extension);
         writeImage(named, image);
         const Image expected = readImage(named);
@@ -277,7 +279,7 @@ TEST_F(ImageIo, TakesAStackedCubesChainDownToOneTexel)
 
 TEST_F(ImageIo, StopsBetweenBlocksAndReportsProgress)
 {
-    writeImage(folder / "a.exr", Image(1024, 1024, 3, 1.0f));
+    writeImage(folder / "a.exr", Image(2048, 2048, 3, 1.0f));
     std::vector<float> fractions;
     std::stop_source source;
     JobControl job;
