@@ -12,10 +12,7 @@ namespace mirrorball {
 
 namespace {
 
-std::string sizeText(const ImageFileInfo& info)
-{
-    return std::to_string(info.width) + " x " + std::to_string(info.height);
-}
+std::string sizeText(const ImageFileInfo& info) { return std::to_string(info.width) + " x " + std::to_string(info.height); }
 
 /// The cube arrangement of this shape, and the edge of its faces.
 struct CubeShape {

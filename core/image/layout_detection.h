@@ -14,22 +14,22 @@ namespace mirrorball {
 /// a cube.
 enum class Arrangement {
     Whole,
-    Constant,            ///< 1 x 1: one radiance for every direction
-    EdgeSampledLatlong,  ///< OpenEXR's envmap "latlong"
-    OpenExrCube,         ///< OpenEXR's envmap "cube"
-    HorizontalStrip,     ///< 6:1, the faces of the stacked cube side by side
-    Grid3x2,             ///< 3:2, +X -X +Y above -Y +Z -Z
-    Grid2x3,             ///< 2:3, +X -X, +Y -Y, +Z -Z
-    HorizontalCross,     ///< 4:3, top; left front right back; bottom
-    VerticalCross,       ///< 3:4, top; left front right; bottom; back, turned by 180 degrees
+    Constant,           ///< 1 x 1: one radiance for every direction
+    EdgeSampledLatlong, ///< OpenEXR's envmap "latlong"
+    OpenExrCube,        ///< OpenEXR's envmap "cube"
+    HorizontalStrip,    ///< 6:1, the faces of the stacked cube side by side
+    Grid3x2,            ///< 3:2, +X -X +Y above -Y +Z -Z
+    Grid2x3,            ///< 2:3, +X -X, +Y -Y, +Z -Z
+    HorizontalCross,    ///< 4:3, top; left front right back; bottom
+    VerticalCross,      ///< 3:4, top; left front right; bottom; back, turned by 180 degrees
 };
 
 /// What a file was taken for, and why.
 struct Detection {
-    MapLayout layout{};                           ///< of the map that toEnvironmentMap() makes of it
+    MapLayout layout{}; ///< of the map that toEnvironmentMap() makes of it
     Arrangement arrangement = Arrangement::Whole;
-    std::string reason{};                         ///< one clause for the user: "2:1, taken for a latlong"
-    bool certain = true;                          ///< false where the shape fits several kinds: say so, and offer --from
+    std::string reason{}; ///< one clause for the user: "2:1, taken for a latlong"
+    bool certain = true;  ///< false where the shape fits several kinds: say so, and offer --from
 };
 
 /// Finds out what map a file holds, from its header alone. In this order: a kind that the user forces, the OpenEXR envmap attribute,
