@@ -37,4 +37,37 @@ Lobe tabulatedLobe(std::vector<double> samples);
 /// "phong:50", "diffuse", "ggx:0.09": for plans, statistics and reports.
 std::string describe(const Lobe& lobe);
 
+/// A lobe made ready for evaluation: k(c)/k(1) for many c. Powers are taken in log space, so no exponent over- or underflows
+/// before its value does. A tabulated lobe whose peak lies elsewhere is relative to its largest sample.
+class LobeShape {
+public:
+    explicit LobeShape(const Lobe& lobe);
+
+    /// ln(k(c)/k(1)); -infinity at and below the horizon and where k is 0 (phong with n = 0 is 0 down to the horizon)
+    double logRelative(double c) const;
+    /// k(c)/k(1), in [0, 1]
+    double relative(double c) const;
+    /// Integral of relative() over the sphere, in steradians: k = relative/integral. Closed form but for tabulated lobes (exact sums).
+    double integral() const { return m_integral; }
+    /// Angle from the axis at which k has fallen to half its peak; pi/2 where it never does above the horizon.
+    double halfWidth() const;
+    /// Smallest angle beyond which relative() stays at or below `level`; pi/2 where it never does above the horizon.
+    double support(double level) const;
+
+private:
+    Lobe m_lobe;
+    double m_integral = 0.0;
+    double m_peak = 1.0;
+};
+
+/// A lobe is unresolved by a latlong map of this width when its full width at half maximum is under 1.5 texels of the equator:
+/// the reference sum would then read single texels, so the filtered map is the bilinear lookup (DESIGN 3).
+bool isUnresolved(const Lobe& lobe, int latlongWidth);
+
+/// The factors of a radial convolution, e_lm = k_l a_lm, for l = 0 .. bandLimit:
+///   k_l = 2 pi integral of k(c) P_l(c) over [0, 1];  k_0 = 1
+/// Phong and diffuse in closed form, k_l = k_(l-2) (n-l+2)/(n+l+1) with k_1 = (n+1)/(n+2); the others by Gauss-Legendre quadrature
+/// on panels that follow both the peak and the oscillation of P_l (relative error about 1e-13 of k_0).
+std::vector<double> legendreCoefficients(const Lobe& lobe, int bandLimit);
+
 } // namespace mirrorball

@@ -8,22 +8,19 @@
 
 namespace mirrorball {
 
-float encodeSrgb(float linear)
-{
-    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
-}
+float encodeSrgb(float linear) { return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f; }
 
-float decodeSrgb(float encoded)
-{
-    return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
-}
+float decodeSrgb(float encoded) { return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f); }
 
 std::string_view name(ToneCurve curve)
 {
     switch (curve) {
-    case ToneCurve::None: return "none";
-    case ToneCurve::Reinhard: return "reinhard";
-    case ToneCurve::Filmic: return "filmic";
+    case ToneCurve::None:
+        return "none";
+    case ToneCurve::Reinhard:
+        return "reinhard";
+    case ToneCurve::Filmic:
+        return "filmic";
     }
     return {};
 }
@@ -42,9 +39,14 @@ float toneMapped(float x, ToneCurve curve)
         return 0.0f;
     x = std::min(x, 1e9f); // all three curves are flat to float precision by then, and x^2 stays finite
     switch (curve) {
-    case ToneCurve::None: break;
-    case ToneCurve::Reinhard: x = x / (1.0f + x); break;
-    case ToneCurve::Filmic: x = x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f); break;
+    case ToneCurve::None:
+        break;
+    case ToneCurve::Reinhard:
+        x = x / (1.0f + x);
+        break;
+    case ToneCurve::Filmic:
+        x = x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f);
+        break;
     }
     return std::min(x, 1.0f);
 }
@@ -63,17 +65,11 @@ Image toDisplay(const Image& linear, double exposureEv, ToneCurve curve)
     return display;
 }
 
-std::uint8_t toByte(float x)
-{
-    return static_cast<std::uint8_t>(255.0f * toneMapped(x, ToneCurve::None) + 0.5f);
-}
+std::uint8_t toByte(float x) { return static_cast<std::uint8_t>(255.0f * toneMapped(x, ToneCurve::None) + 0.5f); }
 
 namespace {
 
-glm::dvec3 xyz(const glm::dvec2& xy)
-{
-    return {xy.x, xy.y, 1.0 - xy.x - xy.y};
-}
+glm::dvec3 xyz(const glm::dvec2& xy) { return {xy.x, xy.y, 1.0 - xy.x - xy.y}; }
 
 /// RGB to XYZ with Y = 1 for white: the columns are the primaries, scaled so that R = G = B = 1 is the white (RP 177, eq. 3.3.6).
 glm::dmat3 rgbToXyz(const Chromaticities& c)

@@ -12,10 +12,7 @@
 namespace mirrorball {
 
 /// Luminance of linear Rec.709 RGB: Y = 0.2126 R + 0.7152 G + 0.0722 B. Source: ITU-R BT.709-6, item 3.2.
-inline double luminance(const glm::dvec3& rgb)
-{
-    return 0.2126 * rgb.r + 0.7152 * rgb.g + 0.0722 * rgb.b;
-}
+inline double luminance(const glm::dvec3& rgb) { return 0.2126 * rgb.r + 0.7152 * rgb.g + 0.0722 * rgb.b; }
 
 /// The sRGB transfer function: linear light in [0, 1] to the encoded value in [0, 1].
 ///   12.92 x for x <= 0.0031308, else 1.055 x^(1/2.4) - 0.055

@@ -2,10 +2,13 @@
 
 #include "direction.h"
 
+#include "../job.h"
+
 #include <array>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// How directions become texels. Each mapping has a file of its own (latlong, cube_map, sphere_map, angular_map, dual_paraboloid,
 /// octahedral) that answers the same questions; this header names the mapping at run time and dispatches to it.
@@ -23,16 +26,19 @@ std::optional<Parameterization> parameterizationFromName(std::string_view word);
 
 /// A parameterization at a size: everything that fixes which direction a texel stands for.
 ///
+/// Every disc has +Y at the top. +X is on the right in the sphere map and in both paraboloid halves, whose formulas have it there; on
+/// the left in the angular map, which is a picture from inside like the latlong (angular_map.h).
+///
 /// Images: latlong 2N x N; cube N x 6N, faces +X -X +Y -Y +Z -Z from the top, each with OpenGL's face axes; sphere and angular
 /// N x N; paraboloid 2N x N, the front half (z >= 0) on the left; octahedral N x N.
 /// `border` (paraboloid only) is the ring of texels kept free outside each inscribed disc, so the disc's radius is N/2 - border.
 struct MapLayout {
     Parameterization kind = Parameterization::Latlong;
-    int size = 0;    ///< N, at least 1
-    int border = 0;  ///< texels, in [0, N/2); 0 for every kind but paraboloid
+    int size = 0;   ///< N, at least 1
+    int border = 0; ///< texels, in [0, N/2); 0 for every kind but paraboloid
 
-    int width() const;
-    int height() const;
+    int width() const { return kind == Parameterization::Latlong || kind == Parameterization::Paraboloid ? 2 * size : size; }
+    int height() const { return kind == Parameterization::Cube ? 6 * size : size; }
     bool operator==(const MapLayout&) const = default;
 };
 
@@ -50,10 +56,7 @@ struct Texel {
 /// Defined on the whole image: outside a disc the mapping is continued (paraboloid: the same formula; angular and sphere map: on
 /// through the rim, back up the far side), so that colour bleeds past the edge and a lookup there never reads garbage.
 glm::dvec3 direction(const MapLayout& layout, const glm::dvec2& p);
-inline glm::dvec3 texelDirection(const MapLayout& layout, int x, int y)
-{
-    return direction(layout, {x + 0.5, y + 0.5});
-}
+inline glm::dvec3 texelDirection(const MapLayout& layout, int x, int y) { return direction(layout, {x + 0.5, y + 0.5}); }
 
 /// Continuous image position of a unit direction; the inverse of direction() on the valid part of the image.
 glm::dvec2 coordinate(const MapLayout& layout, const glm::dvec3& d);
@@ -62,12 +65,36 @@ glm::dvec2 coordinate(const MapLayout& layout, const glm::dvec3& d);
 bool isInside(const MapLayout& layout, int x, int y);
 
 /// Solid angle of the part of the texel that lies on the map, in steradians; 0 outside. Closed form (clipped at a disc's edge).
-/// The sum over a map is 4 pi: to 1e-12 relative for latlong, cube and octahedral, to 1e-6 for the discs.
+/// The sum over a map is 4 pi to 1e-12 relative, for the discs too.
 double texelSolidAngle(const MapLayout& layout, int x, int y);
+
+/// Solid angle of a rectangle of the image, in texels, that lies within one chart (face, half or whole map); its part outside a disc
+/// does not count. What texelSolidAngle() is for any rectangle.
+double solidAngle(const MapLayout& layout, const glm::dvec2& min, const glm::dvec2& max);
+
+/// d omega / dA at an image position, in steradians per square texel; 0 outside a disc. Its root is the angle that a texel subtends there.
+double density(const MapLayout& layout, const glm::dvec2& p);
+
+/// The solid angles of all texels, computed once: charts that are alike (cube faces, latlong columns, paraboloid halves) share entries.
+class SolidAngles {
+public:
+    explicit SolidAngles(const MapLayout& layout, const JobControl& job = {});
+    double at(int x, int y) const
+    {
+        return m_values[static_cast<size_t>(y % m_rows) * static_cast<size_t>(m_columns) + static_cast<size_t>(x % m_columns)];
+    }
+
+private:
+    int m_columns = 1;
+    int m_rows = 1;
+    std::vector<double> m_values{};
+};
 
 /// The texel that stands at (x, y) when that address lies over an edge: across a seam for latlong, cube, octahedral and paraboloid
 /// halves; back inside for the discs. `chart` is the texel the step started from: it says which face or half (x, y) extends.
-/// An address inside the map is returned as it is. Works for steps up to the width of a chart.
+/// An address inside the map is returned as it is; in a disc, a texel is inside for this purpose when its centre is (one that only
+/// touches the disc may be half empty). Works for steps up to the width of a chart. Beyond a cube's corner, where no texel is, it
+/// gives an existing one as far from the corner.
 Texel acrossSeam(const MapLayout& layout, Texel chart, int x, int y);
 
 } // namespace mirrorball

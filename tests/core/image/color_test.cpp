@@ -108,10 +108,7 @@ TEST(Color, DisplayKeepsOpacityLinear)
     EXPECT_EQ(display.texel(0, 1)[3], 0.5f);
 }
 
-TEST(Color, Rec709NeedsNoConversion)
-{
-    EXPECT_EQ(toRec709({}), glm::dmat3(1.0));
-}
+TEST(Color, Rec709NeedsNoConversion) { EXPECT_EQ(toRec709({}), glm::dmat3(1.0)); }
 
 TEST(Color, WhiteGoesToWhiteWhateverThePrimaries)
 {

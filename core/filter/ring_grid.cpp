@@ -1,0 +1,216 @@
+#include "ring_grid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mirrorball {
+
+namespace {
+
+constexpr int taps = 6;
+constexpr int haloBefore = 3; ///< taps reach floor(p) - 2, and floor(p) may be -1 at the north pole
+constexpr int haloAfter = 4;
+
+/// Poles of the quintic B-spline's inverse filter (Unser 1999, table 1) and its gain, the product of (1 - z)(1 - 1/z).
+constexpr std::array<double, 2> poles{-0.43057534709997, -0.04309628820326};
+
+double splineGain()
+{
+    double gain = 1.0;
+    for (const double z : poles)
+        gain *= (1.0 - z) * (1.0 - 1.0 / z);
+    return gain;
+}
+
+/// Values of the six quintic B-splines that reach a point at fraction t in [0, 1) past the third one.
+inline std::array<float, taps> splineWeights(float t)
+{
+    const float t2 = t * t, t3 = t2 * t, t4 = t2 * t2, t5 = t4 * t;
+    const float s = 1.0f - t, s5 = s * s * s * s * s;
+    constexpr float scale = 1.0f / 120.0f;
+    return {scale * s5,
+            scale * (26.0f - 50.0f * t + 20.0f * t2 + 20.0f * t3 - 20.0f * t4 + 5.0f * t5),
+            scale * (66.0f - 60.0f * t2 + 30.0f * t4 - 10.0f * t5),
+            scale * (26.0f + 50.0f * t + 20.0f * t2 - 20.0f * t3 - 20.0f * t4 + 10.0f * t5),
+            scale * (1.0f + 5.0f * t + 10.0f * t2 + 10.0f * t3 + 5.0f * t4 - 5.0f * t5),
+            scale * t5};
+}
+
+/// Two neighbouring samples of RGB and the norm as one vector of the compiler's; loads need no alignment.
+typedef float TwoTexels __attribute__((vector_size(32), aligned(4), may_alias)); // an attribute that `using` cannot carry
+
+// The loop over taps is the hot one of every export: it is built for AVX2 as well and chosen when the program starts. Sanitizers
+// cannot run such start-up code.
+#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define MIRRORBALL_CLONES __attribute__((target_clones("arch=haswell", "default")))
+#else
+#define MIRRORBALL_CLONES
+#endif
+
+constexpr int lanes = 8; ///< great circles filtered side by side
+using Lanes = std::array<double, lanes>;
+
+/// Turns samples on closed circles into spline coefficients, in place: a causal and an anticausal recursion for each pole, started
+/// from the periodic sums that a run without beginning would have reached.
+void prefilterCircles(std::vector<Lanes>& circle)
+{
+    const int n = static_cast<int>(circle.size());
+    const double gain = splineGain();
+    for (Lanes& s : circle)
+        for (double& v : s)
+            v *= gain;
+    for (const double z : poles) {
+        const int horizon = std::min(n, static_cast<int>(std::ceil(std::log(1e-18) / std::log(std::abs(z)))));
+        const double closing = 1.0 / (1.0 - std::pow(z, n));
+        Lanes start{};
+        double power = closing;
+        for (int i = 0; i < horizon; ++i, power *= z)
+            for (size_t j = 0; j < lanes; ++j)
+                start[j] += power * circle[static_cast<size_t>((n - i) % n)][j];
+        circle[0] = start;
+        for (int i = 1; i < n; ++i)
+            for (size_t j = 0; j < lanes; ++j)
+                circle[static_cast<size_t>(i)][j] += z * circle[static_cast<size_t>(i) - 1][j];
+
+        start = {};
+        power = -z * closing;
+        for (int i = 0; i < horizon; ++i, power *= z)
+            for (size_t j = 0; j < lanes; ++j)
+                start[j] += power * circle[static_cast<size_t>((n - 1 + i) % n)][j];
+        circle[static_cast<size_t>(n) - 1] = start;
+        for (int i = n - 2; i >= 0; --i)
+            for (size_t j = 0; j < lanes; ++j)
+                circle[static_cast<size_t>(i)][j] = z * (circle[static_cast<size_t>(i) + 1][j] - circle[static_cast<size_t>(i)][j]);
+    }
+}
+
+/// n rounded up to an even number of factors 2, 3 and 5.
+int goodRings(int n)
+{
+    for (int rings = std::max(8, n + n % 2);; rings += 2) {
+        int rest = rings;
+        for (const int p : {2, 3, 5})
+            while (rest % p == 0)
+                rest /= p;
+        if (rest == 1)
+            return rings;
+    }
+}
+
+} // namespace
+
+int RingGrid::ringsFor(const std::vector<double>& k, double tolerance)
+{
+    const int bandLimit = static_cast<int>(k.size()) - 1;
+    for (int rings = goodRings(bandLimit + 1);; rings = goodRings(rings + rings / 16 + 1)) {
+        double lost = 0.0;
+        for (int l = 0; l <= bandLimit; ++l) {
+            // The strongest alias of a frequency x (in samples) that a spline of degree 5 lets through, (x/(1-x))^6; one from either
+            // side, along the azimuth and along the meridian.
+            const double x = l / (2.0 * rings);
+            const double share = std::pow(x / (1.0 - x), 6) * k[static_cast<size_t>(l)];
+            lost += 4.0 * (2.0 * l + 1.0) * share * share;
+        }
+        if (lost <= tolerance * tolerance)
+            return rings;
+    }
+}
+
+RingGrid::RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int rings, double yaw, const JobControl& job)
+    : m_rings(rings), m_stride(2 * rings + haloBefore + haloAfter)
+{
+    const int samples = 2 * rings;
+    std::vector<double> theta(static_cast<size_t>(rings));
+    for (int j = 0; j < rings; ++j)
+        theta[static_cast<size_t>(j)] = pi * (j + 0.5) / rings;
+    std::vector<std::complex<double>> azimuth(k.size());
+    for (size_t i = 0; i < k.size(); ++i) {
+        const double m = static_cast<double>(i), w = 2.0 * pi * m / samples;
+        // Azimuth runs against longitude, so turning the map by +yaw is a shift by -yaw along it.
+        azimuth[i] = std::polar(120.0 / (66.0 + 52.0 * std::cos(w) + 2.0 * std::cos(2.0 * w)), m * yaw);
+    }
+    const FilteredRings filtered = synthesise(spectrum, k, theta, samples, 0.0, azimuth, job);
+
+    m_texels.resize(4 * static_cast<size_t>(rings + haloBefore + haloAfter) * static_cast<size_t>(m_stride));
+    const auto at = [&](int row, int x) {
+        return m_texels.data() +
+               4 * (static_cast<size_t>(row + haloBefore) * static_cast<size_t>(m_stride) + static_cast<size_t>(x + haloBefore));
+    };
+    const int blocks = (rings + lanes - 1) / lanes;
+    parallelRows(blocks, job, [&](int first, int last) {
+        std::vector<Lanes> circle(static_cast<size_t>(samples));
+        for (int block = first; block < last; ++block) {
+            const int x0 = block * lanes, width = std::min(lanes, rings - x0);
+            for (int c = 0; c < 4; ++c) {
+                const double* map = (c < 3 ? filtered.rgb[static_cast<size_t>(c)] : filtered.norm).data();
+                // Down the meridian at x, then up the one opposite to it.
+                for (int i = 0; i < samples; ++i) {
+                    const double* row = map + static_cast<size_t>(i < rings ? i : samples - 1 - i) * static_cast<size_t>(samples) +
+                                        (i < rings ? 0 : rings) + x0;
+                    for (int j = 0; j < width; ++j)
+                        circle[static_cast<size_t>(i)][static_cast<size_t>(j)] = row[j];
+                }
+                prefilterCircles(circle);
+                for (int i = -haloBefore; i < rings + haloAfter; ++i)
+                    for (int j = 0; j < width; ++j) {
+                        const auto lane = static_cast<size_t>(j);
+                        at(i, x0 + j)[c] = static_cast<float>(circle[static_cast<size_t>((i + samples) % samples)][lane]);
+                        at(i, x0 + j + rings)[c] =
+                            static_cast<float>(circle[static_cast<size_t>((2 * samples - 1 - i) % samples)][lane]);
+                    }
+            }
+        }
+    }, 4);
+    for (int row = -haloBefore; row < rings + haloAfter; ++row) {
+        for (int x = -haloBefore; x < 0; ++x)
+            std::copy_n(at(row, x + samples), 4, at(row, x));
+        for (int x = samples; x < samples + haloAfter; ++x)
+            std::copy_n(at(row, x - samples), 4, at(row, x));
+    }
+}
+
+MIRRORBALL_CLONES
+void interpolate(const float* texels, int stride, double perRadian, std::span<const SpherePoint> points, float* rgbn)
+{
+    for (const SpherePoint& p : points) {
+        const double x = p.azimuth * perRadian, y = p.colatitude * perRadian - 0.5;
+        const double floorX = std::floor(x), floorY = std::floor(y);
+        const auto wx = splineWeights(static_cast<float>(x - floorX));
+        const auto wy = splineWeights(static_cast<float>(y - floorY));
+        const TwoTexels w01{wx[0], wx[0], wx[0], wx[0], wx[1], wx[1], wx[1], wx[1]};
+        const TwoTexels w23{wx[2], wx[2], wx[2], wx[2], wx[3], wx[3], wx[3], wx[3]};
+        const TwoTexels w45{wx[4], wx[4], wx[4], wx[4], wx[5], wx[5], wx[5], wx[5]};
+        const float* row = texels + 4 * (static_cast<ptrdiff_t>(static_cast<int>(floorY) - 2 + haloBefore) * stride +
+                                         (static_cast<int>(floorX) - 2 + haloBefore));
+        TwoTexels sum{};
+        for (size_t j = 0; j < taps; ++j, row += 4 * static_cast<ptrdiff_t>(stride)) {
+            const auto* pair = reinterpret_cast<const TwoTexels*>(row);
+            sum += wy[j] * (w01 * pair[0] + w23 * pair[1] + w45 * pair[2]);
+        }
+        for (int c = 0; c < 4; ++c)
+            *rgbn++ = sum[c] + sum[c + 4];
+    }
+}
+
+void RingGrid::read(std::span<const SpherePoint> points, float* rgbn) const
+{
+    interpolate(m_texels.data(), m_stride, m_rings / pi, points, rgbn);
+}
+
+std::vector<SpherePoint> spherePoints(const MapLayout& layout, const JobControl& job)
+{
+    const int width = layout.width(), height = layout.height();
+    std::vector<SpherePoint> points(static_cast<size_t>(width) * static_cast<size_t>(height));
+    parallelRows(height, job, [&](int first, int last) {
+        for (int y = first; y < last; ++y)
+            for (int x = 0; x < width; ++x) {
+                const glm::dvec3 d = texelDirection(layout, x, y);
+                points[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)] = {
+                    .azimuth = pi - std::atan2(d.x, d.z), .colatitude = std::atan2(std::sqrt(d.x * d.x + d.z * d.z), d.y)};
+            }
+    });
+    return points;
+}
+
+} // namespace mirrorball

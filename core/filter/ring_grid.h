@@ -1,0 +1,45 @@
+#pragma once
+
+#include "spectrum.h"
+
+#include <span>
+#include <vector>
+
+namespace mirrorball {
+
+/// A place on the sphere in the spectrum's angles.
+struct SpherePoint {
+    double azimuth;    ///< along the rows of a latlong map, 2 pi u, in [0, 2 pi]
+    double colatitude; ///< from +Y, in [0, pi]
+};
+
+/// A band-limited function on the sphere, held on rings and read at any direction: how a filtered spectrum reaches the maps whose
+/// texels do not lie on rings (cube, paraboloid, octahedral, discs).
+///
+/// The function is synthesised on N rings of 2N samples and interpolated by a quintic B-spline, exactly through the samples: along the
+/// azimuth the spline's prefilter is a factor per order m, 120/(66 + 52 cos w + 2 cos 2w) with w = 2 pi m / 2N; along the meridians it is
+/// the spline's recursive filter, run over whole great circles so that the poles are no ends. Of a harmonic of degree l the
+/// interpolation lets aliases of about (x/(1-x))^6 through, x = l/2N.
+/// Source: M. Unser, "Splines: a perfect fit for signal and image processing", IEEE Signal Processing Magazine 16(6), 1999, eqs. 10-13.
+class RingGrid {
+public:
+    /// Rings that keep the interpolation error below `tolerance`, relative to the mean, for a probe of white spectrum filtered by k; at
+    /// least one more than k's band limit, a length FFTs like.
+    static int ringsFor(const std::vector<double>& k, double tolerance);
+
+    /// @param yaw radians, as yawed(): the function is turned about +Y
+    RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int rings, double yaw, const JobControl& job = {});
+
+    /// Numerators and norm (FilteredRings) at many places, 4 floats each.
+    void read(std::span<const SpherePoint> points, float* rgbn) const;
+
+private:
+    int m_rings;
+    int m_stride;                ///< samples a row of m_texels, halo included
+    std::vector<float> m_texels; ///< spline coefficients of RGB and the norm, with a halo so that no tap needs wrapping
+};
+
+/// The places of a layout's texels on the sphere, row by row: worth keeping when several lobes are read off in the same layout.
+std::vector<SpherePoint> spherePoints(const MapLayout& layout, const JobControl& job = {});
+
+} // namespace mirrorball

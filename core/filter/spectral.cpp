@@ -1,0 +1,161 @@
+#include "spectral.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <functional>
+
+namespace mirrorball {
+
+namespace {
+
+/// Share of the tolerance spent on truncation; the rest is left to interpolation.
+constexpr double truncationShare = 0.4;
+constexpr double interpolationShare = 0.4;
+
+/// What the terms beyond `last` add up to at most. The slowest spectrum, that of a lobe with a step at the horizon, has terms
+/// (2l+1) k_l^2 ~ l^-2, whose sum beyond `last` equals that of the octave before it; a kink has l^-4 and a seventh of it.
+double beyond(const std::function<double(int)>& term, int last)
+{
+    double octave = 0.0;
+    for (int l = last / 2 + 1; l <= last; ++l)
+        octave += term(l);
+    return octave / 3.0;
+}
+
+/// Smallest band limit whose tail, the square root of the sum of term(l) over l > B, is within `limit`.
+int limitForTail(const std::function<double(int)>& term, int last, double limit)
+{
+    double tail = beyond(term, last);
+    if (tail > limit * limit)
+        return last;
+    for (int l = last; l > 0; --l) {
+        tail += term(l);
+        if (tail > limit * limit)
+            return l;
+    }
+    return 0;
+}
+
+/// The error a degree can cost at most in a non-negative probe of mean 1.
+std::function<double(int)> whiteTerm(const std::vector<double>& k)
+{
+    return [&k](int l) { return (2.0 * l + 1.0) * k[static_cast<size_t>(l)] * k[static_cast<size_t>(l)]; };
+}
+
+double tailFrom(const std::function<double(int)>& term, int first, int last)
+{
+    double tail = beyond(term, last);
+    for (int l = last; l >= first; --l)
+        tail += term(l);
+    return std::sqrt(tail);
+}
+
+/// Follows a spectrum until its tail is small pointwise, where it decays fast enough to get there within twice what the root mean
+/// square asks for: beside a sun the dark, taken as 1e-5 of the mean, shows an error that the root mean square hides. A lobe with a
+/// kink at the horizon would gain little.
+int extendForTheDark(const std::vector<double>& k, int bandLimit, double tolerance)
+{
+    const int last = std::min({static_cast<int>(k.size()) - 1, 2 * bandLimit + 4, largestBandLimit});
+    double tail = 0.0;
+    for (int l = last; l > bandLimit; --l) {
+        tail += (2.0 * l + 1.0) * std::abs(k[static_cast<size_t>(l)]);
+        if (tail > 1e-3 * tolerance)
+            return l == last ? bandLimit : l;
+    }
+    return bandLimit;
+}
+
+BandLimitPlan finishPlan(const std::vector<double>& k, int bandLimit, double tolerance, const std::function<double(int)>& term, double scale)
+{
+    const int last = static_cast<int>(k.size()) - 1;
+    bandLimit = extendForTheDark(k, bandLimit, tolerance);
+    const double error = tailFrom(term, bandLimit + 1, last) / scale;
+    return {bandLimit, std::vector<double>(k.begin(), k.begin() + bandLimit + 1), error};
+}
+
+} // namespace
+
+BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance)
+{
+    const auto term = whiteTerm(k);
+    const int bandLimit = limitForTail(term, static_cast<int>(k.size()) - 1, truncationShare * tolerance);
+    return finishPlan(k, std::min(bandLimit, largestBandLimit), tolerance, term, 1.0);
+}
+
+BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance, const Spectrum& spectrum, double outsidePower)
+{
+    const int length = static_cast<int>(k.size()) - 1, known = std::min(spectrum.bandLimit, length);
+    const std::vector<double> power = spectrum.power();
+    double strongest = 0.0; // power per coefficient among the last degrees known
+    for (int l = known * 7 / 10; l <= known; ++l)
+        strongest = std::max(strongest, power[static_cast<size_t>(l)] / (2.0 * l + 1.0));
+    const auto term = [&](int l) {
+        const auto i = static_cast<size_t>(l);
+        return k[i] * k[i] * (l <= known ? power[i] : (2.0 * l + 1.0) * strongest);
+    };
+    double total = outsidePower;
+    for (int l = 0; l <= known; ++l)
+        total += term(l);
+    const double scale = std::sqrt(total);
+    if (scale <= 0.0) // a black probe
+        return {0, {1.0}, 0.0};
+    const int bandLimit = std::min(limitForTail(term, length, truncationShare * tolerance * scale), largestBandLimit);
+    return finishPlan(k, bandLimit, tolerance, term, scale);
+}
+
+EnvironmentMap filterSpectral(const Spectrum& spectrum, const BandLimitPlan& plan, const BrightLobe& bright, const MapLayout& target,
+                              std::span<const SpherePoint> points, double tolerance, double yaw, const JobControl& job)
+{
+    assert(plan.bandLimit <= spectrum.bandLimit);
+    EnvironmentMap map(target);
+    const int width = map.image.width, height = map.image.height;
+    const auto w = static_cast<size_t>(width);
+
+    // Rows of numerators and norm, from either source, become rows of the map.
+    const auto finishRows = [&](const std::function<void(int first, int last, float* rgbn)>& read) {
+        parallelRows(height, job, [&](int first, int last) {
+            std::vector<float> rgbn(4 * w * static_cast<size_t>(last - first));
+            std::vector<double> weights;
+            read(first, last, rgbn.data());
+            const float* from = rgbn.data();
+            float* to = map.image.row(first);
+            for (int y = first; y < last; ++y)
+                for (int x = 0; x < width; ++x, from += 4, to += 3) {
+                    glm::dvec3 sum(from[0], from[1], from[2]);
+                    if (!bright.empty())
+                        sum += bright.radiance(yawed(texelDirection(target, x, y), -yaw), weights);
+                    for (int c = 0; c < 3; ++c)
+                        to[c] = static_cast<float>(sum[c] / from[3]);
+                }
+        });
+    };
+
+    if (target.kind == Parameterization::Latlong) {
+        std::vector<double> theta;
+        for (int y = 0; y < height; ++y)
+            theta.push_back(pi * (y + 0.5) / height);
+        std::vector<std::complex<double>> turn;
+        for (int m = 0; m <= plan.bandLimit; ++m)
+            turn.push_back(std::polar(1.0, m * yaw)); // azimuth runs against longitude, see RingGrid
+        const FilteredRings rings = synthesise(spectrum, plan.k, theta, width, pi / width, turn, job);
+        finishRows([&](int first, int last, float* rgbn) {
+            for (size_t i = static_cast<size_t>(first) * w; i < static_cast<size_t>(last) * w; ++i, rgbn += 4) {
+                for (size_t c = 0; c < 3; ++c)
+                    rgbn[c] = static_cast<float>(rings.rgb[c][i]);
+                rgbn[3] = static_cast<float>(rings.norm[i]);
+            }
+        });
+        return map;
+    }
+
+    assert(points.size() == w * static_cast<size_t>(height));
+    const int rings = RingGrid::ringsFor(plan.k, interpolationShare * tolerance);
+    const RingGrid grid(spectrum, plan.k, rings, yaw, job);
+    finishRows([&](int first, int last, float* rgbn) {
+        grid.read(points.subspan(static_cast<size_t>(first) * w, static_cast<size_t>(last - first) * w), rgbn);
+    });
+    return map;
+}
+
+} // namespace mirrorball

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "bright_texels.h"
+#include "lobe.h"
+#include "ring_grid.h"
+#include "spectrum.h"
+
+namespace mirrorball {
+
+/// The spectral method: a radial convolution is a product per degree, e_lm = k_l a_lm. Funk-Hecke theorem; 000 section 3.2.2 gives
+/// the lobes.
+///
+/// How far a lobe's spectrum must be followed.
+struct BandLimitPlan {
+    int bandLimit = 0;
+    std::vector<double> k{};     ///< the lobe's Legendre coefficients, 0 .. bandLimit
+    double predictedError = 0.0; ///< rel_rms that the truncation costs at most
+};
+
+/// The largest band limit that is ever used: its ring grid takes about 0.4 GB.
+inline constexpr int largestBandLimit = 2048;
+
+/// The band limit a lobe needs whatever the probe holds. With a_00 the mean, a non-negative probe has at most the power
+/// (2l+1) a_00^2 in degree l (that of a single bright texel), so that
+///   rel_rms^2 <= sum_(l > B) (2l+1) k_l^2
+/// Lobes whose spectrum decays fast are followed further than that asks for, because beside a sun the dark shows an error that the
+/// root mean square hides.
+/// @param k  legendreCoefficients(), at least twice as long as the band limit that comes out; what lies beyond them is estimated from
+///           their last octave, and a band limit over half their length means that a longer list may ask for more
+BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance);
+
+/// The same for a probe whose spectrum is known up to some degree: uses its power there, and the strongest power of its last
+/// degrees beyond. Lobes with a kink at the horizon (diffuse, rough ggx) decay slowly and gain most.
+/// @param outsidePower  power of the filtered map that is not in the spectrum: that of texels taken out of it, at least
+BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance, const Spectrum& spectrum, double outsidePower = 0.0);
+
+/// The filtered map. The rows of a latlong target are rings, on which it is synthesised in place; other targets are read off a
+/// RingGrid at `points`, the target's spherePoints() (unused for latlong).
+/// @param bright  what was taken out of the probe before its spectrum was made; empty for a whole probe
+/// @throws Cancelled
+EnvironmentMap filterSpectral(const Spectrum& spectrum, const BandLimitPlan& plan, const BrightLobe& bright, const MapLayout& target,
+                              std::span<const SpherePoint> points, double tolerance, double yaw, const JobControl& job = {});
+
+} // namespace mirrorball

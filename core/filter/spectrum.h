@@ -1,0 +1,78 @@
+#pragma once
+
+#include "../image/environment_map.h"
+#include "../job.h"
+
+#include <array>
+#include <complex>
+#include <memory>
+#include <vector>
+
+namespace mirrorball {
+
+/// A probe's spherical-harmonic coefficients: one forward transform that many lobes share.
+///
+///   a_lm = sum_j w_j L_j conj(Y_lm(d_j))
+///
+/// over the texels of a latlong map with their exact solid angles w_j, in double precision. It is the reference sum in spectral
+/// form: the truncated kernel sum_(l<=B) k_l (2l+1)/(4 pi) P_l(r.d) applied to the texels equals sum_lm k_l a_lm Y_lm(r) exactly,
+/// whatever the band limit B is beside the map's size. (Colatitude is counted from +Y and azimuth along the rows, 2 pi u. That is
+/// a left-handed frame, which radial convolutions cannot tell from a right-handed one.)
+struct Spectrum {
+    int bandLimit = 0;                                               ///< largest l
+    int rings = 0;                                                   ///< rows of the map it was made from
+    int ringLength = 0;                                              ///< texels in a row
+    std::array<std::vector<std::complex<double>>, 3> coefficients{}; ///< R, G, B; m >= 0 only, at index(l, m)
+    std::vector<std::complex<double>> unit{};                        ///< the same sum over a constant 1, which normalises the filters
+    double peak = 0.0;                                               ///< largest |texel| of the map
+
+    size_t index(int l, int m) const
+    {
+        return static_cast<size_t>(m) * static_cast<size_t>(2 * bandLimit + 1 - m) / 2 + static_cast<size_t>(l);
+    }
+
+    /// Power per degree, sum over m and the channels of |a_lm|^2; its sum over l is the integral of L^2 where nothing is truncated.
+    std::vector<double> power() const;
+};
+
+/// Builds a Spectrum from rows that arrive one block after the other, so that a probe of any size streams through: each row is
+/// Fourier transformed, truncated to |m| <= bandLimit and kept at just the length that holds those. That is exact, not a
+/// reduction. Memory: about 48 (bandLimit + 1) bytes a row, whatever the row's length.
+class SpectrumBuilder {
+public:
+    SpectrumBuilder(int width, int height, int bandLimit);
+    ~SpectrumBuilder();
+    SpectrumBuilder(const SpectrumBuilder&) = delete;
+    SpectrumBuilder& operator=(const SpectrumBuilder&) = delete;
+
+    /// Rows [firstRow, firstRow + rows) of a centre-sampled latlong map, 3 floats a texel, finite.
+    void addRows(int firstRow, int rows, const float* rgb, const JobControl& job = {});
+    /// The transform along the meridians. Every row must have been added.
+    Spectrum finish(const JobControl& job = {});
+
+private:
+    struct Plans;
+    int m_width, m_height, m_bandLimit;
+    int m_keptLength; ///< samples kept of each row: all of them where the band limit asks for it
+    double m_peak = 0.0;
+    std::array<std::vector<double>, 3> m_rows{};
+    std::unique_ptr<Plans> m_plans;
+};
+
+/// The spectrum of a latlong map in memory. @throws InvalidArgument for another parameterization
+Spectrum analyse(const EnvironmentMap& latlong, int bandLimit, const JobControl& job = {});
+
+/// A filtered spectrum on rings, not yet normalised: the numerators of the reference sum, and its denominator, the filter of a constant
+/// 1, which differs from 1 by the quadrature error of the texel sum. Their quotient is the filtered map.
+struct FilteredRings {
+    std::array<std::vector<double>, 3> rgb{}; ///< rings x ringLength each
+    std::vector<double> norm{};
+};
+
+/// e_lm = k_l a_lm on the rings of colatitudes `theta`, each of `ringLength` samples that start at azimuth `phi0`.
+/// @param k  0 .. B, at most the spectrum's band limit
+/// @param azimuthFactors  multiply every coefficient of order m; that of m = 0 is 1
+FilteredRings synthesise(const Spectrum& spectrum, const std::vector<double>& k, const std::vector<double>& theta, int ringLength,
+                         double phi0, const std::vector<std::complex<double>>& azimuthFactors, const JobControl& job);
+
+} // namespace mirrorball

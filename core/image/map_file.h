@@ -1,0 +1,42 @@
+#pragma once
+
+#include "environment_map.h"
+#include "image_io.h"
+#include "repair.h"
+
+#include "../job.h"
+#include "../stage.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Environment maps as files: what the command line, scenes and the studio read and write alike.
+namespace mirrorball {
+
+struct ReadProbeOptions {
+    std::optional<Parameterization> from{};            ///< forces the parameterization; empty: found out from the file
+    NegativePolicy negatives = NegativePolicy::Keep;
+};
+
+struct Probe {
+    EnvironmentMap map{};
+    RepairReport repaired{};
+    std::string origin{};    ///< how the parameterization was found, in words
+    bool certain = true;     ///< false: a guess by shape alone (a square may be angular, sphere or octahedral)
+};
+
+/// Reads `probe`, a path or `builtin:NAME`, repairs it (repair.h) and finds out its parameterization (layout_detection.h).
+/// Appends its stages ("read probe", "compute probe", "repair").
+/// @throws FileError, InvalidArgument
+Probe readProbe(const std::string& probe, const ReadProbeOptions& options, const JobControl& job, std::vector<Stage>& stages);
+
+/// Writes a map, or a chain of levels (each its own map, largest first), to `out`: one file; the levels inside it where the format
+/// holds them (.exr, .tif), else one file a level, NAME.0.EXT, NAME.1.EXT, ...; a `%s` in the name of a cube makes six files, px nx py
+/// ny pz nz. The parameterization and border are stored in the file's attributes where it can hold them, beside those in `options`.
+/// Each file appears whole or not at all. @return the files written, in order
+std::vector<std::filesystem::path> writeMap(const std::filesystem::path& out, const std::vector<EnvironmentMap>& levels,
+                                            const WriteOptions& options = {});
+
+} // namespace mirrorball
