@@ -58,7 +58,11 @@ Mesh teapotMesh(int level)
     level = std::max(1, level);
     Mesh mesh;
     std::vector<glm::dvec3> positions;
-    for (const BezierPatch& patch : teapotPatches()) {
+    const TeapotPatches patches = teapotPatches();
+    for (size_t number = 0; number < patches.size(); ++number) {
+        const BezierPatch& patch = patches[number];
+        if (number == firstOpenPatch)
+            mesh.openFrom = mesh.indices.size();
         const size_t first = positions.size(), stride = static_cast<size_t>(level) + 1;
         for (int j = 0; j <= level; ++j)
             for (int i = 0; i <= level; ++i) {
