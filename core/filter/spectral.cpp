@@ -100,7 +100,7 @@ BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance, cons
     const double scale = std::sqrt(total);
     if (scale <= 0.0) // a black probe
         return {0, {1.0}, 0.0};
-    const int bandLimit = std::min(std::max(least, limitForTail(term, length, truncationShare * tolerance * scale)), largestBandLimit);
+    const int bandLimit = std::min({std::max(least, limitForTail(term, length, truncationShare * tolerance * scale)), length, largestBandLimit});
     return finishPlan(k, bandLimit, tolerance, term, scale);
 }
 
