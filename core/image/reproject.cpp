@@ -4,8 +4,6 @@
 #include "mip_pyramid.h"
 #include "spline_lookup.h"
 
-#include "../sphere/cube_map.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
