@@ -335,7 +335,8 @@ private:
         for (const std::string& name : channels.rgb) {
             const Imf::Channel* channel = header.channels().findChannel(name);
             if (channel && (channel->xSampling != 1 || channel->ySampling != 1))
-                throw FileError(path, "its channel " + name + " is subsampled, which only RY and BY may be; export it in full resolution");
+                throw FileError(path, "its channel " + oneLine(name) +
+                                          " is subsampled, which only RY and BY may be; export it in full resolution");
         }
     }
 

@@ -125,7 +125,8 @@ glm::dvec3 parseGain(const std::string& path, const std::string& key, const std:
 {
     const std::vector<double> values = parseNumbers(text, count);
     if (values.empty() || *std::min_element(values.begin(), values.end()) <= 0.0)
-        throw FileError(path, "the header's " + key + "=" + text.substr(0, 40) + " is not a positive number; correct or remove that line");
+        throw FileError(path, "the header's " + key + "=" + oneLine(text.substr(0, 40)) +
+                                  " is not a positive number; correct or remove that line");
     return count == 3 ? glm::dvec3(values[0], values[1], values[2]) : glm::dvec3(values[0]);
 }
 
@@ -164,7 +165,7 @@ Header readHeader(const std::filesystem::path& file, ByteSource& bytes)
             const std::string format = lowerCase(value);
             xyz = format.find("32-bit_rle_xyze") != std::string::npos;
             if (!xyz && format.find("32-bit_rle_rgbe") == std::string::npos)
-                throw FileError(path, "its format \"" + value.substr(0, 40) + "\" is unknown; save it as 32-bit_rle_rgbe");
+                throw FileError(path, "its format \"" + oneLine(value.substr(0, 40)) + "\" is unknown; save it as 32-bit_rle_rgbe");
         } else if (key == "exposure") {
             header.gain /= parseGain(path, "EXPOSURE", value, 1);
         } else if (key == "colorcorr") {

@@ -45,12 +45,14 @@ inline std::optional<glm::mat3> conversionFrom(const std::string& path, const Ch
     }
 }
 
-/// Text of another library as the part of a one-line message: the first line, without the full stop.
+/// Text from a file or another library as the part of a one-line message: its first line without the full stop, readable characters.
 inline std::string oneLine(const std::string& text)
 {
     std::string line = text.substr(0, std::min(text.find('\n'), size_t{300}));
     while (!line.empty() && (line.back() == '.' || line.back() == ' ' || line.back() == '\r'))
         line.pop_back();
+    std::replace_if(
+        line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
     return line;
 }
 

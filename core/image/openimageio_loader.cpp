@@ -134,7 +134,12 @@ void checkPng(const std::filesystem::path& path)
 /// Turns what the module reads into linear RGB.
 class LinearReader final : public ImageReader {
 public:
-    explicit LinearReader(std::unique_ptr<RawReader> raw) : m_raw(std::move(raw)) {}
+    explicit LinearReader(std::unique_ptr<RawReader> raw)
+        : m_raw(std::move(raw)), m_isSrgb(m_raw->isSrgb()), m_isBytes(m_raw->info().sampleType == "uint8")
+    {
+        for (size_t i = 0; i < m_decodedBytes.size(); ++i)
+            m_decodedBytes[i] = decodeSrgb(static_cast<float>(i) / 255.0f);
+    }
 
     const ImageFileInfo& info() const override { return m_raw->info(); }
 
@@ -148,12 +153,17 @@ public:
         for (size_t i = 0; i < texels; ++i)
             for (size_t c = 0; c < 3; ++c) {
                 const float sample = m_samples[i * channels + (grey ? 0 : c)];
-                rgb[3 * i + c] = m_raw->isSrgb() ? decodeSrgb(sample) : sample;
+                rgb[3 * i + c] = m_isSrgb ? linear(sample) : sample;
             }
     }
 
 private:
+    float linear(float sample) const { return m_isBytes ? m_decodedBytes[toByte(sample)] : decodeSrgb(sample); }
+
     std::unique_ptr<RawReader> m_raw;
+    bool m_isSrgb; ///< asked once: the answer is a search through the file's attributes
+    bool m_isBytes;
+    std::array<float, 256> m_decodedBytes{};
     std::vector<float> m_samples{};
 };
 

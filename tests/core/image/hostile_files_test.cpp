@@ -97,6 +97,12 @@ TEST_F(HostileFiles, RefusesGarbageUnderAnyName)
     EXPECT_NE(errorOf("just a line of text\n", "a.txt"), "");
 }
 
+TEST_F(HostileFiles, QuotesNoControlCharactersFromAFile)
+{
+    const std::string text = errorOf(std::string("#?RADIANCE\nFORMAT=odd\0\x1b[31m\x07\n\n-Y 1 +X 1\n....", 44));
+    EXPECT_THAT(text, HasSubstr("\"odd??[31m?\""));
+}
+
 TEST_F(HostileFiles, RefusesTheDamagedFilesOfOpenExr)
 {
     for (const std::string name : {"damaged_1.exr", "damaged_2.exr", "damaged_3.exr"}) {
