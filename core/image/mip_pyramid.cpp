@@ -1,0 +1,226 @@
+#include "mip_pyramid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+/// Both wishes for a level, that a constant stays and that energy stays, are wishes for a matrix M (source texel i to box X): row sums the
+/// boxes' solid angles, column sums the texels'. The clipped overlap Omega(i and X) is such a matrix, exactly. Blurring over the boxes'
+/// edges keeps both if it only moves radiance between two texels at a time, in equal and opposite amounts proportional to their difference:
+///   L_i += (c / omega_i) (L_j - L_i),   L_j += (c / omega_j) (L_i - L_j),   c = omega_i omega_j / (2 (omega_i + omega_j)).
+/// For equal texels that is a quarter of the difference, which makes [1 3 3 1]/8 of the box. No texel has to exist diagonally over a
+/// corner, and a texel gives away less than a half to each neighbour, so nothing turns negative beside a sun.
+namespace mirrorball {
+
+namespace {
+
+bool isDisc(const MapLayout& layout)
+{
+    return layout.kind == Parameterization::Sphere || layout.kind == Parameterization::Angular ||
+           layout.kind == Parameterization::Paraboloid;
+}
+
+MapLayout halved(const MapLayout& layout)
+{
+    MapLayout half{layout.kind, std::max(1, layout.size / 2), 0};
+    if (layout.border > 0)
+        half.border = std::min((layout.border + 1) / 2, (half.size - 1) / 2);
+    return half;
+}
+
+/// Where the edges of the coarser level's texels lie in the finer level, in texels from the start of a chart. Charts correspond
+/// edge to edge, discs rim to rim.
+struct Boxes {
+    double fineMiddle;
+    double coarseMiddle;
+    double scale;
+
+    Boxes(const MapLayout& fine, const MapLayout& coarse)
+        : fineMiddle(0.5 * fine.size), coarseMiddle(0.5 * coarse.size), scale((fineMiddle - fine.border) / (coarseMiddle - coarse.border))
+    {
+    }
+    double edge(int i) const { return fineMiddle + (i - coarseMiddle) * scale; }
+    bool isPairs() const { return scale == 2.0 && edge(0) == 0.0; }
+};
+
+/// How much the border between texels b - 1 and b of the finer level is an edge of a box: 1 on it, less beside an edge within a texel.
+std::vector<double> edgeStrengths(const Boxes& boxes, int texels)
+{
+    std::vector<double> strengths(static_cast<size_t>(texels) + 1, 0.0);
+    for (int i = 0; boxes.edge(i) <= texels + 1; ++i) {
+        const double edge = boxes.edge(i);
+        for (const double b : {std::floor(edge), std::floor(edge) + 1.0})
+            if (b >= 0.0 && b <= texels)
+                strengths[static_cast<size_t>(b)] = std::max(strengths[static_cast<size_t>(b)], 1.0 - std::abs(b - edge));
+    }
+    return strengths;
+}
+
+/// The four neighbours of a texel and the borders to them.
+struct Step {
+    int dx, dy;
+};
+constexpr std::array<Step, 4> steps{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
+
+/// Exchange over the edges of boxes. Pairs over a disc's rim are left to exchangeOverRim(): there the neighbour of a neighbour need not
+/// be the texel itself.
+Image exchanged(const EnvironmentMap& map, const SolidAngles& solidAngles, const Boxes& boxes, const JobControl& job)
+{
+    const MapLayout& layout = map.layout;
+    const int n = layout.size;
+    const int chartWidth = layout.kind == Parameterization::Latlong ? 2 * n : n;
+    const bool disc = isDisc(layout);
+    const std::vector<double> across = edgeStrengths(boxes, chartWidth), down = edgeStrengths(boxes, n);
+    Image result(map.image.width, map.image.height, 3);
+    parallelRows(map.image.height, job, [&](int first, int last) {
+        for (int y = first; y < last; ++y) {
+            const int ly = y % n;
+            for (int x = 0; x < map.image.width; ++x) {
+                const float* own = map.image.texel(x, y);
+                float* out = result.texel(x, y);
+                const double w = solidAngles.at(x, y);
+                if (w <= 0.0)
+                    continue; // may hold anything
+                const int lx = x % chartWidth;
+                glm::dvec3 sum(own[0], own[1], own[2]);
+                const glm::dvec3 centre = sum;
+                for (const Step& step : steps) {
+                    const double strength = step.dy == 0 ? across[static_cast<size_t>(step.dx < 0 ? lx : lx + 1)]
+                                                         : down[static_cast<size_t>(step.dy < 0 ? ly : ly + 1)];
+                    if (strength <= 0.0)
+                        continue;
+                    Texel t{x + step.dx, y + step.dy};
+                    if (lx + step.dx < 0 || lx + step.dx >= chartWidth || ly + step.dy < 0 || ly + step.dy >= n) {
+                        if (disc)
+                            continue;
+                        t = acrossSeam(layout, {x, y}, t.x, t.y);
+                    }
+                    const double wt = solidAngles.at(t.x, t.y);
+                    if (wt <= 0.0)
+                        continue;
+                    const float* other = map.image.texel(t.x, t.y);
+                    sum += strength * 0.5 * wt / (w + wt) * (glm::dvec3(other[0], other[1], other[2]) - centre);
+                }
+                for (int c = 0; c < 3; ++c)
+                    out[c] = static_cast<float>(sum[c]);
+            }
+        }
+    });
+    return result;
+}
+
+/// Exchange between each texel at a disc's rim and the one that its step over the rim leads to. A texel can be met from several sides, so
+/// the amounts are scaled down where they would add up to more than it has.
+void exchangeOverRim(Image& image, const MapLayout& layout, const SolidAngles& solidAngles)
+{
+    struct Pair {
+        Texel a, b;
+        double amount;
+    };
+    std::vector<Pair> pairs;
+    std::vector<double> load(static_cast<size_t>(image.width) * static_cast<size_t>(image.height), 0.0);
+    const auto loadAt = [&](Texel t) -> double& {
+        return load[static_cast<size_t>(t.y) * static_cast<size_t>(image.width) + static_cast<size_t>(t.x)];
+    };
+    const int n = layout.size;
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            const double w = solidAngles.at(x, y);
+            if (w <= 0.0)
+                continue;
+            for (const Step& step : steps) {
+                const int lx = x % n + step.dx, ly = y + step.dy;
+                if (lx >= 0 && lx < n && ly >= 0 && ly < n && solidAngles.at(lx, ly) > 0.0)
+                    continue;
+                const Texel t = acrossSeam(layout, {x, y}, x + step.dx, ly);
+                const double wt = solidAngles.at(t.x, t.y);
+                const double amount = 0.25 * w * wt / (w + wt); // half of a pair's: it is met again from the other side
+                pairs.push_back({{x, y}, t, amount});
+                loadAt({x, y}) += amount / w;
+                loadAt(t) += amount / wt;
+            }
+        }
+    }
+    const Image before = image;
+    for (const Pair& pair : pairs) {
+        const double amount = pair.amount / std::max({1.0, loadAt(pair.a), loadAt(pair.b)});
+        const double toA = amount / solidAngles.at(pair.a.x, pair.a.y), toB = amount / solidAngles.at(pair.b.x, pair.b.y);
+        for (int c = 0; c < 3; ++c) {
+            const double difference = static_cast<double>(before.texel(pair.b.x, pair.b.y)[c]) - before.texel(pair.a.x, pair.a.y)[c];
+            image.texel(pair.a.x, pair.a.y)[c] += static_cast<float>(toA * difference);
+            image.texel(pair.b.x, pair.b.y)[c] -= static_cast<float>(toB * difference);
+        }
+    }
+}
+
+EnvironmentMap halve(const EnvironmentMap& fine, const JobControl& job)
+{
+    EnvironmentMap coarse(halved(fine.layout));
+    const Boxes boxes(fine.layout, coarse.layout);
+    const SolidAngles solidAngles(fine.layout, job);
+    Image source = exchanged(fine, solidAngles, boxes, job);
+    if (isDisc(fine.layout))
+        exchangeOverRim(source, fine.layout, solidAngles);
+
+    const int n = fine.layout.size, half = coarse.layout.size;
+    parallelRows(coarse.image.height, job, [&](int first, int last) {
+        for (int y = first; y < last; ++y) {
+            const int chartY = y / half * n;
+            const double y0 = boxes.edge(y % half), y1 = boxes.edge(y % half + 1);
+            for (int x = 0; x < coarse.image.width; ++x) {
+                // The paraboloid's halves are two charts; a latlong's two squares are one and meet edge to edge.
+                const int chartX = x / half * n;
+                const double x0 = boxes.edge(x % half), x1 = boxes.edge(x % half + 1);
+                glm::dvec3 sum(0.0);
+                double total = 0.0;
+                for (int fy = std::max(0, static_cast<int>(std::floor(y0))); fy < std::min<double>(n, y1); ++fy)
+                    for (int fx = std::max(0, static_cast<int>(std::floor(x0))); fx < std::min<double>(n, x1); ++fx) {
+                        double w;
+                        if (boxes.isPairs())
+                            w = solidAngles.at(fx, fy);
+                        else
+                            w = solidAngle(fine.layout, {chartX + std::max<double>(fx, x0), chartY + std::max<double>(fy, y0)},
+                                           {chartX + std::min<double>(fx + 1, x1), chartY + std::min<double>(fy + 1, y1)});
+                        if (w <= 0.0)
+                            continue;
+                        const float* t = source.texel(chartX + fx, chartY + fy);
+                        sum += w * glm::dvec3(t[0], t[1], t[2]);
+                        total += w;
+                    }
+                const glm::vec3 value = total > 0.0 ? glm::vec3(sum / total) : fine.radiance(texelDirection(coarse.layout, x, y));
+                std::copy_n(&value.x, 3, coarse.image.texel(x, y));
+            }
+        }
+    });
+    return coarse;
+}
+
+} // namespace
+
+MipPyramid buildMipPyramid(const EnvironmentMap& map, const JobControl& job)
+{
+    validate(map.layout);
+    const JobControl quiet{.stop = job.stop, .progress = {}, .threads = job.threads};
+    MipPyramid pyramid;
+    pyramid.levels.push_back(map);
+    while (pyramid.levels.back().layout.size > 1) {
+        pyramid.levels.push_back(halve(pyramid.levels.back(), quiet));
+        if (job.progress) // a level costs a quarter of the one before
+            job.progress(static_cast<float>(1.0 - std::pow(0.25, static_cast<double>(pyramid.levels.size() - 1))));
+    }
+    if (job.progress)
+        job.progress(1.0f);
+    return pyramid;
+}
+
+glm::vec3 radiance(const MipPyramid& pyramid, const glm::dvec3& d, double level)
+{
+    const double last = static_cast<double>(pyramid.levels.size() - 1);
+    const double clamped = std::clamp(level, 0.0, last);
+    const size_t fine = static_cast<size_t>(clamped);
+    const float fraction = static_cast<float>(clamped - static_cast<double>(fine));
+    const glm::vec3 a = pyramid.levels[fine].radiance(d);
+    return fraction > 0.0f ? glm::mix(a, pyramid.levels[fine + 1].radiance(d), fraction) : a;
+}
+
+} // namespace mirrorball

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "environment_map.h"
+
+#include "../job.h"
+
+#include <vector>
+
+namespace mirrorball {
+
+/// An environment map and its halvings. Level i + 1 has half the size of level i, rounded down; the last has size 1.
+/// A paraboloid's border is halved too, rounded up: each level's own layout says which directions its texels stand for.
+struct MipPyramid {
+    std::vector<EnvironmentMap> levels{};
+};
+
+/// Builds the pyramid. Each level is a box average weighted by solid angle, after every texel beside a box's edge has exchanged radiance
+/// with its neighbour over that edge: [1 3 3 1]/8 across each pair, over seams, poles, cube edges and disc rims as well as inside, so no
+/// level shows where the charts meet.
+/// A constant map stays constant, and the mean radiance of every level is that of the map: both to the rounding of float.
+/// @throws InvalidArgument for a layout out of range; Cancelled
+MipPyramid buildMipPyramid(const EnvironmentMap& map, const JobControl& job = {});
+
+/// Trilinear lookup: bilinear and seamless in the two levels beside `level`, which is clamped to [0, last].
+glm::vec3 radiance(const MipPyramid& pyramid, const glm::dvec3& d, double level);
+
+} // namespace mirrorball

@@ -1,0 +1,37 @@
+#include "mesh_buffer.h"
+
+namespace mirrorball::preview {
+
+namespace {
+
+template <class Element>
+GlObject upload(const std::vector<Element>& elements)
+{
+    GlObject buffer = makeBuffer();
+    glNamedBufferStorage(buffer, static_cast<GLsizeiptr>(elements.size() * sizeof(Element)), elements.data(), 0);
+    return buffer;
+}
+
+} // namespace
+
+MeshBuffer::MeshBuffer(const Mesh& mesh)
+    : m_vertexArray(makeVertexArray()), m_attributes{upload(mesh.positions), upload(mesh.normals), upload(mesh.texCoords)},
+      m_indices(upload(mesh.indices)), m_count(static_cast<GLsizei>(mesh.indices.size())), m_bounds(boundingBox(mesh))
+{
+    const GLint components[3] = {3, 3, 2};
+    for (GLuint i = 0; i < 3; ++i) {
+        glVertexArrayVertexBuffer(m_vertexArray, i, m_attributes[i], 0, static_cast<GLsizei>(components[i] * sizeof(float)));
+        glVertexArrayAttribFormat(m_vertexArray, i, components[i], GL_FLOAT, GL_FALSE, 0);
+        glEnableVertexArrayAttrib(m_vertexArray, i);
+    }
+    glVertexArrayElementBuffer(m_vertexArray, m_indices);
+}
+
+void MeshBuffer::draw() const
+{
+    glBindVertexArray(m_vertexArray);
+    glDrawElements(GL_TRIANGLES, m_count, GL_UNSIGNED_INT, nullptr);
+    glBindVertexArray(0);
+}
+
+} // namespace mirrorball::preview

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "gl_object.h"
+#include "mesh.h"
+
+namespace mirrorball::preview {
+
+/// A mesh on the GPU: attribute 0 position, 1 normal, 2 texture coordinate.
+class MeshBuffer {
+public:
+    explicit MeshBuffer(const Mesh& mesh);
+    void draw() const;
+    const BoundingBox& bounds() const { return m_bounds; }
+
+private:
+    GlObject m_vertexArray, m_attributes[3], m_indices;
+    GLsizei m_count = 0;
+    BoundingBox m_bounds;
+};
+
+} // namespace mirrorball::preview

@@ -1,0 +1,95 @@
+#pragma once
+
+#include "camera.h"
+#include "mesh.h"
+
+#include "../image/environment_map.h"
+#include "../shading/fresnel.h"
+
+#include <memory>
+#include <vector>
+
+/// What to draw: plain values.
+namespace mirrorball::preview {
+
+enum class GeometryKind { Teapot, Torus, Sphere, Box };
+
+/// What the material is shown on. A mesh read from a file comes in as `mesh`.
+struct Geometry {
+    GeometryKind kind = GeometryKind::Teapot;
+    int level = 12;                             ///< how finely it is cut; quads along a patch of the teapot
+    std::shared_ptr<const Mesh> mesh = nullptr; ///< drawn in place of `kind` when there is one; a new pointer means a new mesh
+
+    bool operator==(const Geometry&) const = default;
+};
+
+/// Where the direction of a lookup is measured.
+enum class LookupSpace {
+    World, ///< the environment stands still while the camera turns
+    Eye,   ///< the map turns with the camera, as a sphere map does that was photographed from the viewer's place (003 section 3.4.1)
+};
+
+/// How the object reflects. L_m is the specular map looked up by the mirror direction, times `specular`; L_d the diffuse map looked up by
+/// the normal, times `diffuse`. A colour of 0 leaves its map out: it is not uploaded and its shader code not built.
+struct MaterialSettings {
+    glm::vec3 specular{1.0f};
+    glm::vec3 diffuse{0.0f};
+    Fresnel fresnel{};                ///< F; None: F = 1
+    Combine combine = Combine::Add;   ///< Add: F L_m + L_d; Coat: F L_m + (1 - F) L_d
+    float lambda = 0.0f;              ///< least mip level of the specular lookup: max(lod, lambda). Source: 002 section 2
+    LookupSpace space = LookupSpace::World;
+
+    bool operator==(const MaterialSettings&) const = default;
+};
+
+enum class BackgroundKind { Environment, Color, None };
+
+struct Background {
+    BackgroundKind kind = BackgroundKind::Environment; ///< None: transparent black
+    glm::vec3 color{0.18f};                            ///< scene-linear, for Color
+    bool operator==(const Background&) const = default;
+};
+
+/// Tone curves, as in core/image/color.
+enum class ToneCurve { None, Reinhard, Filmic };
+
+struct RenderSettings {
+    int width = 1280;
+    int height = 720;
+    int samples = 4;          ///< per pixel: 1, 2 or 4, as the driver has them
+    Geometry geometry{};
+    Camera camera{};
+    MaterialSettings material{};
+    Background background{};
+    float yaw = 0.0f;         ///< radians, turns the environment about +Y as direction.h says
+    float exposure = 0.0f;    ///< EV: display pictures are multiplied by 2^exposure; radiance pictures are not
+    ToneCurve toneCurve = ToneCurve::Filmic; ///< display pictures only
+
+    bool operator==(const RenderSettings&) const = default;
+};
+
+/// How texels are stored on the GPU. Half carries a common factor, so that a sun beyond 65504 is not clipped.
+enum class TexelFormat { Half, Float };
+
+/// A map and its coarser levels, largest first.
+using MapLevels = std::shared_ptr<const std::vector<EnvironmentMap>>;
+
+/// The maps of a picture, by pointer: the renderer keeps a texture as long as it is handed the same pointer. Maps that the settings
+/// do not need may be null and are never looked at.
+struct RenderMaps {
+    MapLevels specular{};   ///< the environment for a mirror, a filtered map for a glossy material
+    MapLevels diffuse{};    ///< filtered with the diffuse lobe
+    MapLevels background{}; ///< the environment, drawn behind the object
+};
+
+/// @throws InvalidArgument naming the field that is out of range
+void validate(const RenderSettings& settings);
+
+/// Which maps a picture with these settings reads.
+struct NeededMaps {
+    bool specular, diffuse, background;
+    bool operator==(const NeededMaps&) const = default;
+};
+NeededMaps neededMaps(const RenderSettings& settings);
+
+} // namespace mirrorball::preview

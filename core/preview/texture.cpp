@@ -1,0 +1,141 @@
+#include "texture.h"
+
+#include "../error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirrorball::preview {
+
+namespace {
+
+constexpr float largestHalf = 65504.0f;
+
+// The smallest power of two that brings every texel into a half's range: dividing by it rounds nothing.
+float scaleFor(std::span<const EnvironmentMap> levels, TexelFormat format)
+{
+    float largest = 0.0f;
+    for (const EnvironmentMap& level : levels)
+        for (const float value : level.image.texels)
+            if (std::isfinite(value))
+                largest = std::max(largest, std::abs(value));
+    return format == TexelFormat::Float || largest <= largestHalf ? 1.0f : std::exp2(std::ceil(std::log2(largest / largestHalf)));
+}
+
+void copyTexel(const EnvironmentMap& map, Texel from, float scale, float* to)
+{
+    const float* texel = map.image.texel(from.x, from.y);
+    for (int c = 0; c < 3; ++c)
+        to[c] = texel[c] / scale;
+    to[3] = 1.0f;
+}
+
+void checkSize(GLenum limit, int size)
+{
+    GLint largest = 0;
+    glGetIntegerv(limit, &largest);
+    if (size > largest)
+        throw WorkError("environment map: a texture of " + std::to_string(size) + " texels is more than the OpenGL driver takes (" +
+                        std::to_string(largest) + "); give the preview a smaller map");
+}
+
+void check(std::span<const EnvironmentMap> levels)
+{
+    if (levels.empty() || levels.size() > static_cast<size_t>(EnvironmentTexture::maxLevels))
+        throw InvalidArgument("environment map: 1 to 16 levels are needed, not " + std::to_string(levels.size()));
+    for (size_t i = 0; i < levels.size(); ++i) {
+        const MapLayout& layout = levels[i].layout;
+        const Image& image = levels[i].image;
+        if (image.width != layout.width() || image.height != layout.height() || image.channels != 3)
+            throw InvalidArgument("environment map: the image of level " + std::to_string(i) + " does not have its layout's size in RGB");
+        if (layout.kind != levels[0].layout.kind)
+            throw InvalidArgument("environment map: level " + std::to_string(i) + " has another parameterization than level 0");
+        if (layout.kind == Parameterization::Cube && layout.size != std::max(1, levels[0].layout.size >> i))
+            throw InvalidArgument("environment map: level " + std::to_string(i) + " of a cube must have half the size of the one before");
+    }
+}
+
+} // namespace
+
+EnvironmentTexture::EnvironmentTexture(std::span<const EnvironmentMap> levels, TexelFormat format)
+{
+    check(levels);
+    m_kind = levels[0].layout.kind;
+    m_levelCount = static_cast<int>(levels.size());
+    m_scale = scaleFor(levels, format);
+    // Four channels although three are used: software rasterisers fetch whole vectors faster.
+    const GLenum internalFormat = format == TexelFormat::Half ? GL_RGBA16F : GL_RGBA32F;
+    if (m_kind == Parameterization::Cube)
+        uploadCube(levels, internalFormat);
+    else
+        uploadAtlas(levels, internalFormat);
+}
+
+void EnvironmentTexture::uploadCube(std::span<const EnvironmentMap> levels, GLenum internalFormat)
+{
+    checkSize(GL_MAX_CUBE_MAP_TEXTURE_SIZE, levels[0].layout.size);
+    m_texture = makeTexture(GL_TEXTURE_CUBE_MAP);
+    glTextureStorage2D(m_texture, m_levelCount, internalFormat, levels[0].layout.size, levels[0].layout.size);
+    std::vector<float> texels;
+    for (int i = 0; i < m_levelCount; ++i) {
+        const EnvironmentMap& map = levels[static_cast<size_t>(i)];
+        const int size = map.layout.size;
+        texels.resize(static_cast<size_t>(size) * static_cast<size_t>(size) * 6 * 4);
+        float* to = texels.data();
+        for (int y = 0; y < 6 * size; ++y)
+            for (int x = 0; x < size; ++x, to += 4)
+                copyTexel(map, {x, y}, m_scale, to);
+        glTextureSubImage3D(m_texture, i, 0, 0, 0, size, size, 6, GL_RGBA, GL_FLOAT, texels.data());
+        m_levels.emplace_back(0.0f, 0.0f, float(size), 0.0f);
+    }
+    glTextureParameteri(m_texture, GL_TEXTURE_MIN_FILTER, m_levelCount > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+    glTextureParameteri(m_texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTextureParameteri(m_texture, GL_TEXTURE_MAX_LEVEL, m_levelCount - 1);
+}
+
+// Level 0 stands at the top, the others in a row below it: each is half as wide as the one before, so all fit.
+void EnvironmentTexture::uploadAtlas(std::span<const EnvironmentMap> levels, GLenum internalFormat)
+{
+    const int charts = m_kind == Parameterization::Paraboloid ? 2 : 1;
+    struct Place {
+        int x, y, width, height; // of one framed chart
+    };
+    std::vector<Place> places;
+    int atlasWidth = 0, atlasHeight = 0, x = 0;
+    for (size_t i = 0; i < levels.size(); ++i) {
+        const MapLayout& layout = levels[i].layout;
+        const Place place{i == 0 ? 0 : x, i == 0 ? 0 : places[0].height, layout.width() / charts + 2, layout.height() + 2};
+        x = i == 0 ? 0 : x + charts * place.width;
+        atlasWidth = std::max(atlasWidth, place.x + charts * place.width);
+        atlasHeight = std::max(atlasHeight, place.y + place.height);
+        places.push_back(place);
+    }
+    checkSize(GL_MAX_TEXTURE_SIZE, std::max(atlasWidth, atlasHeight));
+
+    m_texture = makeTexture(GL_TEXTURE_2D);
+    glTextureStorage2D(m_texture, 1, internalFormat, atlasWidth, atlasHeight);
+    std::vector<float> texels;
+    for (size_t i = 0; i < levels.size(); ++i) {
+        const EnvironmentMap& map = levels[i];
+        const Place& place = places[i];
+        const int width = place.width - 2;
+        texels.resize(static_cast<size_t>(place.width) * static_cast<size_t>(place.height) * 4);
+        for (int chart = 0; chart < charts; ++chart) {
+            float* to = texels.data();
+            for (int row = -1; row < place.height - 1; ++row)
+                for (int column = -1; column < place.width - 1; ++column, to += 4) {
+                    const Texel inside{chart * width + std::clamp(column, 0, width - 1), std::clamp(row, 0, map.layout.height() - 1)};
+                    copyTexel(map, acrossSeam(map.layout, inside, chart * width + column, row), m_scale, to);
+                }
+            glTextureSubImage2D(m_texture, 0, place.x + chart * place.width, place.y, place.width, place.height, GL_RGBA, GL_FLOAT,
+                                texels.data());
+        }
+        m_levels.emplace_back(float(place.x + 1), float(place.y + 1), float(map.layout.size), float(map.layout.border));
+    }
+    glTextureParameteri(m_texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTextureParameteri(m_texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTextureParameteri(m_texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(m_texture, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+} // namespace mirrorball::preview

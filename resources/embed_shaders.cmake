@@ -1,0 +1,12 @@
+# Writes OUTPUT, a C++ file with the text of FILES (paths below ROOT) as raw strings.
+set(code "#include \"core/preview/shader_program.h\"\n\n#include <array>\n\nnamespace mirrorball::preview {\n\n")
+set(entries "")
+set(count 0)
+foreach(path IN LISTS FILES)
+  file(READ "${ROOT}/${path}" text)
+  string(APPEND entries "    ShaderFile{\"${path}\", R\"glsl(${text})glsl\"},\n")
+  math(EXPR count "${count} + 1")
+endforeach()
+string(APPEND code "static constexpr std::array<ShaderFile, ${count}> files{{\n${entries}}};\n\n")
+string(APPEND code "std::span<const ShaderFile> shaderFiles()\n{\n    return files;\n}\n\n} // namespace mirrorball::preview\n")
+file(WRITE "${OUTPUT}" "${code}")

@@ -1,0 +1,101 @@
+// Radiance by direction from one map. Included once per map, with these macros defined; it undefines them:
+//   MAP_RADIANCE  name of the function to make:  vec3 MAP_RADIANCE(vec3 d, float lambda), d a unit vector
+//   MAP_SAMPLER, MAP_LEVELS, MAP_SETTINGS  names of the uniforms
+//   MAP_KIND      parameterization, in the order of core's enum: 0 latlong, 1 cube, 2 sphere, 3 angular, 4 paraboloid, 5 octahedral
+//   MAP_MIPS      1 when the map has more than one level
+// Twin: EnvironmentMap::radiance in core/image/environment_map on every level.
+//
+// The level is not left to the hardware: that measures how fast texture coordinates run, and they jump at every seam. What runs
+// smoothly is the direction itself. Neighbouring pixels are |dd/dx| apart in radians, a texel of level 0 spans texelAngle, so
+//   lod = log2(max(|dd/dx|, |dd/dy|) / texelAngle),
+// and lambda is the least level that may be used: max(lod, lambda), a clamp and not a bias. Source: 002 section 2.
+#include "lib/angular_map.glsl"
+#include "lib/cube_map.glsl"
+#include "lib/dual_paraboloid.glsl"
+#include "lib/latlong.glsl"
+#include "lib/octahedral.glsl"
+#include "lib/sphere_map.glsl"
+
+#if MAP_KIND == 1
+uniform samplerCube MAP_SAMPLER;
+#else
+uniform sampler2D MAP_SAMPLER;
+#endif
+uniform vec4 MAP_LEVELS[16];  // place in the atlas, size, border
+uniform vec4 MAP_SETTINGS;    // x: factor to radiance, y: last level
+
+#if MAP_KIND == 1
+#define MAP_TEXEL_ANGLE(d, level) cubeTexelAngle(d, level.z)
+#elif MAP_KIND == 0
+#define MAP_TEXEL_ANGLE(d, level) latlongTexelAngle(level.z)
+#define MAP_COORDINATE(d, level) latlongCoordinate(d, level.z)
+#elif MAP_KIND == 2
+#define MAP_TEXEL_ANGLE(d, level) sphereTexelAngle(level.z)
+#define MAP_COORDINATE(d, level) sphereCoordinate(d, level.z)
+#elif MAP_KIND == 3
+#define MAP_TEXEL_ANGLE(d, level) angularTexelAngle(level.z)
+#define MAP_COORDINATE(d, level) angularCoordinate(d, level.z)
+#elif MAP_KIND == 4
+#define MAP_TEXEL_ANGLE(d, level) paraboloidTexelAngle(d, level.z, level.w)
+#define MAP_COORDINATE(d, level) paraboloidCoordinate(d, level.z, level.w)
+#else
+#define MAP_TEXEL_ANGLE(d, level) octahedralTexelAngle(d, level.z)
+#define MAP_COORDINATE(d, level) octahedralCoordinate(d, level.z)
+#endif
+
+// One level of an atlas. Framed charts stand N + 2 texels apart.
+#if MAP_KIND == 1
+#define MAP_LEVEL(d, lod) textureLod(MAP_SAMPLER, d, float(lod)).rgb
+#else
+vec3 MAP_RADIANCE(vec3 d, vec4 level)
+{
+    vec3 p = MAP_COORDINATE(d, level);
+    vec2 place = level.xy + vec2(p.x + p.z * (level.z + 2.0), p.y);
+    return textureLod(MAP_SAMPLER, place / vec2(textureSize(MAP_SAMPLER, 0)), 0.0).rgb;
+}
+#endif
+
+// At a level of one's own choice.
+vec3 MAP_RADIANCE(float lod, vec3 d)
+{
+#if MAP_KIND == 1
+#if MAP_MIPS
+    return MAP_SETTINGS.x * textureLod(MAP_SAMPLER, d, lod).rgb;
+#else
+    return MAP_SETTINGS.x * textureLod(MAP_SAMPLER, d, 0.0).rgb;
+#endif
+#elif MAP_MIPS
+    lod = clamp(lod, 0.0, MAP_SETTINGS.y);
+    int fine = int(lod);
+    int coarse = min(fine + 1, int(MAP_SETTINGS.y));
+    vec3 a = MAP_RADIANCE(d, MAP_LEVELS[fine]);
+    vec3 b = MAP_RADIANCE(d, MAP_LEVELS[coarse]);
+    return MAP_SETTINGS.x * (a + (lod - float(fine)) * (b - a));
+#else
+    return MAP_SETTINGS.x * MAP_RADIANCE(d, MAP_LEVELS[0]);
+#endif
+}
+
+// At the level that the pixel's footprint asks for, but not below lambda.
+vec3 MAP_RADIANCE(vec3 d, float lambda)
+{
+#if MAP_MIPS
+    vec3 dx = dFdx(d), dy = dFdy(d);
+    float footprint2 = max(dot(dx, dx), dot(dy, dy));
+    float texel = MAP_TEXEL_ANGLE(d, MAP_LEVELS[0]);
+    float lod = 0.5 * log2(max(footprint2, 1e-20) / (texel * texel));
+    return MAP_RADIANCE(max(lod, lambda), d);
+#else
+    return MAP_RADIANCE(0.0, d);
+#endif
+}
+
+#undef MAP_LEVEL
+#undef MAP_COORDINATE
+#undef MAP_TEXEL_ANGLE
+#undef MAP_RADIANCE
+#undef MAP_SAMPLER
+#undef MAP_LEVELS
+#undef MAP_SETTINGS
+#undef MAP_KIND
+#undef MAP_MIPS

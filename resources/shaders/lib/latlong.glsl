@@ -1,0 +1,16 @@
+#pragma once
+// Twin: core/sphere/latlong. lon = pi - 2 pi u, lat = pi/2 - pi v; the image is 2N x N texels.
+// Both angles through atan: asin loses half its digits beside the poles.
+vec3 latlongCoordinate(vec3 d, float size)
+{
+    const float pi = 3.14159265358979;
+    float lon = atan(d.x, d.z);
+    float lat = atan(d.y, length(d.xz));
+    return vec3(size * (1.0 - lon / pi), size * (0.5 - lat / pi), 0.0);
+}
+
+// Angle that a texel's longer side spans: its height, pi/N. Beside the poles texels are narrow, but the rows stay as far apart.
+float latlongTexelAngle(float size)
+{
+    return 3.14159265358979 / size;
+}

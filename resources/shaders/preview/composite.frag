@@ -1,0 +1,42 @@
+// The background, and over it the mean of the object's samples: BACKGROUND (0 none, 1 colour, 2 environment), OBJECT_SAMPLES (0 where
+// the object is not), OUTPUT_RADIANCE.
+#include "lib/output.glsl"
+#if BACKGROUND == 2
+#define MAP_RADIANCE backgroundRadiance
+#define MAP_SAMPLER backgroundMap
+#define MAP_LEVELS backgroundLevels
+#define MAP_SETTINGS backgroundSettings
+#define MAP_KIND BACKGROUND_KIND
+#define MAP_MIPS BACKGROUND_MIPS
+#include "lib/environment_map.glsl"
+uniform mat3 backgroundRotation; // world to map
+#elif BACKGROUND == 1
+uniform vec3 backgroundColor;
+#endif
+#if OBJECT_SAMPLES > 1
+uniform sampler2DMS objectSamples;
+#elif OBJECT_SAMPLES == 1
+uniform sampler2D objectSamples;
+#endif
+
+in vec3 direction;
+layout(location = 0) out vec4 color;
+
+void main()
+{
+#if BACKGROUND == 2
+    vec4 behind = vec4(toOutput(backgroundRadiance(backgroundRotation * normalize(direction), 0.0)), 1.0);
+#elif BACKGROUND == 1
+    vec4 behind = vec4(toOutput(backgroundColor), 1.0);
+#else
+    vec4 behind = vec4(0.0);
+#endif
+#if OBJECT_SAMPLES > 0
+    vec4 object = vec4(0.0);
+    for (int i = 0; i < OBJECT_SAMPLES; ++i)
+        object += texelFetch(objectSamples, ivec2(gl_FragCoord.xy), OBJECT_SAMPLES > 1 ? i : 0);
+    object /= float(OBJECT_SAMPLES);
+    behind = object + (1.0 - object.a) * behind;
+#endif
+    color = vec4(encodeOutput(behind.rgb), behind.a);
+}

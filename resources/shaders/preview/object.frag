@@ -1,0 +1,66 @@
+// The material: a map looked up by reflection, a map looked up by normal, the Fresnel term between them. What a material lacks is
+// not compiled: HAS_SPECULAR, HAS_DIFFUSE (0 or 1), FRESNEL (0 none, 1 dielectric, 2 conductor), COAT (0 add, 1 coat).
+#include "lib/fresnel.glsl"
+#include "lib/output.glsl"
+#if HAS_SPECULAR
+#define MAP_RADIANCE specularRadiance
+#define MAP_SAMPLER specularMap
+#define MAP_LEVELS specularLevels
+#define MAP_SETTINGS specularSettings
+#define MAP_KIND SPECULAR_KIND
+#define MAP_MIPS SPECULAR_MIPS
+#include "lib/environment_map.glsl"
+uniform mat3 specularRotation; // world to map
+uniform vec3 specularColor;
+uniform float lambda;
+#endif
+#if HAS_DIFFUSE
+#define MAP_RADIANCE diffuseRadiance
+#define MAP_SAMPLER diffuseMap
+#define MAP_LEVELS diffuseLevels
+#define MAP_SETTINGS diffuseSettings
+#define MAP_KIND DIFFUSE_KIND
+#define MAP_MIPS DIFFUSE_MIPS
+#include "lib/environment_map.glsl"
+uniform mat3 diffuseRotation;
+uniform vec3 diffuseColor;
+#endif
+
+uniform vec4 viewer; // the eye's position and 1, or the direction towards an eye infinitely far away and 0
+#if FRESNEL == 1
+uniform float n2m1;
+#elif FRESNEL == 2
+uniform vec3 conductorN;
+uniform vec3 conductorK;
+#endif
+in vec3 worldPosition;
+in vec3 worldNormal;
+layout(location = 0) out vec4 color;
+
+void main()
+{
+    vec3 n = normalize(gl_FrontFacing ? worldNormal : -worldNormal);
+    vec3 v = normalize(viewer.xyz - viewer.w * worldPosition);
+    float c = dot(n, v);
+    vec3 mirrored = vec3(0.0), diffuse = vec3(0.0);
+#if HAS_SPECULAR
+    vec3 r = 2.0 * c * n - v; // 000 eq. 4
+    mirrored = specularColor * specularRadiance(specularRotation * r, lambda);
+#endif
+#if HAS_DIFFUSE
+    diffuse = diffuseColor * diffuseRadiance(diffuseRotation * n, 0.0);
+#endif
+#if FRESNEL == 1
+    vec3 f = vec3(fresnelDielectric(c, n2m1));
+#elif FRESNEL == 2
+    vec3 f = fresnelConductor(c, conductorN, conductorK);
+#else
+    vec3 f = vec3(1.0);
+#endif
+#if COAT
+    vec3 radiance = diffuse + f * (mirrored - diffuse);
+#else
+    vec3 radiance = f * mirrored + diffuse;
+#endif
+    color = vec4(toOutput(radiance), 1.0);
+}
