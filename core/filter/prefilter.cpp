@@ -136,6 +136,25 @@ Settled settleBandLimit(FilterSource& source, const PrefilterOptions& options, c
     }
 }
 
+/// rel_rms of `copy`, looked up at the texels of `original`; over a part of them, which is enough for a figure.
+double differenceAtTexels(const EnvironmentMap& original, const EnvironmentMap& copy)
+{
+    const int step = std::max(1, original.image.height / 128);
+    double difference = 0.0, power = 0.0;
+    for (int y = 0; y < original.image.height; y += step)
+        for (int x = 0; x < original.image.width; x += step) {
+            const double solidAngle = texelSolidAngle(original.layout, x, y);
+            if (solidAngle <= 0.0)
+                continue;
+            const float* t = original.image.texel(x, y);
+            const glm::dvec3 value(t[0], t[1], t[2]);
+            const glm::dvec3 error = glm::dvec3(copy.radiance(texelDirection(original.layout, x, y))) - value;
+            difference += solidAngle * glm::dot(error, error);
+            power += solidAngle * glm::dot(value, value);
+        }
+    return power > 0.0 ? std::sqrt(difference / power) : 0.0;
+}
+
 EnvironmentMap runSpectral(FilterSource& source, const PrefilterOptions& options, const JobControl& job, PrefilterOutcome& outcome)
 {
     const int knownBefore = source.knownBandLimit() + source.knownCalmBandLimit();
@@ -173,8 +192,12 @@ std::optional<Method> methodFromName(std::string_view word)
 
 FilterSource::FilterSource(EnvironmentMap probe, const JobControl& job)
 {
-    if (probe.layout.kind != Parameterization::Latlong)
-        probe = reproject(probe, {.target = {.kind = Parameterization::Latlong, .size = latlongHeight(probe.layout)}}, job);
+    if (probe.layout.kind != Parameterization::Latlong) {
+        EnvironmentMap latlong =
+            reproject(probe, {.target = {.kind = Parameterization::Latlong, .size = latlongHeight(probe.layout)}}, job);
+        m_resamplingError = differenceAtTexels(probe, latlong);
+        probe = std::move(latlong);
+    }
     m_width = probe.image.width;
     m_height = probe.image.height;
     m_latlong = std::make_shared<const EnvironmentMap>(std::move(probe));

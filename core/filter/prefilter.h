@@ -40,6 +40,8 @@ public:
     /// Size of the latlong form that the reference sum runs over.
     int width() const { return m_width; }
     int height() const { return m_height; }
+    /// rel_rms of the latlong form, read at the texels of a probe that came in another parameterization; 0 when it came as latlong.
+    double resamplingError() const { return m_resamplingError; }
     /// Null when the probe was streamed.
     const EnvironmentMap* latlong() const { return m_latlong.get(); }
     /// A spectrum known at least to `bandLimit`, computed when there is none yet. @throws WorkError when the probe was streamed with less
@@ -59,6 +61,7 @@ public:
 private:
     int m_width = 0;
     int m_height = 0;
+    double m_resamplingError = 0.0;
     std::shared_ptr<const EnvironmentMap> m_latlong{};
     std::shared_ptr<const Spectrum> m_spectrum{};
     std::shared_ptr<const EnvironmentMap> m_calm{};

@@ -1,0 +1,58 @@
+#include "command.h"
+
+#include "core/image/map_file.h"
+#include "core/image/mip_pyramid.h"
+#include "core/image/reproject.h"
+
+#include <memory>
+
+namespace mirrorball::cli {
+
+namespace {
+
+struct Options {
+    std::string probe, out, to, from;
+    int size = 0, border = 0, threads = 0;
+    double yawDeg = 0.0;
+    bool mips = false, half = false;
+};
+
+void run(const Options& o)
+{
+    const MapLayout target{.kind = parseKind("--to", o.to), .size = o.size, .border = o.border};
+    validate(target);
+    ReadProbeOptions read;
+    if (!o.from.empty())
+        read.from = parseKind("--from", o.from);
+    const JobControl job = jobWithProgress("convert", o.threads);
+    std::vector<Stage> stages;
+    const Probe probe = readProbe(o.probe, read, job, stages);
+    EnvironmentMap map = reproject(probe.map, {.target = target, .yaw = radians(o.yawDeg)}, job);
+    std::vector<EnvironmentMap> levels;
+    if (o.mips)
+        levels = buildMipPyramid(map, job).levels;
+    else
+        levels.push_back(std::move(map));
+    writeMap(o.out, levels, {.sampleType = o.half ? SampleType::Half : SampleType::Float});
+}
+
+} // namespace
+
+void addConvertCommand(CLI::App& program)
+{
+    const auto o = std::make_shared<Options>();
+    CLI::App* command = program.add_subcommand("convert", "Resample a probe to another parameterization, size or yaw");
+    command->add_option("PROBE", o->probe, "file or builtin:NAME")->required();
+    command->add_option("-o,--output", o->out, "output file; %s in the name of a cube makes six files")->required();
+    command->add_option("--to", o->to, "parameterization of the output (KIND)")->required();
+    command->add_option("--size", o->size, "face edge, disc edge, latlong height or octahedral edge, in texels")->required();
+    command->add_option("--from", o->from, "parameterization of the input, where it is not to be found out (KIND)");
+    command->add_option("--yaw", o->yawDeg, "turn the environment about +Y, counterclockwise from above, in degrees");
+    command->add_option("--border", o->border, "texels kept free outside each disc of a paraboloid map");
+    command->add_flag("--mips", o->mips, "add the mip levels, filtered across seams");
+    command->add_flag("--half", o->half, "16-bit floats (.exr, .tif)");
+    command->add_option("--threads", o->threads, "threads; 0: one per core")->check(CLI::Range(0, 1024));
+    command->callback([o] { run(*o); });
+}
+
+} // namespace mirrorball::cli

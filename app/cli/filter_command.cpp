@@ -1,0 +1,191 @@
+#include "command.h"
+
+#include "core/error.h"
+#include "core/filter/source_file.h"
+#include "core/image/map_file.h"
+
+#include <memory>
+#include <sstream>
+
+namespace mirrorball::cli {
+
+namespace {
+
+struct Options {
+    std::string probe, out, lobe, to, from, method = "auto", stats;
+    std::optional<double> exponent, roughness, alpha, lambda;
+    std::optional<int> samples;
+    int size = 0, border = 0, threads = 0;
+    double yawDeg = 0.0, tolerance = 1e-5;
+    bool mips = false, half = false, explain = false;
+};
+
+void refuse(bool given, const std::string& option, const std::string& because)
+{
+    if (given)
+        throw InvalidArgument(option + ": " + because);
+}
+
+/// The lobe the options ask for; empty for a ggx chain, whose levels each have their own.
+std::optional<Lobe> parseLobe(const Options& o)
+{
+    if (o.lobe == "diffuse") {
+        refuse(o.exponent || o.roughness || o.alpha, "--lobe", "diffuse takes no exponent, roughness or alpha");
+        return diffuseLobe();
+    }
+    if (o.lobe == "phong") {
+        refuse(o.alpha.has_value(), "--alpha", "belongs to ggx; phong takes --exponent");
+        refuse(o.exponent && o.roughness, "--roughness", "given beside --exponent; for phong it is 1/exponent, so give one of them");
+        if (o.roughness) {
+            refuse(!(*o.roughness > 0.0 && *o.roughness <= 1.0), "--roughness", "must lie in (0, 1] for phong, where it is 1/exponent");
+            return phongLobe(1.0 / *o.roughness);
+        }
+        if (!o.exponent)
+            throw InvalidArgument("--exponent: is missing; the lobe phong needs it, e.g. --exponent 50");
+        if (!(*o.exponent >= 0.0 && *o.exponent <= 1e300))
+            throw InvalidArgument("--exponent: must be a finite number of at least 0");
+        return phongLobe(*o.exponent);
+    }
+    if (o.lobe == "ggx") {
+        refuse(o.exponent.has_value(), "--exponent", "belongs to phong; ggx takes --roughness or --alpha");
+        refuse(o.roughness && o.alpha, "--alpha", "given beside --roughness; it is its square, so give one of them");
+        if (o.roughness) {
+            refuse(!(*o.roughness >= 0.0 && *o.roughness <= 1.0), "--roughness", "must lie in [0, 1]");
+            return ggxLobe(*o.roughness * *o.roughness);
+        }
+        if (o.alpha) {
+            refuse(!(*o.alpha >= 0.0 && *o.alpha <= 1.0), "--alpha", "must lie in [0, 1]");
+            return ggxLobe(*o.alpha);
+        }
+        if (o.mips)
+            return std::nullopt;
+        throw InvalidArgument("--roughness: is missing; the lobe ggx needs it (or --alpha, or --mips for the whole chain)");
+    }
+    throw InvalidArgument("--lobe: '" + o.lobe + "' is no lobe; choose phong, diffuse or ggx");
+}
+
+/// One filter job a level.
+std::vector<PrefilterOptions> parseJobs(const Options& o)
+{
+    const auto method = methodFromName(o.method);
+    if (!method) {
+        std::string known;
+        for (const Method m : allMethods)
+            known += (known.empty() ? "" : ", ") + std::string(name(m));
+        throw InvalidArgument("--method: '" + o.method + "' is no method; choose one of " + known);
+    }
+    refuse(o.samples.has_value(), "--samples", "only a sampling method uses it, and method '" + o.method + "' takes no samples");
+    refuse(o.lambda.has_value(), "--lambda", "only a mip method uses it, and method '" + o.method + "' reads no mip levels");
+    if (!(o.tolerance > 0.0 && o.tolerance <= 1.0))
+        throw InvalidArgument("--tolerance: must lie in (0, 1]");
+    const MapLayout base{.kind = parseKind("--to", o.to), .size = o.size, .border = o.border};
+    validate(base);
+    const std::optional<Lobe> lobe = parseLobe(o);
+    const int levels = o.mips ? levelCount(base) : 1;
+    std::vector<PrefilterOptions> jobs;
+    for (int i = 0; i < levels; ++i) {
+        const double r = chainRoughness(i, levels);
+        jobs.push_back({.lobe = lobe ? *lobe : ggxLobe(r * r),
+                        .target = levelLayout(base, i),
+                        .method = *method,
+                        .tolerance = o.tolerance,
+                        .yaw = radians(o.yawDeg)});
+    }
+    return jobs;
+}
+
+std::string sizeText(const MapLayout& layout)
+{
+    std::ostringstream text;
+    text << name(layout.kind) << ' ' << layout.width() << " x " << layout.height();
+    return text.str();
+}
+
+void run(const Options& o)
+{
+    const std::vector<PrefilterOptions> jobs = parseJobs(o);
+    ReadProbeOptions read;
+    if (!o.from.empty())
+        read.from = parseKind("--from", o.from);
+    const JobControl job = jobWithProgress("filter", o.threads);
+    Stats stats{.threads = job.threadCount()};
+    OpenedSource opened = openFilterSource(o.probe, read, jobs, job, stats.stages);
+
+    if (o.explain) {
+        std::vector<Stage> plan = stats.stages;
+        if (opened.repaired.nonFinite() + opened.repaired.negative > 0)
+            plan.push_back({.name = "repair", .why = describe(opened.repaired)});
+        for (const PrefilterOptions& options : jobs) {
+            const PrefilterPlan p = planPrefilter(options, opened.source.width(), opened.streamed);
+            std::ostringstream why;
+            why.precision(3);
+            if (p.filtered)
+                why << "to " << sizeText(options.target) << " by " << name(p.method) << ": " << p.why;
+            else
+                why << p.why;
+            if (p.filtered && p.method == Method::Spectral)
+                why << "; band limit " << p.bandLimit << " at most";
+            plan.push_back({.name = "filter " + describe(options.lobe), .leftOut = !p.filtered, .why = why.str()});
+        }
+        if (!o.mips)
+            plan.push_back({.name = "mip levels", .leftOut = true, .why = "not asked for (--mips)"});
+        plan.push_back({.name = "save map", .why = o.out});
+        printStages(plan);
+    }
+
+    std::vector<EnvironmentMap> maps;
+    std::string roughnesses;
+    for (const PrefilterOptions& options : jobs) {
+        PrefilterOutcome outcome = prefilter(opened.source, options, job);
+        for (Stage& stage : outcome.stages) {
+            stage.name += jobs.size() > 1 ? " " + describe(options.lobe) : "";
+            stats.stages.push_back(std::move(stage));
+        }
+        if (outcome.filtered)
+            stats.method = name(outcome.method);
+        stats.bandLimit = std::max(stats.bandLimit, outcome.bandLimit);
+        stats.predictedError = std::max(stats.predictedError, outcome.predictedError);
+        maps.push_back(std::move(outcome.map));
+        roughnesses += (roughnesses.empty() ? "" : " ") + describe(options.lobe);
+    }
+    if (stats.method.empty())
+        stats.method = "lookup";
+    WriteOptions write{.sampleType = o.half ? SampleType::Half : SampleType::Float};
+    write.attributes["mirrorball:lobes"] = roughnesses;
+    write.attributes["mirrorball:indexed_by"] = jobs.front().lobe.kind == LobeKind::Diffuse ? "normal" : "reflection";
+    timedStage(stats.stages, "save map", [&] { writeMap(o.out, maps, write); });
+    if (!o.stats.empty())
+        writeStats(o.stats, stats);
+}
+
+} // namespace
+
+void addFilterCommand(CLI::App& program)
+{
+    const auto o = std::make_shared<Options>();
+    CLI::App* command = program.add_subcommand("filter", "Prefilter a probe with a lobe");
+    command->add_option("PROBE", o->probe, "file or builtin:NAME")->required();
+    command->add_option("-o,--output", o->out, "output file; %s in the name of a cube makes six files")->required();
+    command->add_option("--lobe", o->lobe, "phong, diffuse or ggx")->required();
+    command->add_option("--exponent", o->exponent, "phong: exponent, at least 0");
+    command->add_option("--roughness", o->roughness, "ggx: alpha is its square; phong: the exponent is its inverse");
+    command->add_option("--alpha", o->alpha, "ggx: width in [0, 1]; 0 is a mirror");
+    command->add_option("--to", o->to, "parameterization of the output (KIND)")->required();
+    command->add_option("--size", o->size, "face edge, disc edge, latlong height or octahedral edge, in texels")->required();
+    command->add_option("--from", o->from, "parameterization of the input, where it is not to be found out (KIND)");
+    command->add_option("--yaw", o->yawDeg, "turn the environment about +Y, counterclockwise from above, in degrees");
+    command->add_option("--border", o->border, "texels kept free outside each disc of a paraboloid map");
+    command->add_flag("--mips", o->mips,
+                      "every mip level, down to one texel; ggx without a roughness makes the chain of roughness 0 to 1 from base to top");
+    command->add_option("--method", o->method, "auto, reference, spectral or direct");
+    command->add_option("--tolerance", o->tolerance, "largest rel_rms error against the reference sum, in (0, 1]");
+    command->add_option("--samples", o->samples, "samples a texel, for sampling methods");
+    command->add_option("--lambda", o->lambda, "minimum level of detail, for mip methods");
+    command->add_option("--threads", o->threads, "threads; 0: one per core")->check(CLI::Range(0, 1024));
+    command->add_flag("--half", o->half, "16-bit floats (.exr, .tif)");
+    command->add_flag("--explain", o->explain, "print what is done, what is left out, and why; then do it");
+    command->add_option("--stats", o->stats, "write times, method and predicted error to this JSON file");
+    command->callback([o] { run(*o); });
+}
+
+} // namespace mirrorball::cli

@@ -1,0 +1,47 @@
+#include "command.h"
+
+#include "core/error.h"
+
+#include <cstdio>
+#include <exception>
+#include <new>
+
+namespace {
+
+/// The one place where errors end: one line on stderr, and the exit status of DESIGN 6.
+int fail(const char* message, int status)
+{
+    std::fprintf(stderr, "mirrorball: %s\n", message);
+    return status;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    using namespace mirrorball;
+    CLI::App program{"Materials with environment maps: convert, filter, render and export light probes.", "mirrorball"};
+    program.set_version_flag("--version", MIRRORBALL_VERSION);
+    program.require_subcommand(1);
+    program.footer("PROBE is a file (.exr, .hdr, .tif, .png, ...) or builtin:NAME; `mirrorball presets` lists the names.\n"
+                   "KIND is latlong, cube, sphere, angular, paraboloid or octahedral.\n"
+                   "Exit status: 0 done; 1 the work failed; 2 the arguments or the input are wrong.");
+    cli::addInfoCommand(program);
+    cli::addConvertCommand(program);
+    cli::addFilterCommand(program);
+    cli::addPresetsCommand(program);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::Success& e) { // --help, --version
+        return program.exit(e);
+    } catch (const CLI::ParseError& e) {
+        return fail((std::string(e.what()) + "; see mirrorball --help").c_str(), 2);
+    } catch (const InvalidArgument& e) {
+        return fail(e.what(), 2);
+    } catch (const std::bad_alloc&) {
+        return fail("not enough memory for this size", 1);
+    } catch (const std::exception& e) {
+        return fail(e.what(), 1);
+    }
+    return 0;
+}

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "prefilter.h"
+
+#include "../image/map_file.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace mirrorball {
+
+/// A probe opened for filtering, whole or as a stream.
+struct OpenedSource {
+    FilterSource source;
+    RepairReport repaired{};
+    std::string origin{};   ///< how the parameterization was found, in words
+    bool streamed = false;
+};
+
+/// Probes of more texels than this are streamed where the lobes allow it (33 million: 400 MB as floats).
+inline constexpr std::int64_t streamedFrom = std::int64_t{1} << 25;
+
+/// Opens `probe` for the given filter jobs. A latlong file of more than streamedFrom texels is never held: its rows go through a
+/// SpectrumBuilder at the band limit that the jobs need, which is exact, in little memory. That asks for lobes which are resolved and
+/// for the method spectral or auto; otherwise, and for other probes, it is read whole. Appends its stages.
+/// @throws FileError, InvalidArgument, Cancelled
+OpenedSource openFilterSource(const std::string& probe, const ReadProbeOptions& options, std::span<const PrefilterOptions> jobs,
+                              const JobControl& job, std::vector<Stage>& stages);
+
+} // namespace mirrorball

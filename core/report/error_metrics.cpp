@@ -1,0 +1,71 @@
+#include "error_metrics.h"
+
+#include "../error.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <vector>
+
+namespace mirrorball {
+
+ErrorMetrics errorMetrics(std::span<const glm::dvec3> values, std::span<const glm::dvec3> reference, std::span<const double> solidAngles)
+{
+    assert(values.size() == reference.size() && (solidAngles.empty() || solidAngles.size() == values.size()));
+    struct Weighted {
+        double error, weight;
+    };
+    double differencePower = 0.0, referencePower = 0.0, mean = 0.0, total = 0.0, largest = 0.0;
+    for (size_t i = 0; i < values.size(); ++i) {
+        const double w = solidAngles.empty() ? 1.0 : solidAngles[i];
+        if (w <= 0.0)
+            continue;
+        for (int c = 0; c < 3; ++c) {
+            const double difference = values[i][c] - reference[i][c];
+            differencePower += w * difference * difference;
+            referencePower += w * reference[i][c] * reference[i][c];
+            mean += w * reference[i][c];
+            largest = std::max(largest, std::abs(difference));
+            total += w;
+        }
+    }
+    if (referencePower <= 0.0 || total <= 0.0)
+        return {.relRms = differencePower > 0.0 ? HUGE_VAL : 0.0, .maxAbs = largest > 0.0 ? HUGE_VAL : 0.0, .p99Rel = largest > 0.0 ? HUGE_VAL : 0.0};
+    mean /= total;
+
+    std::vector<Weighted> relative;
+    for (size_t i = 0; i < values.size(); ++i) {
+        const double w = solidAngles.empty() ? 1.0 : solidAngles[i];
+        if (w > 0.0)
+            for (int c = 0; c < 3; ++c)
+                relative.push_back({std::abs(values[i][c] - reference[i][c]) / std::max(reference[i][c], 1e-6 * std::abs(mean)), w});
+    }
+    std::sort(relative.begin(), relative.end(), [](const Weighted& a, const Weighted& b) { return a.error < b.error; });
+    double passed = 0.0, p99 = 0.0;
+    for (const Weighted& r : relative) {
+        p99 = r.error;
+        passed += r.weight;
+        if (passed >= 0.99 * total)
+            break;
+    }
+    return {.relRms = std::sqrt(differencePower / referencePower), .maxAbs = largest / std::sqrt(referencePower / total), .p99Rel = p99};
+}
+
+ErrorMetrics errorMetrics(const EnvironmentMap& map, const EnvironmentMap& reference)
+{
+    if (map.layout != reference.layout)
+        throw InvalidArgument("error metrics: the two maps must have the same parameterization and size");
+    const auto toVectors = [](const Image& image) {
+        std::vector<glm::dvec3> v;
+        for (size_t i = 0; i + 2 < image.texels.size(); i += 3)
+            v.emplace_back(image.texels[i], image.texels[i + 1], image.texels[i + 2]);
+        return v;
+    };
+    std::vector<double> solidAngles;
+    for (int y = 0; y < map.image.height; ++y)
+        for (int x = 0; x < map.image.width; ++x)
+            solidAngles.push_back(texelSolidAngle(map.layout, x, y));
+    return errorMetrics(toVectors(map.image), toVectors(reference.image), solidAngles);
+}
+
+} // namespace mirrorball
