@@ -18,14 +18,18 @@ std::string remedy(int error)
 {
     switch (error) {
     case ENOENT:
-    case ENOTDIR: return "create the folder first";
+    case ENOTDIR:
+        return "create the folder first";
     case EACCES:
     case EPERM:
-    case EROFS: return "choose a folder that you may write to";
+    case EROFS:
+        return "choose a folder that you may write to";
     case ENOSPC:
     case EDQUOT:
-    case EFBIG: return "free some space or write elsewhere";
-    default: return "try another place";
+    case EFBIG:
+        return "free some space or write elsewhere";
+    default:
+        return "try another place";
     }
 }
 
@@ -50,11 +54,9 @@ std::filesystem::path temporaryName(const std::filesystem::path& target)
 AtomicFile::AtomicFile(const std::filesystem::path& target) : m_named(target), m_target(target)
 {
     std::error_code ignored;
-    if (std::filesystem::is_symlink(target, ignored)) {
-        const auto followed = std::filesystem::weakly_canonical(target, ignored);
-        m_target = ignored ? target : followed;
-    }
-    struct stat existing{};
+    for (int links = 0; links < 40 && std::filesystem::is_symlink(m_target, ignored); ++links)
+        m_target = m_target.parent_path() / std::filesystem::read_symlink(m_target, ignored);
+    struct stat existing {};
     const bool exists = ::stat(m_target.c_str(), &existing) == 0;
     if (exists && !S_ISREG(existing.st_mode))
         throw WorkError(target.string() + ": cannot be written: it is " + (S_ISDIR(existing.st_mode) ? "a folder" : "not a regular file") +
@@ -100,18 +102,7 @@ void AtomicFile::write(const void* bytes, size_t count)
         fail(errno);
 }
 
-size_t AtomicFile::read(void* bytes, size_t count)
-{
-    seek(position()); // stdio wants a seek between writing and reading, and the other way round
-    const size_t got = std::fread(bytes, 1, count, m_file);
-    seek(position());
-    return got;
-}
-
-std::uint64_t AtomicFile::position()
-{
-    return static_cast<std::uint64_t>(::ftello(m_file));
-}
+std::uint64_t AtomicFile::position() { return static_cast<std::uint64_t>(::ftello(m_file)); }
 
 void AtomicFile::seek(std::uint64_t position)
 {

@@ -21,21 +21,21 @@ public:
 
     /// @throws WorkError
     void write(const void* bytes, size_t count);
-    /// Reads back what was written; libtiff links its mip levels that way. @return how many bytes there were
-    size_t read(void* bytes, size_t count);
     std::uint64_t position();
     void seek(std::uint64_t position);
+    /// Where the bytes are until commit(), for a library that must open the file by itself; it writes all or nothing of them then.
+    const std::filesystem::path& temporary() const { return m_temporary; }
     /// Closes the file and gives it its name. @throws WorkError, also for a write that failed earlier
     void commit();
 
 private:
     [[noreturn]] void fail(int error);
 
-    std::filesystem::path m_named;     ///< as the caller wrote it, for messages
-    std::filesystem::path m_target;    ///< links followed
+    std::filesystem::path m_named;  ///< as the caller wrote it, for messages
+    std::filesystem::path m_target; ///< links followed
     std::filesystem::path m_temporary;
     std::FILE* m_file = nullptr;
-    int m_error = 0;                   ///< errno of the first failure
+    int m_error = 0; ///< errno of the first failure
 };
 
 } // namespace mirrorball

@@ -5,7 +5,6 @@
 #include "../error.h"
 
 #include <ImathBox.h>
-#include <ImfArray.h>
 #include <ImfChannelList.h>
 #include <ImfEnvmap.h>
 #include <ImfFrameBuffer.h>
@@ -23,9 +22,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cctype>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <set>
 
@@ -40,11 +39,15 @@ constexpr long long largestTile = 4096LL * 4096LL; ///< texels; OpenEXR allocate
 
 struct CompressionKind {
     const char* name;
-    std::uint64_t largestRatio; ///< of uncompressed to compressed size, on the safe side: deflate ends at 1032, a DCT block of zeros far later
+    std::uint64_t largestRatio; ///< uncompressed : compressed, on the safe side: deflate ends at 1032, a DCT of zeros far later
 };
 
-constexpr std::array<CompressionKind, Imf::NUM_COMPRESSION_METHODS> compressionKinds{
-    {{"none", 1}, {"rle", 70}, {"zips", 1100}, {"zip", 1100}, {"piz", 5000}, {"pxr24", 2200}, {"b44", 12}, {"b44a", 12}, {"dwaa", 140000}, {"dwab", 140000}}};
+// clang-format off
+constexpr std::array<CompressionKind, Imf::NUM_COMPRESSION_METHODS> compressionKinds{{
+    {"none", 1}, {"rle", 70}, {"zips", 1100}, {"zip", 1100}, {"piz", 5000}, {"pxr24", 2200}, {"b44", 12}, {"b44a", 12},
+    {"dwaa", 140000}, {"dwab", 140000},
+}};
+// clang-format on
 
 /// OpenEXR's worker pool is one for the process and starts empty.
 void startThreads()
@@ -409,10 +412,21 @@ std::vector<std::string> channelNames(int channels)
     return channels == 3 ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{"R", "G", "B", "A"};
 }
 
+/// Whether deflate finds anything to save. Values that came from half floats or RGBE end in zero bits; results of a sum, such as a
+/// filtered map, fill all 23 bits of the mantissa with noise. Measured on a filtered 128 x 768 float cube: ZIP 42 ms and 97 % of the
+/// size, PIZ 76 ms and 89 %, none 4 ms; on an RGBE probe of 1024 x 512: ZIP 107 ms and 27 %, PIZ 38 ms and 21 %, none 18 ms.
+bool compresses(const Image& image, const WriteOptions& options)
+{
+    if (options.sampleType == SampleType::Half)
+        return true;
+    const auto isShort = [](float value) { return (std::bit_cast<std::uint32_t>(value) & 0xfff) == 0; };
+    return 2 * std::count_if(image.texels.begin(), image.texels.end(), isShort) >= static_cast<std::ptrdiff_t>(image.texels.size());
+}
+
 Imf::Header makeHeader(const Image& image, const WriteOptions& options)
 {
     Imf::Header header(image.width, image.height);
-    header.compression() = Imf::ZIP_COMPRESSION;
+    header.compression() = compresses(image, options) ? Imf::ZIP_COMPRESSION : Imf::NO_COMPRESSION;
     for (const std::string& name : channelNames(image.channels))
         header.channels().insert(name, Imf::Channel(options.sampleType == SampleType::Half ? Imf::HALF : Imf::FLOAT));
     for (const auto& [name, text] : options.attributes) {
@@ -467,10 +481,7 @@ void writing(const std::function<void()>& body)
 
 } // namespace
 
-bool hasSignature(std::string_view firstBytes)
-{
-    return firstBytes.starts_with("\x76\x2f\x31\x01");
-}
+bool hasSignature(std::string_view firstBytes) { return firstBytes.starts_with("\x76\x2f\x31\x01"); }
 
 std::unique_ptr<ImageReader> open(const std::filesystem::path& path, int level)
 {

@@ -14,13 +14,13 @@ namespace mirrorball::exr {
 bool hasSignature(std::string_view firstBytes);
 
 /// Opens one mip level. Of several parts the first flat one that holds colour is read; of its channels R, G and B, else Y (with RY and BY
-/// where luminance/chroma coded), else the layer named ...Combined (Blender's), else the first layer with R, G, B or Y, else a lone channel.
-/// The data window is what is read. Other primaries than Rec.709 are converted, so wide-gamut colours come out negative.
+/// where luminance/chroma coded), else the layer named ...Combined (Blender's), else the first layer with R, G, B or Y, else a lone
+/// channel. The data window is what is read. Other primaries than Rec.709 are converted, so wide-gamut colours come out negative.
 /// @throws FileError
 std::unique_ptr<ImageReader> open(const std::filesystem::path& path, int level);
 
-/// Scanlines, ZIP-compressed. One channel is written as Y, four as R, G, B, A. The attribute "envmap" (latlong or cube) becomes
-/// OpenEXR's own; others are stored as strings. @throws WorkError
+/// Scanlines, ZIP-compressed unless that saves nothing. One channel is written as Y, four as R, G, B, A. The attribute "envmap" (latlong or
+/// cube) becomes OpenEXR's own; others are stored as strings. @throws WorkError
 void write(AtomicFile& file, const Image& image, const WriteOptions& options);
 
 /// Tiles of 64 x 64 in mip levels rounded down; `levels` is the whole chain, down to 1 x 1. @throws WorkError

@@ -382,11 +382,14 @@ Rgbe encode(const float* texel, int channels)
         return {0, 0, 0, 0};
     int exponent = 0;
     std::frexp(brightest, &exponent);
-    if (std::lround(std::ldexp(brightest, 8 - exponent)) > 255)
+    float scale = std::ldexp(1.0f, 8 - exponent);
+    if (brightest * scale >= 255.5f) {
         ++exponent;
+        scale *= 0.5f;
+    }
     Rgbe result{0, 0, 0, static_cast<std::uint8_t>(exponent + 128)};
     for (size_t c = 0; c < 3; ++c)
-        result[c] = static_cast<std::uint8_t>(std::lround(std::ldexp(rgb[c], 8 - exponent)));
+        result[c] = static_cast<std::uint8_t>(rgb[c] * scale + 0.5f);
     return result;
 }
 
@@ -419,15 +422,9 @@ void appendRuns(const std::uint8_t* values, size_t count, std::vector<std::uint8
 
 } // namespace
 
-bool hasSignature(std::string_view firstBytes)
-{
-    return firstBytes.starts_with("#?");
-}
+bool hasSignature(std::string_view firstBytes) { return firstBytes.starts_with("#?"); }
 
-std::unique_ptr<ImageReader> open(const std::filesystem::path& path)
-{
-    return std::make_unique<HdrReader>(path);
-}
+std::unique_ptr<ImageReader> open(const std::filesystem::path& path) { return std::make_unique<HdrReader>(path); }
 
 void write(AtomicFile& file, const Image& image)
 {

@@ -153,11 +153,72 @@ void exchangeOverRim(Image& image, const MapLayout& layout, const SolidAngles& s
     }
 }
 
+/// The common case in one pass: boxes of 2 x 2 texels in charts without a rim. Twelve texels, the box and the eight beside it.
+EnvironmentMap halvePairs(const EnvironmentMap& fine, const SolidAngles& solidAngles, const JobControl& job)
+{
+    struct Weighted {
+        int dx, dy;           // from the box's upper left texel
+        int fromDx, fromDy;   // for the eight outer texels: the box's texel that they exchange with
+    };
+    constexpr std::array<Weighted, 4> own{{{0, 0, 0, 0}, {1, 0, 1, 0}, {0, 1, 0, 1}, {1, 1, 1, 1}}};
+    constexpr std::array<Weighted, 8> outer{{{-1, 0, 0, 0}, {0, -1, 0, 0}, {2, 0, 1, 0}, {1, -1, 1, 0},
+                                             {-1, 1, 0, 1}, {0, 2, 0, 1}, {2, 1, 1, 1}, {1, 2, 1, 1}}};
+    const MapLayout& layout = fine.layout;
+    const int n = layout.size, chartWidth = layout.kind == Parameterization::Latlong ? 2 * n : n;
+    EnvironmentMap coarse(halved(layout));
+    parallelRows(coarse.image.height, job, [&](int first, int last) {
+        std::array<float, 12> weights{};
+        for (int y = first; y < last; ++y)
+            for (int x = 0; x < coarse.image.width; ++x) {
+                const int fx = 2 * x, fy = 2 * y, lx = fx % chartWidth, ly = fy % n;
+                const bool interior = lx > 0 && ly > 0 && lx + 2 < chartWidth && ly + 2 < n;
+                std::array<const float*, 12> texels{};
+                std::array<Texel, 8> outside{};
+                for (size_t k = 0; k < 4; ++k)
+                    texels[k] = fine.image.texel(fx + own[k].dx, fy + own[k].dy);
+                for (size_t k = 0; k < 8; ++k) {
+                    outside[k] = {fx + outer[k].dx, fy + outer[k].dy};
+                    if (!interior)
+                        outside[k] = acrossSeam(layout, {fx, fy}, outside[k].x, outside[k].y);
+                    texels[4 + k] = fine.image.texel(outside[k].x, outside[k].y);
+                }
+                if (layout.kind != Parameterization::Latlong || x == 0) { // along a latlong's row they are the same
+                    std::array<double, 4> w{}, kept{};
+                    double total = 0.0;
+                    for (size_t k = 0; k < 4; ++k)
+                        total += kept[k] = w[k] = solidAngles.at(fx + own[k].dx, fy + own[k].dy);
+                    for (size_t k = 0; k < 8; ++k) {
+                        const size_t from = static_cast<size_t>(outer[k].fromDx + 2 * outer[k].fromDy);
+                        const double wo = solidAngles.at(outside[k].x, outside[k].y);
+                        const double amount = 0.5 * wo * w[from] / (wo + w[from]);
+                        kept[from] -= amount;
+                        weights[4 + k] = static_cast<float>(amount / total);
+                    }
+                    for (size_t k = 0; k < 4; ++k)
+                        weights[k] = static_cast<float>(kept[k] / total);
+                }
+                float r = 0.0f, g = 0.0f, b = 0.0f;
+                for (size_t k = 0; k < 12; ++k) {
+                    r += weights[k] * texels[k][0];
+                    g += weights[k] * texels[k][1];
+                    b += weights[k] * texels[k][2];
+                }
+                float* out = coarse.image.texel(x, y);
+                out[0] = r;
+                out[1] = g;
+                out[2] = b;
+            }
+    });
+    return coarse;
+}
+
 EnvironmentMap halve(const EnvironmentMap& fine, const JobControl& job)
 {
     EnvironmentMap coarse(halved(fine.layout));
     const Boxes boxes(fine.layout, coarse.layout);
     const SolidAngles solidAngles(fine.layout, job);
+    if (boxes.isPairs() && !isDisc(fine.layout))
+        return halvePairs(fine, solidAngles, job);
     Image source = exchanged(fine, solidAngles, boxes, job);
     if (isDisc(fine.layout))
         exchangeOverRim(source, fine.layout, solidAngles);

@@ -6,14 +6,18 @@
 
 #include "../error.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdint>
+#include <fstream>
 
 #include <dlfcn.h>
 
 namespace mirrorball::openimageio {
 namespace {
 
+constexpr float largestHalf = 65504.0f;
 constexpr const char* moduleFile = "libmirrorball_openimageio.so";
 
 /// Beside the running program as installed or as built, then where this build installs to.
@@ -61,12 +65,18 @@ struct Signature {
 using namespace std::string_view_literals;
 
 constexpr std::array<Signature, 23> signatures{{
-    {"\x89PNG\r\n"sv, 0, "png"}, {"\xff\xd8\xff"sv, 0, "jpeg"}, {"II*\0"sv, 0, "tiff"},     {"MM\0*"sv, 0, "tiff"},
-    {"II+\0"sv, 0, "tiff"},      {"MM\0+"sv, 0, "tiff"},        {"GIF8"sv, 0, "gif"},       {"BM"sv, 0, "bmp"},
-    {"WEBP"sv, 8, "webp"},       {"8BPS"sv, 0, "psd"},          {"DDS "sv, 0, "dds"},       {"SDPX"sv, 0, "dpx"},
-    {"XPDS"sv, 0, "dpx"},        {"\xff\x4f\xff\x51"sv, 0, "jpeg2000"}, {"jP  "sv, 4, "jpeg2000"}, {"ftyp"sv, 4, "heif"},
-    {"P1"sv, 0, "pnm"},          {"P2"sv, 0, "pnm"},            {"P3"sv, 0, "pnm"},         {"P5"sv, 0, "pnm"},
-    {"P6"sv, 0, "pnm"},          {"Pf"sv, 0, "pnm"},            {"PF"sv, 0, "pnm"},
+    {"\x89PNG\r\n"sv, 0, "png"}, {"\xff\xd8\xff"sv, 0, "jpeg"},
+    {"II*\0"sv, 0, "tiff"},      {"MM\0*"sv, 0, "tiff"},
+    {"II+\0"sv, 0, "tiff"},      {"MM\0+"sv, 0, "tiff"},
+    {"GIF8"sv, 0, "gif"},        {"BM"sv, 0, "bmp"},
+    {"WEBP"sv, 8, "webp"},       {"8BPS"sv, 0, "psd"},
+    {"DDS "sv, 0, "dds"},        {"SDPX"sv, 0, "dpx"},
+    {"XPDS"sv, 0, "dpx"},        {"\xff\x4f\xff\x51"sv, 0, "jpeg2000"},
+    {"jP  "sv, 4, "jpeg2000"},   {"ftyp"sv, 4, "heif"},
+    {"P1"sv, 0, "pnm"},          {"P2"sv, 0, "pnm"},
+    {"P3"sv, 0, "pnm"},          {"P5"sv, 0, "pnm"},
+    {"P6"sv, 0, "pnm"},          {"Pf"sv, 0, "pnm"},
+    {"PF"sv, 0, "pnm"},
 }};
 
 std::string formatOf(std::string_view firstBytes)
@@ -75,6 +85,50 @@ std::string formatOf(std::string_view firstBytes)
         if (firstBytes.size() > signature.offset && firstBytes.substr(signature.offset).starts_with(signature.bytes))
             return signature.format;
     return {};
+}
+
+/// Walks the chunks of a PNG file and compares their checksums: libpng reports damage on stderr, past everyone.
+/// @throws FileError
+void checkPng(const std::filesystem::path& path)
+{
+    const auto remainders = [] {
+        std::array<std::uint32_t, 256> table{};
+        for (std::uint32_t i = 0; i < 256; ++i) {
+            table[i] = i;
+            for (int bit = 0; bit < 8; ++bit)
+                table[i] = table[i] >> 1 ^ (table[i] & 1 ? 0xedb88320u : 0u);
+        }
+        return table;
+    }();
+    std::ifstream stream(path, std::ios::binary);
+    const auto number = [&] {
+        std::array<unsigned char, 4> b{};
+        stream.read(reinterpret_cast<char*>(b.data()), 4);
+        return std::uint32_t{b[0]} << 24 | std::uint32_t{b[1]} << 16 | std::uint32_t{b[2]} << 8 | b[3];
+    };
+    std::string type(8, '\0');
+    stream.read(type.data(), 8);
+    if (type != "\x89PNG\r\n\x1a\n")
+        stream.setstate(std::ios::failbit);
+    std::vector<char> buffer(1 << 16);
+    while (stream && type != "IEND") {
+        std::uint64_t rest = std::uint64_t{number()} + 4; // the checksum covers the chunk's name and content
+        std::uint32_t crc = ~0u;
+        type.clear();
+        while (stream && rest > 0) {
+            stream.read(buffer.data(), static_cast<std::streamsize>(std::min<std::uint64_t>(rest, buffer.size())));
+            const auto count = static_cast<size_t>(stream.gcount());
+            if (type.empty())
+                type.assign(buffer.data(), std::min<size_t>(4, count));
+            for (size_t i = 0; i < count; ++i)
+                crc = remainders[(crc ^ static_cast<unsigned char>(buffer[i])) & 0xff] ^ crc >> 8;
+            rest -= count;
+        }
+        if (number() != ~crc)
+            stream.setstate(std::ios::failbit);
+    }
+    if (!stream)
+        throw FileError(path.string(), "the PNG file is cut short or damaged; export or download it again");
 }
 
 /// Turns what the module reads into linear RGB.
@@ -107,7 +161,6 @@ class FileSink final : public Sink {
 public:
     explicit FileSink(AtomicFile& file) : m_file(file) {}
     void write(const void* bytes, size_t count) override { m_file.write(bytes, count); }
-    size_t read(void* bytes, size_t count) override { return m_file.read(bytes, count); }
     std::uint64_t position() override { return m_file.position(); }
     void seek(std::uint64_t position) override { m_file.seek(position); }
 
@@ -115,51 +168,70 @@ private:
     AtomicFile& m_file;
 };
 
-bool holdsFloats(const std::string& extension)
+std::string lowerExtension(const std::filesystem::path& path)
 {
-    return extension == ".tif" || extension == ".tiff" || extension == ".tx" || extension == ".pfm";
-}
-
-std::string lowerCase(std::string text)
-{
+    std::string text = path.extension().string();
     std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return text;
+}
+
+/// What OpenImageIO writes through a stream of ours; its other formats would leave half a file behind when they fail.
+constexpr std::array<std::string_view, 3> floatExtensions{".tif", ".tiff", ".tx"};
+constexpr std::array<std::string_view, 7> byteExtensions{".png", ".jpg", ".jpeg", ".tga", ".bmp", ".ppm", ".webp"};
+
+template <class List>
+bool holds(const List& list, const std::string& extension)
+{
+    return std::find(list.begin(), list.end(), extension) != list.end();
 }
 
 } // namespace
 
 std::unique_ptr<ImageReader> open(const std::filesystem::path& path, std::string_view firstBytes, int level)
 {
-    const std::string format = formatOf(firstBytes);
-    const std::string extension = lowerCase(path.extension().string());
+    const std::string extension = lowerExtension(path);
+    const std::string format = formatOf(firstBytes).empty() && extension == ".png" ? "png" : formatOf(firstBytes);
     if (format.empty() && (extension.empty() || extension == ".exr" || extension == ".hdr" || extension == ".pic"))
         throw FileError(path.string(), "this is no image of a known format; export or download it again");
+    if (format == "png")
+        checkPng(path);
     return std::make_unique<LinearReader>(module().open(path, format, level));
 }
 
-void checkWrites(const std::filesystem::path& path, const std::string& extension)
+void checkWrites(const std::filesystem::path& path)
 {
-    if (extension.empty() || !module().writes(extension))
+    const std::string extension = lowerExtension(path);
+    if (!holds(floatExtensions, extension) && !holds(byteExtensions, extension))
         throw InvalidArgument(path.string() + ": no image can be written with the extension \"" + extension +
                               "\"; use .exr, .hdr, .tif or .png");
 }
 
 void write(AtomicFile& file, const std::filesystem::path& named, const std::vector<Image>& levels, const WriteOptions& options)
 {
-    const bool floats = holdsFloats(lowerCase(named.extension().string()));
+    const bool floats = holds(floatExtensions, lowerExtension(named));
     std::vector<std::vector<std::uint8_t>> bytes;
+    std::vector<std::vector<float>> clamped;
     std::vector<RawLevel> raw;
     for (const Image& image : levels) {
         raw.push_back({image.width, image.height, image.channels, image.texels.data(), nullptr});
-        if (floats)
-            continue;
-        const Image display = options.encoding == Encoding::Display ? image : toDisplay(image, 0.0, ToneCurve::Filmic);
-        bytes.emplace_back(display.texels.size());
-        std::transform(display.texels.begin(), display.texels.end(), bytes.back().begin(), toByte);
-        raw.back().bytes = bytes.back().data();
+        if (!floats) {
+            const Image display = options.encoding == Encoding::Display ? image : toDisplay(image, 0.0, ToneCurve::Filmic);
+            bytes.emplace_back(display.texels.size());
+            std::transform(display.texels.begin(), display.texels.end(), bytes.back().begin(), toByte);
+            raw.back().bytes = bytes.back().data();
+        } else if (options.sampleType == SampleType::Half) {
+            clamped.push_back(image.texels);
+            for (float& value : clamped.back())
+                value = std::clamp(value, -largestHalf, largestHalf);
+            raw.back().floats = clamped.back().data();
+        }
+    }
+    if (raw.size() > 1) {
+        module().writeMips(file.temporary(), named, raw, options);
+        return;
     }
     FileSink sink(file);
-    module().write(sink, named, raw, options);
+    module().write(sink, named, raw.front(), options);
 }
 
 } // namespace mirrorball::openimageio

@@ -12,10 +12,10 @@ namespace mirrorball::openimageio {
 /// The format is told by the first bytes, else by the extension. @throws FileError; WorkError when the module cannot be loaded
 std::unique_ptr<ImageReader> open(const std::filesystem::path& path, std::string_view firstBytes, int level);
 
-/// @throws InvalidArgument when no format of this extension can be written
-void checkWrites(const std::filesystem::path& path, const std::string& extension);
+/// Does not load the module. @throws InvalidArgument when no format of this extension can be written
+void checkWrites(const std::filesystem::path& path);
 
-/// Float formats (.tif, .pfm) take linear values, 8-bit ones a display picture (color.h: no exposure, filmic curve).
+/// TIFF takes linear values, the 8-bit formats a display picture (color.h: no exposure, filmic curve).
 /// @throws WorkError
 void write(AtomicFile& file, const std::filesystem::path& named, const std::vector<Image>& levels, const WriteOptions& options);
 

@@ -12,7 +12,7 @@
 namespace mirrorball::openimageio {
 namespace {
 
-constexpr int tileEdge = 64;                   ///< of the mip chains written here
+constexpr int tileEdge = 64; ///< of the mip chains written here
 constexpr const char* attributePrefix = "mirrorball:";
 
 /// TIFF holds no attributes of free names: there they go, one a line, into the image description.
@@ -94,8 +94,8 @@ private:
     FileError damaged(const std::string& name) const
     {
         const std::string reason = oneLine(m_input->geterror());
-        return FileError(name, "the image is damaged (" + (reason.empty() ? "it cannot be decoded" : reason) +
-                                   "); export or download it again");
+        return FileError(name,
+                         "the image is damaged (" + (reason.empty() ? "it cannot be decoded" : reason) + "); export or download it again");
     }
 
     int countLevels()
@@ -133,17 +133,12 @@ std::unique_ptr<RawReader> open(const std::filesystem::path& path, const std::st
     return std::make_unique<Reader>(path, format, level);
 }
 
-/// Formats that take an IOProxy only: the others would write past our temporary file.
-std::unique_ptr<OIIO::ImageOutput> createOutput(const std::string& extension)
+std::unique_ptr<OIIO::ImageOutput> createOutput(const std::filesystem::path& named)
 {
-    auto output = OIIO::ImageOutput::create(extension.substr(1));
-    static_cast<void>(OIIO::geterror());
-    return output && output->supports("ioproxy") ? std::move(output) : nullptr;
-}
-
-bool writes(const std::string& extension)
-{
-    return createOutput(extension) != nullptr;
+    auto output = OIIO::ImageOutput::create(named.extension().string().substr(1));
+    if (!output || !output->supports("ioproxy"))
+        throw WorkError(named.string() + ": this OpenImageIO cannot write the format; write .exr (" + oneLine(OIIO::geterror()) + ")");
+    return output;
 }
 
 /// OpenImageIO's view of a Sink. An error must not fly through libtiff or libpng, which are C: it is kept and thrown afterwards.
@@ -152,10 +147,7 @@ public:
     explicit SinkProxy(Sink& sink) : IOProxy("", Write), m_sink(sink) {}
     const char* proxytype() const override { return "sink"; }
 
-    int64_t tell() override
-    {
-        return static_cast<int64_t>(m_sink.position());
-    }
+    int64_t tell() override { return static_cast<int64_t>(m_sink.position()); }
     bool seek(int64_t offset) override
     {
         return guarded([&] { m_sink.seek(static_cast<std::uint64_t>(offset)); });
@@ -166,12 +158,6 @@ public:
             return 0;
         m_size = std::max(m_size, static_cast<size_t>(m_sink.position()));
         return count;
-    }
-    size_t read(void* bytes, size_t count) override
-    {
-        size_t got = 0;
-        guarded([&] { got = m_sink.read(bytes, count); });
-        return got;
     }
     size_t size() const override { return m_size; }
     void rethrow() const
@@ -205,8 +191,12 @@ OIIO::ImageSpec makeSpec(const RawLevel& level, const WriteOptions& options, boo
     OIIO::ImageSpec spec(level.width, level.height, level.channels, level.bytes ? OIIO::TypeUInt8 : floats);
     spec.attribute("oiio:ColorSpace", level.bytes ? "sRGB" : "Linear");
     spec.attribute("compression", "zip");
-    if (mipped)
+    spec.attribute("tiff:half", 1); // without it OpenImageIO writes floats where half is asked for
+    spec.attribute("DateTime", ""); // else the TIFF writer puts the clock's time in, and no two files are alike
+    if (mipped) {
         spec.tile_width = spec.tile_height = tileEdge;
+        spec.attribute("textureformat", "Plain Texture"); // says that the directories of a TIFF file are mip levels
+    }
     std::string description;
     for (const auto& [name, text] : options.attributes) {
         spec.attribute(name, text);
@@ -218,26 +208,50 @@ OIIO::ImageSpec makeSpec(const RawLevel& level, const WriteOptions& options, boo
     return spec;
 }
 
-void write(Sink& sink, const std::filesystem::path& named, const std::vector<RawLevel>& levels, const WriteOptions& options)
+bool writePixels(OIIO::ImageOutput& output, const RawLevel& level)
 {
-    const auto output = createOutput(named.extension().string());
-    SinkProxy proxy(sink);
-    const auto check = [&](bool done) {
-        proxy.rethrow();
-        if (!done)
-            throw WorkError(named.string() + ": cannot be written: " + oneLine(output->geterror()) + "; try .exr");
-    };
-    output->set_ioproxy(&proxy);
-    for (size_t i = 0; i < levels.size(); ++i) {
-        const OIIO::ImageSpec spec = makeSpec(levels[i], options, levels.size() > 1);
-        check(output->open(named.string(), spec, i == 0 ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendMIPLevel));
-        check(levels[i].bytes ? output->write_image(OIIO::TypeUInt8, levels[i].bytes)
-                              : output->write_image(OIIO::TypeFloat, levels[i].floats));
-    }
-    check(output->close());
+    return level.bytes ? output.write_image(OIIO::TypeUInt8, level.bytes) : output.write_image(OIIO::TypeFloat, level.floats);
 }
 
-const Module exported{moduleVersion, &open, &writes, &write};
+WorkError writeError(const std::filesystem::path& named, const std::string& reason)
+{
+    return WorkError(named.string() + ": cannot be written: " + (reason.empty() ? "the disk may be full" : oneLine(reason)) +
+                     "; free some space or write .exr");
+}
+
+void write(Sink& sink, const std::filesystem::path& named, const RawLevel& image, const WriteOptions& options)
+{
+    const auto output = createOutput(named);
+    SinkProxy proxy(sink);
+    output->set_ioproxy(&proxy);
+    const bool written = output->open(named.string(), makeSpec(image, options, false)) && writePixels(*output, image) && output->close();
+    proxy.rethrow();
+    if (!written)
+        throw writeError(named, output->geterror());
+}
+
+void writeMips(const std::filesystem::path& temporary, const std::filesystem::path& named, const std::vector<RawLevel>& levels,
+               const WriteOptions& options)
+{
+    const auto output = createOutput(named);
+    const auto append = output->supports("mipmap") ? OIIO::ImageOutput::AppendMIPLevel : OIIO::ImageOutput::AppendSubimage;
+    bool written = true;
+    for (size_t i = 0; i < levels.size() && written; ++i)
+        written = output->open(temporary.string(), makeSpec(levels[i], options, true), i == 0 ? OIIO::ImageOutput::Create : append) &&
+                  writePixels(*output, levels[i]);
+    written = output->close() && written;
+    if (!written)
+        throw writeError(named, output->geterror());
+    // libtiff tells nobody when its last directory did not fit on the disk.
+    try {
+        if (Reader(temporary, output->format_name(), 0).info().levels == static_cast<int>(levels.size()))
+            return;
+    } catch (const FileError&) { // says the same, of a file that nobody knows
+    }
+    throw writeError(named, {});
+}
+
+const Module exported{moduleVersion, &open, &write, &writeMips};
 
 } // namespace
 } // namespace mirrorball::openimageio

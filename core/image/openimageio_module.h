@@ -33,7 +33,6 @@ class Sink {
 public:
     virtual ~Sink() = default;
     virtual void write(const void* bytes, size_t count) = 0;
-    virtual size_t read(void* bytes, size_t count) = 0;
     virtual std::uint64_t position() = 0;
     virtual void seek(std::uint64_t position) = 0;
 };
@@ -42,10 +41,12 @@ struct Module {
     int version = 0;
     /// `format` is OpenImageIO's name of it, empty: by extension. @throws FileError
     std::unique_ptr<RawReader> (*open)(const std::filesystem::path& path, const std::string& format, int level) = nullptr;
-    /// Whether this extension can be written.
-    bool (*writes)(const std::string& extension) = nullptr;
-    /// More than one level: a mip chain. @throws WorkError
-    void (*write)(Sink& sink, const std::filesystem::path& named, const std::vector<RawLevel>& levels, const WriteOptions& options) = nullptr;
+    /// One image goes into the sink. `named` is the target, for its extension and messages. @throws WorkError
+    void (*write)(Sink& sink, const std::filesystem::path& named, const RawLevel& image, const WriteOptions& options) = nullptr;
+    /// A mip chain goes into the existing file `temporary`: TIFF levels are appended by reading back, which no sink can do. @throws
+    /// WorkError
+    void (*writeMips)(const std::filesystem::path& temporary, const std::filesystem::path& named, const std::vector<RawLevel>& levels,
+                      const WriteOptions& options) = nullptr;
 };
 
 inline constexpr int moduleVersion = 1;
