@@ -150,7 +150,8 @@ void exportOne(const Scene& scene, const ExportPlan& planned, SceneProbe& probe,
     outcome.files.insert(outcome.files.end(), files.begin(), files.end());
     WorkRecord& record = outcome.record;
     record.stages.insert(record.stages.end(), std::make_move_iterator(work.stages.begin()), std::make_move_iterator(work.stages.end()));
-    record.method = work.method.empty() ? record.method : work.method;
+    if (record.method.find(work.method) == std::string::npos)
+        record.method += (record.method.empty() ? "" : ", ") + work.method;
     record.bandLimit = std::max(record.bandLimit, work.bandLimit);
     record.predictedError = std::max(record.predictedError, work.predictedError);
 }

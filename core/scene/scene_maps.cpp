@@ -24,11 +24,7 @@ EnvironmentMap buildLevel(const PrefilterOptions& filter, const std::string& nam
         stage.name += " of " + name;
         record.stages.push_back(std::move(stage));
     }
-    if (outcome.filtered) {
-        record.method = mirrorball::name(outcome.method);
-        record.bandLimit = std::max(record.bandLimit, outcome.bandLimit);
-        record.predictedError = std::max(record.predictedError, outcome.predictedError);
-    }
+    record.add(outcome);
     return std::move(outcome.map);
 }
 
@@ -43,6 +39,16 @@ void expose(std::vector<EnvironmentMap>& levels, double exposure)
 }
 
 } // namespace
+
+void WorkRecord::add(const PrefilterOutcome& outcome)
+{
+    if (!outcome.filtered)
+        return;
+    if (const std::string_view ran = name(outcome.method); method.find(ran) == std::string::npos)
+        method += (method.empty() ? "" : ", ") + std::string(ran);
+    bandLimit = std::max(bandLimit, outcome.bandLimit);
+    predictedError = std::max(predictedError, outcome.predictedError);
+}
 
 MapLayout probeLayout(const Scene& scene)
 {

@@ -20,9 +20,11 @@ MapLayout probeLayout(const Scene& scene);
 /// What was done: for `--stats`.
 struct WorkRecord {
     std::vector<Stage> stages{};
-    std::string method{};          ///< of the last filter; empty when nothing was filtered
+    std::string method{};          ///< those that ran: "spectral, direct"; empty when nothing was filtered
     int bandLimit = 0;             ///< the largest
     double predictedError = 0.0;   ///< the largest rel_rms
+
+    void add(const PrefilterOutcome& outcome);
 };
 
 /// The scene's probe, opened as a plan needs it. Keep it while only other parts of the scene change: it keeps its spectrum.

@@ -142,7 +142,7 @@ TEST(Plan, ALargeProbeIsTruncatedRowByRowWhenEveryMapIsFiltered)
     scene.probe.source = "large.exr";
     scene.material.specular = {.lobe = SurfaceLobe::Phong, .exponent = 50.0};
     scene.view.background.kind = Backdrop::None;
-    expectNeeded(makePlan(scene, large), "read probe", "truncated to band limit 45 while it is read");
+    expectNeeded(makePlan(scene, large), "read probe", "truncated to band limit 4");
     scene.view.background.kind = Backdrop::Environment;
     const Plan held = makePlan(scene, large);
     expectNeeded(held, "read probe", "held whole");
