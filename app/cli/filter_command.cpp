@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/filter/source_file.h"
 #include "core/image/map_file.h"
+#include "core/image/mip_pyramid.h"
 
 #include <memory>
 #include <sstream>

@@ -11,23 +11,6 @@ namespace {
 constexpr size_t mostTexels = 96;
 constexpr double smallestShare = 1.0 / 2000.0;
 
-/// The directions of the bright texels as planes, so that the sums over them vectorise.
-struct Planes {
-    std::vector<double> x, y, z, red, green, blue;
-
-    explicit Planes(const BrightTexels& bright)
-    {
-        for (size_t i = 0; i < bright.directions.size(); ++i) {
-            x.push_back(bright.directions[i].x);
-            y.push_back(bright.directions[i].y);
-            z.push_back(bright.directions[i].z);
-            red.push_back(bright.flux[i].r);
-            green.push_back(bright.flux[i].g);
-            blue.push_back(bright.flux[i].b);
-        }
-    }
-};
-
 } // namespace
 
 BrightTexels takeBrightTexels(EnvironmentMap& latlong)
@@ -67,53 +50,41 @@ BrightTexels takeBrightTexels(EnvironmentMap& latlong)
     return bright;
 }
 
-void addBrightTexels(EnvironmentMap& map, const BrightTexels& bright, const Lobe& lobe, const Spectrum& calm, const std::vector<double>& k,
-                     double yaw, const JobControl& job)
+BrightLobe::BrightLobe(const BrightTexels& bright, const Lobe& lobe) : m_lobe(lobe), m_shape(lobe)
 {
-    if (bright.directions.empty())
-        return;
-    const Planes planes(bright);
-    const size_t count = bright.directions.size();
-    const LobeShape shape(lobe);
-    const double peak = 1.0 / shape.integral();
-    const double a2 = lobe.alpha * lobe.alpha;
+    const double peak = 1.0 / m_shape.integral();
+    for (size_t i = 0; i < bright.directions.size(); ++i) {
+        m_x.push_back(bright.directions[i].x);
+        m_y.push_back(bright.directions[i].y);
+        m_z.push_back(bright.directions[i].z);
+        m_red.push_back(peak * bright.flux[i].r);
+        m_green.push_back(peak * bright.flux[i].g);
+        m_blue.push_back(peak * bright.flux[i].b);
+    }
+}
 
-    // N varies smoothly and differs from 1 by some 1e-6: a table over the colatitude, read linearly.
-    constexpr int steps = 1024;
-    std::vector<double> theta(steps + 1);
-    for (int i = 0; i <= steps; ++i)
-        theta[static_cast<size_t>(i)] = pi * i / steps;
-    const std::vector<double> norm = filterOfOne(calm, k, theta);
-
-    parallelRows(map.image.height, job, [&](int first, int last) {
-        std::vector<double> weight(count);
-        for (int y = first; y < last; ++y)
-            for (int x = 0; x < map.image.width; ++x) {
-                const glm::dvec3 r = yawed(texelDirection(map.layout, x, y), -yaw);
-                for (size_t i = 0; i < count; ++i)
-                    weight[i] = std::min(1.0, r.x * planes.x[i] + r.y * planes.y[i] + r.z * planes.z[i]);
-                if (lobe.kind == LobeKind::Diffuse)
-                    for (double& w : weight)
-                        w = std::max(w, 0.0);
-                else if (lobe.kind == LobeKind::Ggx) // as LobeShape::relative, written out so that it vectorises
-                    for (double& w : weight) {
-                        const double ratio = a2 / (0.5 * (1.0 - w) + a2 * 0.5 * (1.0 + w));
-                        w = std::max(w, 0.0) * ratio * ratio;
-                    }
-                else
-                    for (double& w : weight)
-                        w = shape.relative(w);
-                glm::dvec3 sum(0.0);
-                for (size_t i = 0; i < count; ++i)
-                    sum += weight[i] * glm::dvec3(planes.red[i], planes.green[i], planes.blue[i]);
-                const double position = std::acos(std::clamp(r.y, -1.0, 1.0)) / pi * steps;
-                const auto step = std::min(static_cast<size_t>(position), static_cast<size_t>(steps - 1));
-                const double fraction = position - static_cast<double>(step);
-                sum *= peak / ((1.0 - fraction) * norm[step] + fraction * norm[step + 1]);
-                for (int c = 0; c < 3; ++c)
-                    map.image.texel(x, y)[c] += static_cast<float>(sum[c]);
-            }
-    });
+glm::dvec3 BrightLobe::radiance(const glm::dvec3& r, std::vector<double>& weights) const
+{
+    const size_t count = m_x.size();
+    weights.resize(count);
+    for (size_t i = 0; i < count; ++i)
+        weights[i] = std::min(1.0, r.x * m_x[i] + r.y * m_y[i] + r.z * m_z[i]);
+    if (m_lobe.kind == LobeKind::Diffuse)
+        for (double& w : weights)
+            w = std::max(w, 0.0);
+    else if (m_lobe.kind == LobeKind::Ggx) { // as LobeShape::relative, written out so that it vectorises
+        const double a2 = m_lobe.alpha * m_lobe.alpha;
+        for (double& w : weights) {
+            const double ratio = a2 / (0.5 * (1.0 - w) + a2 * 0.5 * (1.0 + w));
+            w = std::max(w, 0.0) * ratio * ratio;
+        }
+    } else
+        for (double& w : weights)
+            w = m_shape.relative(w);
+    glm::dvec3 sum(0.0);
+    for (size_t i = 0; i < count; ++i)
+        sum += weights[i] * glm::dvec3(m_red[i], m_green[i], m_blue[i]);
+    return sum;
 }
 
 } // namespace mirrorball

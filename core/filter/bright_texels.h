@@ -1,10 +1,8 @@
 #pragma once
 
 #include "lobe.h"
-#include "spectrum.h"
 
 #include "../image/environment_map.h"
-#include "../job.h"
 
 #include <vector>
 
@@ -24,10 +22,18 @@ struct BrightTexels {
 /// @param latlong the whole probe on entry, the calm part on return
 BrightTexels takeBrightTexels(EnvironmentMap& latlong);
 
-/// Adds the bright texels' share to a filtered map of the calm part:
-///   E(r) += sum_b flux_b k(r.d_b) / N(r),   N the filter of a constant 1, as the reference sum normalises
-/// @param calm, k  the spectrum and coefficients that the map was filtered with: they give N
-void addBrightTexels(EnvironmentMap& map, const BrightTexels& bright, const Lobe& lobe, const Spectrum& calm, const std::vector<double>& k,
-                     double yaw, const JobControl& job = {});
+/// Bright texels seen through a lobe: sum_b flux_b k(r.d_b), not yet divided by the filter of a constant 1.
+class BrightLobe {
+public:
+    BrightLobe(const BrightTexels& bright, const Lobe& lobe);
+    bool empty() const { return m_x.empty(); }
+    /// @param weights  scratch space of the calling thread
+    glm::dvec3 radiance(const glm::dvec3& r, std::vector<double>& weights) const;
+
+private:
+    Lobe m_lobe;
+    LobeShape m_shape;
+    std::vector<double> m_x{}, m_y{}, m_z{}, m_red{}, m_green{}, m_blue{}; ///< planes, so that the sums vectorise
+};
 
 } // namespace mirrorball

@@ -149,16 +149,12 @@ EnvironmentMap runSpectral(FilterSource& source, const PrefilterOptions& options
         outcome.stages.back() = {.name = "spectrum", .leftOut = true, .why = "kept from an earlier lobe"};
     outcome.bandLimit = settled.plan.bandLimit;
     outcome.predictedError = std::max(settled.plan.predictedError, 0.4 * options.tolerance);
-    EnvironmentMap map = timedStage(outcome.stages, "synthesis", [&] {
+    return timedStage(outcome.stages, "synthesis", [&] {
         const auto points = options.target.kind == Parameterization::Latlong ? std::span<const SpherePoint>{}
                                                                              : source.points(options.target, job);
-        return filterSpectral(*settled.spectrum, settled.plan, options.target, points, options.tolerance, options.yaw, job);
+        const BrightLobe bright(settled.split ? source.brightTexels() : BrightTexels{}, options.lobe);
+        return filterSpectral(*settled.spectrum, settled.plan, bright, options.target, points, options.tolerance, options.yaw, job);
     });
-    if (settled.split && !source.brightTexels().directions.empty())
-        timedStage(outcome.stages, "bright texels", [&] {
-            addBrightTexels(map, source.brightTexels(), options.lobe, *settled.spectrum, settled.plan.k, options.yaw, job);
-        });
-    return map;
 }
 
 } // namespace

@@ -37,7 +37,7 @@ inline std::array<float, taps> splineWeights(float t)
             scale * t5};
 }
 
-/// Two neighbouring RGBX samples as one vector of the compiler's; loads need no alignment.
+/// Two neighbouring samples of RGB and the norm as one vector of the compiler's; loads need no alignment.
 typedef float TwoTexels __attribute__((vector_size(32), aligned(4), may_alias)); // an attribute that `using` cannot carry
 
 // The loop over taps is the hot one of every export: it is built for AVX2 as well and chosen when the program starts. Sanitizers
@@ -103,16 +103,16 @@ int goodRings(int n)
 int RingGrid::ringsFor(const std::vector<double>& k, double tolerance)
 {
     const int bandLimit = static_cast<int>(k.size()) - 1;
-    double total = 0.0;
-    for (int l = 0; l <= bandLimit; ++l)
-        total += (2.0 * l + 1.0) * k[static_cast<size_t>(l)] * k[static_cast<size_t>(l)];
     for (int rings = goodRings(bandLimit + 1);; rings = goodRings(rings + rings / 16 + 1)) {
         double lost = 0.0;
         for (int l = 0; l <= bandLimit; ++l) {
-            const double share = 2.0 * std::pow(l / (2.0 * rings), 6) * k[static_cast<size_t>(l)];
-            lost += 2.0 * (2.0 * l + 1.0) * share * share; // along the azimuth and along the meridian
+            // The strongest alias of a frequency x (in samples) that a spline of degree 5 lets through, (x/(1-x))^6; one from either
+            // side, along the azimuth and along the meridian.
+            const double x = l / (2.0 * rings);
+            const double share = std::pow(x / (1.0 - x), 6) * k[static_cast<size_t>(l)];
+            lost += 4.0 * (2.0 * l + 1.0) * share * share;
         }
-        if (lost <= tolerance * tolerance * total)
+        if (lost <= tolerance * tolerance)
             return rings;
     }
 }
@@ -130,7 +130,7 @@ RingGrid::RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int r
         // Azimuth runs against longitude, so turning the map by +yaw is a shift by -yaw along it.
         azimuth[i] = std::polar(120.0 / (66.0 + 52.0 * std::cos(w) + 2.0 * std::cos(2.0 * w)), m * yaw);
     }
-    const auto maps = synthesise(spectrum, k, theta, samples, 0.0, azimuth, job);
+    const FilteredRings filtered = synthesise(spectrum, k, theta, samples, 0.0, azimuth, job);
 
     m_texels.resize(4 * static_cast<size_t>(rings + haloBefore + haloAfter) * static_cast<size_t>(m_stride));
     const auto at = [&](int row, int x) {
@@ -142,8 +142,8 @@ RingGrid::RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int r
         std::vector<Lanes> circle(static_cast<size_t>(samples));
         for (int block = first; block < last; ++block) {
             const int x0 = block * lanes, width = std::min(lanes, rings - x0);
-            for (int c = 0; c < 3; ++c) {
-                const double* map = maps[static_cast<size_t>(c)].data();
+            for (int c = 0; c < 4; ++c) {
+                const double* map = (c < 3 ? filtered.rgb[static_cast<size_t>(c)] : filtered.norm).data();
                 // Down the meridian at x, then up the one opposite to it.
                 for (int i = 0; i < samples; ++i) {
                     const double* row = map + static_cast<size_t>(i < rings ? i : samples - 1 - i) * static_cast<size_t>(samples) +
@@ -171,7 +171,7 @@ RingGrid::RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int r
 }
 
 MIRRORBALL_CLONES
-void interpolate(const float* texels, int stride, double perRadian, std::span<const SpherePoint> points, float* rgb)
+void interpolate(const float* texels, int stride, double perRadian, std::span<const SpherePoint> points, float* rgbn)
 {
     for (const SpherePoint& p : points) {
         const double x = p.azimuth * perRadian, y = p.colatitude * perRadian - 0.5;
@@ -188,14 +188,14 @@ void interpolate(const float* texels, int stride, double perRadian, std::span<co
             const auto* pair = reinterpret_cast<const TwoTexels*>(row);
             sum += wy[j] * (w01 * pair[0] + w23 * pair[1] + w45 * pair[2]);
         }
-        for (int c = 0; c < 3; ++c)
-            *rgb++ = sum[c] + sum[c + 4];
+        for (int c = 0; c < 4; ++c)
+            *rgbn++ = sum[c] + sum[c + 4];
     }
 }
 
-void RingGrid::radiance(std::span<const SpherePoint> points, float* rgb) const
+void RingGrid::read(std::span<const SpherePoint> points, float* rgbn) const
 {
-    interpolate(m_texels.data(), m_stride, m_rings / pi, points, rgb);
+    interpolate(m_texels.data(), m_stride, m_rings / pi, points, rgbn);
 }
 
 std::vector<SpherePoint> spherePoints(const MapLayout& layout, const JobControl& job)

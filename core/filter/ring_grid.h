@@ -19,24 +19,24 @@ struct SpherePoint {
 /// The function is synthesised on N rings of 2N samples and interpolated by a quintic B-spline, exactly through the samples: along the
 /// azimuth the spline's prefilter is a factor per order m, 120/(66 + 52 cos w + 2 cos 2w) with w = 2 pi m / 2N; along the meridians it is
 /// the spline's recursive filter, run over whole great circles so that the poles are no ends. Of a harmonic of degree l the
-/// interpolation loses about 2 (l/2N)^6.
+/// interpolation lets aliases of about (x/(1-x))^6 through, x = l/2N.
 /// Source: M. Unser, "Splines: a perfect fit for signal and image processing", IEEE Signal Processing Magazine 16(6), 1999, eqs. 10-13.
 class RingGrid {
 public:
-    /// Rings that keep the interpolation error below `tolerance`, relative to the root mean square of a probe of white spectrum
-    /// filtered by k; at least one more than k's band limit, a length FFTs like.
+    /// Rings that keep the interpolation error below `tolerance`, relative to the mean, for a probe of white spectrum filtered by k; at
+    /// least one more than k's band limit, a length FFTs like.
     static int ringsFor(const std::vector<double>& k, double tolerance);
 
     /// @param yaw radians, as yawed(): the function is turned about +Y
     RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int rings, double yaw, const JobControl& job = {});
 
-    /// Values at many places, 3 floats each.
-    void radiance(std::span<const SpherePoint> points, float* rgb) const;
+    /// Numerators and norm (FilteredRings) at many places, 4 floats each.
+    void read(std::span<const SpherePoint> points, float* rgbn) const;
 
 private:
     int m_rings;
     int m_stride;                ///< samples a row of m_texels, halo included
-    std::vector<float> m_texels; ///< spline coefficients, RGB and a spare, with a halo so that no tap needs wrapping
+    std::vector<float> m_texels; ///< spline coefficients of RGB and the norm, with a halo so that no tap needs wrapping
 };
 
 /// The places of a layout's texels on the sphere, row by row: worth keeping when several lobes are read off in the same layout.

@@ -104,33 +104,56 @@ BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance, cons
     return finishPlan(k, bandLimit, tolerance, term, scale);
 }
 
-EnvironmentMap filterSpectral(const Spectrum& spectrum, const BandLimitPlan& plan, const MapLayout& target,
+EnvironmentMap filterSpectral(const Spectrum& spectrum, const BandLimitPlan& plan, const BrightLobe& bright, const MapLayout& target,
                               std::span<const SpherePoint> points, double tolerance, double yaw, const JobControl& job)
 {
     assert(plan.bandLimit <= spectrum.bandLimit);
-    assert(target.kind == Parameterization::Latlong || points.size() == static_cast<size_t>(target.width()) * static_cast<size_t>(target.height()));
     EnvironmentMap map(target);
     const int width = map.image.width, height = map.image.height;
+    const auto w = static_cast<size_t>(width);
 
-    if (target.kind == Parameterization::Latlong) { // its rows are rings: synthesised in place, no interpolation
+    // Rows of numerators and norm, from either source, become rows of the map.
+    const auto finishRows = [&](const std::function<void(int first, int last, float* rgbn)>& read) {
+        parallelRows(height, job, [&](int first, int last) {
+            std::vector<float> rgbn(4 * w * static_cast<size_t>(last - first));
+            std::vector<double> weights;
+            read(first, last, rgbn.data());
+            const float* from = rgbn.data();
+            float* to = map.image.row(first);
+            for (int y = first; y < last; ++y)
+                for (int x = 0; x < width; ++x, from += 4, to += 3) {
+                    glm::dvec3 sum(from[0], from[1], from[2]);
+                    if (!bright.empty())
+                        sum += bright.radiance(yawed(texelDirection(target, x, y), -yaw), weights);
+                    for (int c = 0; c < 3; ++c)
+                        to[c] = static_cast<float>(sum[c] / from[3]);
+                }
+        });
+    };
+
+    if (target.kind == Parameterization::Latlong) {
         std::vector<double> theta;
         for (int y = 0; y < height; ++y)
             theta.push_back(pi * (y + 0.5) / height);
         std::vector<std::complex<double>> turn;
         for (int m = 0; m <= plan.bandLimit; ++m)
             turn.push_back(std::polar(1.0, m * yaw)); // azimuth runs against longitude, see RingGrid
-        const auto maps = synthesise(spectrum, plan.k, theta, width, pi / width, turn, job);
-        for (size_t i = 0; i < maps[0].size(); ++i)
-            for (size_t c = 0; c < 3; ++c)
-                map.image.texels[3 * i + c] = static_cast<float>(maps[c][i]);
+        const FilteredRings rings = synthesise(spectrum, plan.k, theta, width, pi / width, turn, job);
+        finishRows([&](int first, int last, float* rgbn) {
+            for (size_t i = static_cast<size_t>(first) * w; i < static_cast<size_t>(last) * w; ++i, rgbn += 4) {
+                for (size_t c = 0; c < 3; ++c)
+                    rgbn[c] = static_cast<float>(rings.rgb[c][i]);
+                rgbn[3] = static_cast<float>(rings.norm[i]);
+            }
+        });
         return map;
     }
 
+    assert(points.size() == w * static_cast<size_t>(height));
     const int rings = RingGrid::ringsFor(plan.k, interpolationShare * tolerance);
     const RingGrid grid(spectrum, plan.k, rings, yaw, job);
-    parallelRows(height, job, [&](int first, int last) {
-        const auto w = static_cast<size_t>(width);
-        grid.radiance(points.subspan(static_cast<size_t>(first) * w, static_cast<size_t>(last - first) * w), map.image.row(first));
+    finishRows([&](int first, int last, float* rgbn) {
+        grid.read(points.subspan(static_cast<size_t>(first) * w, static_cast<size_t>(last - first) * w), rgbn);
     });
     return map;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bright_texels.h"
 #include "lobe.h"
 #include "ring_grid.h"
 #include "spectrum.h"
@@ -34,8 +35,10 @@ BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance);
 BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance, const Spectrum& spectrum, double outsidePower = 0.0);
 
 /// The filtered map. The rows of a latlong target are rings, on which it is synthesised in place; other targets are read off a
-/// RingGrid at `points`, the target's spherePoints() (unused for latlong). @throws Cancelled
-EnvironmentMap filterSpectral(const Spectrum& spectrum, const BandLimitPlan& plan, const MapLayout& target,
+/// RingGrid at `points`, the target's spherePoints() (unused for latlong).
+/// @param bright  what was taken out of the probe before its spectrum was made; empty for a whole probe
+/// @throws Cancelled
+EnvironmentMap filterSpectral(const Spectrum& spectrum, const BandLimitPlan& plan, const BrightLobe& bright, const MapLayout& target,
                               std::span<const SpherePoint> points, double tolerance, double yaw, const JobControl& job = {});
 
 } // namespace mirrorball

@@ -212,15 +212,25 @@ Spectrum SpectrumBuilder::finish(const JobControl& job)
         transform(SHARP_MAP2ALM, spectrum.coefficients[c], m_rows[c], geometry, layout, job);
     }
 
-    spectrum.zonalWeights.assign(static_cast<size_t>(m_bandLimit) + 1, 0.0);
+    // A constant 1 on these rings holds orders that are multiples of the row's length only. Below the first of those it is zonal, and
+    // its coefficients are a sum over the rows.
+    spectrum.unit.resize(count);
+    if (m_bandLimit >= m_width) {
+        std::fill(m_rows[0].begin(), m_rows[0].end(), 1.0);
+        transform(SHARP_MAP2ALM, spectrum.unit, m_rows[0], geometry, layout, job);
+        return spectrum;
+    }
+    std::vector<double> sums(static_cast<size_t>(m_bandLimit) + 1); // of w_j P_l(cos theta_j)
     for (int j = 0; j < m_height; ++j) {
         const double x = std::cos(theta[static_cast<size_t>(j)]);
         double previous = 0.0, p = 1.0;
         for (int l = 0; l <= m_bandLimit; ++l) {
-            spectrum.zonalWeights[static_cast<size_t>(l)] += 2.0 * pi * bandHeight(j, m_height) * p;
+            sums[static_cast<size_t>(l)] += 2.0 * pi * bandHeight(j, m_height) * p;
             previous = std::exchange(p, ((2.0 * l + 1.0) * x * p - l * previous) / (l + 1.0));
         }
     }
+    for (int l = 0; l <= m_bandLimit; ++l)
+        spectrum.unit[spectrum.index(l, 0)] = std::sqrt((2.0 * l + 1.0) / (4.0 * pi)) * sums[static_cast<size_t>(l)];
     return spectrum;
 }
 
@@ -233,51 +243,46 @@ Spectrum analyse(const EnvironmentMap& latlong, int bandLimit, const JobControl&
     return builder.finish(job);
 }
 
-std::vector<double> filterOfOne(const Spectrum& spectrum, const std::vector<double>& k, const std::vector<double>& theta)
-{
-    std::vector<double> result;
-    result.reserve(theta.size());
-    for (const double t : theta) {
-        const double x = std::cos(t);
-        double previous = 0.0, p = 1.0, sum = 0.0;
-        for (size_t l = 0; l < k.size(); ++l) {
-            const double degree = static_cast<double>(l);
-            sum += k[l] * (2.0 * degree + 1.0) / (4.0 * pi) * spectrum.zonalWeights[l] * p;
-            previous = std::exchange(p, ((2.0 * degree + 1.0) * x * p - degree * previous) / (degree + 1.0));
-        }
-        result.push_back(sum);
-    }
-    return result;
-}
-
-std::array<std::vector<double>, 3> synthesise(const Spectrum& spectrum, const std::vector<double>& k, const std::vector<double>& theta,
-                                              int ringLength, double phi0, const std::vector<Complex>& azimuthFactors,
-                                              const JobControl& job)
+FilteredRings synthesise(const Spectrum& spectrum, const std::vector<double>& k, const std::vector<double>& theta, int ringLength,
+                         double phi0, const std::vector<Complex>& azimuthFactors, const JobControl& job)
 {
     const int bandLimit = static_cast<int>(k.size()) - 1;
-    assert(bandLimit <= spectrum.bandLimit);
-    const std::vector<double> norm = filterOfOne(spectrum, k, theta);
+    assert(bandLimit <= spectrum.bandLimit && azimuthFactors.size() > static_cast<size_t>(bandLimit));
     const Geometry geometry = ringGeometry(theta, {}, ringLength, phi0);
     const Coefficients layout = triangle(bandLimit);
     Spectrum filtered; // only for its index
     filtered.bandLimit = bandLimit;
     std::vector<Complex> product(filtered.index(bandLimit, bandLimit) + 1);
-    std::array<std::vector<double>, 3> maps;
-    for (size_t c = 0; c < 3; ++c) {
+    const auto onRings = [&](const std::vector<Complex>& coefficients) {
         for (int m = 0; m <= bandLimit; ++m) {
-            const Complex factor = azimuthFactors.empty() ? Complex(1.0) : azimuthFactors[static_cast<size_t>(m)];
-            const Complex* from = spectrum.coefficients[c].data() + spectrum.index(0, m);
+            const Complex factor = azimuthFactors[static_cast<size_t>(m)];
+            const Complex* from = coefficients.data() + spectrum.index(0, m);
             Complex* to = product.data() + filtered.index(0, m);
             for (int l = m; l <= bandLimit; ++l)
                 to[l] = from[l] * (factor * k[static_cast<size_t>(l)]);
         }
-        maps[c].resize(theta.size() * static_cast<size_t>(ringLength));
-        transform(SHARP_ALM2MAP, product, maps[c], geometry, layout, job);
-        for (size_t j = 0; j < theta.size(); ++j)
-            for (int x = 0; x < ringLength; ++x)
-                maps[c][j * static_cast<size_t>(ringLength) + static_cast<size_t>(x)] /= norm[j];
+        std::vector<double> map(theta.size() * static_cast<size_t>(ringLength));
+        transform(SHARP_ALM2MAP, product, map, geometry, layout, job);
+        return map;
+    };
+
+    FilteredRings rings;
+    for (size_t c = 0; c < 3; ++c)
+        rings.rgb[c] = onRings(spectrum.coefficients[c]);
+    if (bandLimit >= spectrum.ringLength) {
+        rings.norm = onRings(spectrum.unit);
+        return rings;
     }
-    return maps;
+    for (const double t : theta) { // zonal: one value a ring
+        const double x = std::cos(t);
+        double previous = 0.0, p = 1.0, sum = 0.0;
+        for (int l = 0; l <= bandLimit; ++l) {
+            sum += k[static_cast<size_t>(l)] * std::sqrt((2.0 * l + 1.0) / (4.0 * pi)) * spectrum.unit[spectrum.index(l, 0)].real() * p;
+            previous = std::exchange(p, ((2.0 * l + 1.0) * x * p - l * previous) / (l + 1.0));
+        }
+        rings.norm.insert(rings.norm.end(), static_cast<size_t>(ringLength), sum);
+    }
+    return rings;
 }
 
 } // namespace mirrorball

@@ -23,7 +23,7 @@ struct Spectrum {
     int rings = 0;                                                   ///< rows of the map it was made from
     int ringLength = 0;                                              ///< texels in a row
     std::array<std::vector<std::complex<double>>, 3> coefficients{}; ///< R, G, B; m >= 0 only, at index(l, m)
-    std::vector<double> zonalWeights{};                              ///< sum_j w_j P_l(cos theta_j): the same sum over a constant 1
+    std::vector<std::complex<double>> unit{};                        ///< the same sum over a constant 1, which normalises the filters
     double peak = 0.0;                                               ///< largest |texel| of the map
 
     size_t index(int l, int m) const
@@ -62,16 +62,17 @@ private:
 /// The spectrum of a latlong map in memory. @throws InvalidArgument for another parameterization
 Spectrum analyse(const EnvironmentMap& latlong, int bandLimit, const JobControl& job = {});
 
-/// The filter of a constant 1 at the given colatitudes, sum_l k_l (2l+1)/(4 pi) zonalWeights_l P_l(cos theta), up to the degree that k
-/// holds. It depends on the colatitude alone, and differs from 1 by the quadrature error of the texel sum.
-std::vector<double> filterOfOne(const Spectrum& spectrum, const std::vector<double>& k, const std::vector<double>& theta);
+/// A filtered spectrum on rings, not yet normalised: the numerators of the reference sum, and its denominator, the filter of a constant
+/// 1, which differs from 1 by the quadrature error of the texel sum. Their quotient is the filtered map.
+struct FilteredRings {
+    std::array<std::vector<double>, 3> rgb{}; ///< rings x ringLength each
+    std::vector<double> norm{};
+};
 
-/// e_lm = k_l a_lm on the rings of colatitudes `theta`, each of `ringLength` samples that start at azimuth `phi0`, divided by the same
-/// filter of a constant 1, so that a constant stays constant. `azimuthFactors` multiply every coefficient of order m (empty: 1).
-/// @return per channel theta.size() x ringLength doubles
+/// e_lm = k_l a_lm on the rings of colatitudes `theta`, each of `ringLength` samples that start at azimuth `phi0`.
 /// @param k  0 .. B, at most the spectrum's band limit
-std::array<std::vector<double>, 3> synthesise(const Spectrum& spectrum, const std::vector<double>& k, const std::vector<double>& theta,
-                                              int ringLength, double phi0, const std::vector<std::complex<double>>& azimuthFactors,
-                                              const JobControl& job);
+/// @param azimuthFactors  multiply every coefficient of order m; that of m = 0 is 1
+FilteredRings synthesise(const Spectrum& spectrum, const std::vector<double>& k, const std::vector<double>& theta, int ringLength,
+                         double phi0, const std::vector<std::complex<double>>& azimuthFactors, const JobControl& job);
 
 } // namespace mirrorball

@@ -1,6 +1,7 @@
 #include "mip_pyramid.h"
 
 #include <algorithm>
+#include <bit>
 #include <array>
 #include <cmath>
 
@@ -257,6 +258,19 @@ EnvironmentMap halve(const EnvironmentMap& fine, const JobControl& job)
 }
 
 } // namespace
+
+int levelCount(const MapLayout& base)
+{
+    return std::bit_width(static_cast<unsigned>(base.size));
+}
+
+MapLayout levelLayout(const MapLayout& base, int level)
+{
+    MapLayout layout = base;
+    for (int i = 0; i < level; ++i)
+        layout = halved(layout);
+    return layout;
+}
 
 MipPyramid buildMipPyramid(const EnvironmentMap& map, const JobControl& job)
 {

@@ -14,6 +14,11 @@ struct MipPyramid {
     std::vector<EnvironmentMap> levels{};
 };
 
+/// Levels down to size 1: floor(log2(size)) + 1.
+int levelCount(const MapLayout& base);
+/// The layout of a level of a chain: size halved `level` times, rounded down, at least 1; a border halved as often, rounded up.
+MapLayout levelLayout(const MapLayout& base, int level);
+
 /// Builds the pyramid. Each level is a box average weighted by solid angle, after every texel beside a box's edge has exchanged radiance
 /// with its neighbour over that edge: [1 3 3 1]/8 across each pair, over seams, poles, cube edges and disc rims as well as inside, so no
 /// level shows where the charts meet.

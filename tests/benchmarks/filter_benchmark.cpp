@@ -104,7 +104,7 @@ void importanceSampling1024(benchmark::State& state)
     std::mt19937 generator(1);
     std::vector<glm::dvec3> lobe;
     for (int i = 0; i < samples; ++i) { // cos t = u^(1/(n+1))
-        const double u = (i + 0.5) / samples, phi = 2.0 * pi * generator() / 4294967296.0;
+        const double u = (i + 0.5) / samples, phi = 2.0 * pi * static_cast<double>(generator()) / 4294967296.0;
         const double c = std::pow(u, 1.0 / (n + 1.0)), s = std::sqrt(1.0 - c * c);
         lobe.emplace_back(s * std::cos(phi), s * std::sin(phi), c);
     }

@@ -26,7 +26,7 @@ inline EnvironmentMap noiseProbe(int height, std::uint32_t seed)
         // Not std::normal_distribution, whose numbers differ between libraries.
         double sum = 0.0;
         for (int i = 0; i < 12; ++i)
-            sum += generator() / 4294967296.0;
+            sum += static_cast<double>(generator()) / 4294967296.0;
         t = static_cast<float>(std::exp(sum - 6.0));
     }
     return probe;

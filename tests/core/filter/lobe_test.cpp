@@ -10,15 +10,16 @@
 namespace mirrorball {
 namespace {
 
-/// Integral of f over [0, 1] by Simpson's rule in s with c = 1 - s^4, which crowds the points at the peak c = 1.
+/// Integral of f over [0, 1] by Simpson's rule in u with c = u^4 (5 - 4u), which crowds the points at both ends: at the peak c = 1, and
+/// at c = 0 where a fractional power has no derivative.
 template <typename F>
 long double integrate(F f, int steps = 200000)
 {
     long double sum = 0.0L;
     const long double h = 1.0L / steps;
     for (int i = 0; i <= steps; ++i) {
-        const long double s = i * h, c = 1.0L - s * s * s * s;
-        sum += (i == 0 || i == steps ? 1.0L : i % 2 ? 4.0L : 2.0L) * f(c) * 4.0L * s * s * s;
+        const long double u = i * h, c = u * u * u * u * (5.0L - 4.0L * u);
+        sum += (i == 0 || i == steps ? 1.0L : i % 2 ? 4.0L : 2.0L) * f(c) * 20.0L * u * u * u * (1.0L - u);
     }
     return sum * h / 3.0L;
 }

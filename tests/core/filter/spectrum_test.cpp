@@ -18,7 +18,7 @@ TEST(Spectrum, OfAConstantIsItsMean)
     for (int l = 1; l <= 10; ++l)
         for (int m = 1; m <= l; ++m)
             EXPECT_NEAR(std::abs(s.coefficients[1][s.index(l, m)]), 0.0, 1e-12);
-    EXPECT_NEAR(s.zonalWeights[0], 4.0 * pi, 1e-12);
+    EXPECT_NEAR(s.unit[0].real(), std::sqrt(4.0 * pi), 1e-12);
 }
 
 TEST(Spectrum, OfOneTexelFollowsTheAdditionTheorem)
@@ -51,6 +51,18 @@ TEST(Spectrum, BuiltBlockByBlockIsTheSame)
     const Spectrum streamed = builder.finish();
     EXPECT_EQ(streamed.coefficients, analyse(probe, 20).coefficients);
     EXPECT_EQ(streamed.peak, analyse(probe, 20).peak);
+}
+
+TEST(Spectrum, OfAConstantOneIsKnownBelowAndBeyondTheRowsLength)
+{
+    // Beyond the length of a row the constant is no longer zonal on the rings: both ways of getting its spectrum must be the transform's.
+    for (const int bandLimit : {20, 70}) {
+        const Spectrum s = analyse(constantProbe(32), bandLimit);
+        for (size_t i = 0; i < s.unit.size(); ++i)
+            EXPECT_NEAR(std::abs(s.unit[i] - s.coefficients[0][i]), 0.0, 1e-12);
+    }
+    const Spectrum s = analyse(constantProbe(32), 70);
+    EXPECT_GT(std::abs(s.unit[s.index(70, 64)]), 1e-3);
 }
 
 TEST(Spectrum, DoesNotDependOnThreads)
