@@ -50,7 +50,7 @@ constexpr std::array fieldOptions{
 };
 
 struct Options {
-    std::string scene, probe, material, geometry, size, camera, out, stats;
+    std::string scene, probe, material, geometry, size, camera, out, saved, stats;
     std::map<std::string, std::string> fields; ///< by flag, as typed
     std::vector<std::string> set;
     int threads = 0;
@@ -183,6 +183,8 @@ void run(const Options& o)
         picture = withoutOpacity(picture);
     timedStage(record.stages, "save picture",
                [&] { writeImage(o.out, picture, {.encoding = radiance ? Encoding::Linear : Encoding::Display}); });
+    if (!o.saved.empty())
+        saveScene(scene, o.saved);
     if (!o.stats.empty())
         writeStats(o.stats, sceneStats(plan, record, job.threadCount()));
 }
@@ -220,6 +222,7 @@ void addRenderCommand(CLI::App& program)
         command->add_option(option.flag, o->fields[option.flag], valueHelp(*entry));
     }
     command->add_option("--set", o->set, "FIELD=VALUE: any field of the scene file, such as view.background.blur=0.5")->allow_extra_args(false);
+    command->add_option("--save-scene", o->saved, "write the scene that was drawn, options and all, to this .mirrorball file");
     command->add_option("--threads", o->threads, "threads; 0: one per core")->check(CLI::Range(0, 1024));
     command->add_flag("--explain", o->explain, "print what is done, what is left out, and why; then do it");
     command->add_option("--stats", o->stats, "write times, method and predicted error to this JSON file");

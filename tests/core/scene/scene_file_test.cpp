@@ -298,6 +298,13 @@ TEST_F(SceneFile, MaterialFilesHoldTheMaterialAlone)
     EXPECT_THROW(loadMaterial(write(R"({"specular": {"exponent": -3}})")), FileError);
 }
 
+TEST(SceneFiles, ThatComeWithTheProgramLoad)
+{
+    const Scene scene = loadScene(MIRRORBALL_TEST_DATA "/../../resources/scenes/showroom.mirrorball");
+    EXPECT_EQ(scene.exports.size(), 4u);
+    EXPECT_TRUE(scene.unknown.empty()) << "a misspelt key would be kept as unknown";
+}
+
 TEST(SceneFields, AreSetByPathWithTheChecksOfAFile)
 {
     Scene scene;
