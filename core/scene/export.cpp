@@ -61,11 +61,15 @@ Json lobeJson(const Lobe& lobe)
     return {};
 }
 
-bool isDisplayFormat(const std::string& file)
+/// What the texels of a file are, as its format stores them.
+std::string sampleType(const ExportTarget& target)
 {
-    std::string extension = std::filesystem::path(file).extension().string();
+    const std::filesystem::path file = target.fileName();
+    std::string extension = file.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension == ".png" || extension == ".jpg" || extension == ".jpeg" || extension == ".bmp" || extension == ".tga";
+    if (holdsMips(file))
+        return target.half ? "half" : "float";
+    return extension == ".hdr" || extension == ".pic" || extension == ".rgbe" ? "rgbe" : extension == ".pfm" ? "float" : "uint8";
 }
 
 Json levelsJson(const ExportPlan& planned, const std::vector<EnvironmentMap>& levels)
@@ -88,7 +92,7 @@ Json sidecar(const Scene& scene, const ExportPlan& planned, const std::vector<En
              const std::vector<std::filesystem::path>& files, const WorkRecord& work)
 {
     const ExportTarget& target = planned.target;
-    const bool display = isDisplayFormat(target.fileName());
+    const std::string samples = sampleType(target);
     const bool diffuse = target.kind == ExportKind::Diffuse;
     const MapLayout& layout = levels.front().layout;
     Json json;
@@ -110,8 +114,8 @@ Json sidecar(const Scene& scene, const ExportPlan& planned, const std::vector<En
     json["value"] = diffuse ? "irradiance over pi for the surface normal d; a constant environment of 1 gives 1"
                             : "radiance arriving from direction d, which points away from the object; filtered maps keep a constant 1";
     json["indexed_by"] = diffuse ? "normal" : target.kind == ExportKind::Source ? "direction" : "reflection";
-    json["color_space"] = display ? "sRGB, tone-mapped (filmic)" : "linear, Rec.709 primaries, D65";
-    json["sample_type"] = display ? "uint8" : target.half && holdsMips(target.fileName()) ? "half" : "as the format holds it, float where it can";
+    json["color_space"] = samples == "uint8" ? "sRGB, tone-mapped (filmic)" : "linear, Rec.709 primaries, D65";
+    json["sample_type"] = samples;
     json["lobe"] = target.kind == ExportKind::Chain ? Json("chain") : lobeJson(planned.map.filters.front().lobe);
     json["levels"] = levelsJson(planned, levels);
     json["level_rule"] = target.kind == ExportKind::Chain ? "roughness = level / (levels - 1); alpha = roughness^2; each level is filtered "
