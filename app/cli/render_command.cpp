@@ -36,6 +36,7 @@ constexpr std::array fieldOptions{
     FieldOption{"--kind", "map.parameterization"},
     FieldOption{"--map-size", "map.size"},
     FieldOption{"--border", "map.border"},
+    FieldOption{"--mips", "map.mips"},
     FieldOption{"--exponent", "material.specular.exponent", "material.specular.lobe", "phong"},
     FieldOption{"--roughness", "material.specular.roughness", "material.specular.lobe", "ggx"},
     FieldOption{"--ior", "material.fresnel.index", "material.fresnel.kind", "dielectric"},

@@ -189,12 +189,14 @@ private:
             filter.target = enough;
         }
         addLevel(map, filter, map.name, note, "the surface is a mirror: it shows the environment itself");
-        map.pyramid = m_scene.material.lambda > 0.0;
+        const double lambda = m_scene.material.lambda;
+        map.pyramid = lambda > 0.0 || m_scene.map.mips;
+        const std::string stage = "mip levels of specular map";
         if (map.pyramid)
-            need("mip levels of specular map",
-                 text("lambda ", m_scene.material.lambda, ": ", plural(levelCount(filter.target), "level"), ", halved across seams"));
+            need(stage, text(lambda > 0.0 ? text("lambda ", lambda) : "asked for, where reflections shrink", ": ",
+                             plural(levelCount(filter.target), "level"), ", halved across seams"));
         else
-            leaveOut("mip levels of specular map", "lambda is 0: only the finest level is read");
+            leaveOut(stage, "lambda is 0: only the finest level is read");
         m_plan.specular = std::move(map);
     }
 

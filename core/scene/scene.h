@@ -67,6 +67,7 @@ struct MapSettings {
     Parameterization parameterization = Parameterization::Cube;
     int size = 512;
     int border = 0;
+    bool mips = false;
     MapSpace space = MapSpace::World;
     UnknownKeys unknown{};
 
@@ -77,6 +78,7 @@ struct MapSettings {
         visit(Field{"parameterization", "kind of the map that the picture reads"}, self.parameterization);
         visit(Field{"size", "edge of a face, disc or octahedron, or height of a latlong", 1, 16384, "texels"}, self.size);
         visit(Field{"border", "paraboloid: texels kept free outside each disc", 0, 4096, "texels"}, self.border);
+        visit(Field{"mips", "coarser levels, read where a reflection shrinks: no shimmer on strongly curved parts"}, self.mips);
         visit(Field{"space", "world: the environment stands still; eye: the map turns with the camera"}, self.space);
     }
 };

@@ -353,6 +353,8 @@ public:
             return;
         } else if constexpr (std::is_enum_v<T>) {
             entry.words.assign(words(value).begin(), words(value).end());
+        } else if constexpr (std::is_same_v<T, bool>) {
+            entry.words = {"true", "false"};
         } else if constexpr (std::is_same_v<T, std::optional<Parameterization>>) {
             entry.words = {"auto"};
             entry.words.insert(entry.words.end(), words(Parameterization{}).begin(), words(Parameterization{}).end());

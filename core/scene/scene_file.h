@@ -31,7 +31,7 @@ void saveMaterial(const Material& material, const std::filesystem::path& path);
 struct FieldEntry {
     std::string path{}; ///< "material.specular.exponent"
     Field field{};
-    std::vector<std::string_view> words{}; ///< of an enum; empty otherwise
+    std::vector<std::string_view> words{}; ///< of an enum or of true and false; empty otherwise
 };
 /// All fields of a scene but those of its exports, in the order of the file.
 std::vector<FieldEntry> sceneFields();

@@ -83,6 +83,10 @@ TEST(Plan, LambdaAsksForAPyramid)
     const Plan plan = makePlan(scene, probe);
     expectNeeded(plan, "mip levels of specular map", "lambda 2.5: 10 levels");
     EXPECT_TRUE(plan.specular->pyramid);
+
+    Scene shrinking;
+    shrinking.map.mips = true;
+    expectNeeded(makePlan(shrinking, probe), "mip levels of specular map", "where reflections shrink: 10 levels");
 }
 
 TEST(Plan, ConstantFresnelTermsAreFoldedIntoTheColours)
