@@ -97,6 +97,8 @@ void AtomicFile::fail(int error)
 
 void AtomicFile::write(const void* bytes, size_t count)
 {
+    if (count == 0)
+        return; // some writers pass a null pointer then, which fwrite may not get
     errno = 0;
     if (m_error != 0 || std::fwrite(bytes, 1, count, m_file) != count)
         fail(errno);

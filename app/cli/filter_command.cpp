@@ -114,8 +114,6 @@ void run(const Options& o)
 
     if (o.explain) {
         std::vector<Stage> plan = stats.stages;
-        if (opened.repaired.nonFinite() + opened.repaired.negative > 0)
-            plan.push_back({.name = "repair", .why = describe(opened.repaired)});
         for (const PrefilterOptions& options : jobs) {
             const PrefilterPlan p = planPrefilter(options, opened.source.width(), opened.streamed);
             std::ostringstream why;

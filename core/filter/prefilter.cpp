@@ -100,6 +100,9 @@ Settled settleBandLimit(FilterSource& source, const PrefilterOptions& options, c
         return {plan, &source.spectrum(plan.bandLimit, job)};
     const bool split = splitsBrightTexels(options.lobe);
 
+    // The bright texels are divided by the norm, whose own harmonics beyond the length of a row are felt on small probes (k_l^2 there is
+    // 1e-10 for 128 columns, 1e-13 for 512).
+    const int leastForNorm = split && source.width() < 512 ? 2 * source.width() : 0;
     constexpr int firstLook = 128;
     int next = std::max(firstLook, split ? source.knownCalmBandLimit() : source.knownBandLimit());
     for (;;) {
@@ -113,7 +116,7 @@ Settled settleBandLimit(FilterSource& source, const PrefilterOptions& options, c
                 calm[c] = spectrum.coefficients[static_cast<size_t>(c)][0].real() * std::sqrt(4.0 * pi);
             outsidePower = (glm::dot(flux + calm, flux + calm) - glm::dot(calm, calm)) / (4.0 * pi);
         }
-        plan = planBandLimit(k, options.tolerance, spectrum, outsidePower);
+        plan = planBandLimit(k, options.tolerance, spectrum, outsidePower, leastForNorm);
         if (plan.bandLimit <= spectrum.bandLimit)
             return {plan, &spectrum, split};
         next = std::min(2 * spectrum.bandLimit, plan.bandLimit);

@@ -1,6 +1,6 @@
 #include "source_file.h"
 
-#include "spectral.h"
+#include "../image/layout_detection.h"
 
 #include <algorithm>
 #include <sstream>
@@ -14,10 +14,9 @@ constexpr std::string_view builtinPrefix = "builtin:";
 /// Whether the file can and should be streamed; if so, the band limit that all jobs need, else -1.
 int streamedBandLimit(const ImageFileInfo& info, const ReadProbeOptions& options, std::span<const PrefilterOptions> jobs)
 {
-    const bool latlong = info.width == 2 * info.height && info.envmap.empty() && options.from.value_or(Parameterization::Latlong) == Parameterization::Latlong;
-    const auto stored = info.attributes.find("mirrorball:parameterization");
-    const bool storedOther = stored != info.attributes.end() && stored->second != name(Parameterization::Latlong);
-    if (!latlong || storedOther || std::int64_t{info.width} * info.height <= streamedFrom)
+    const Detection detection = detectLayout(info, options.from);
+    if (detection.arrangement != Arrangement::Whole || detection.layout.kind != Parameterization::Latlong ||
+        std::int64_t{info.width} * info.height <= streamedFrom)
         return -1;
     int bandLimit = 0;
     for (const PrefilterOptions& filter : jobs) {
@@ -61,7 +60,7 @@ OpenedSource openFilterSource(const std::string& probe, const ReadProbeOptions& 
             why << info.width << " x " << info.height << ": rows are truncated to band limit " << bandLimit << " while they are read";
             stages.back().why = why.str();
             stages.push_back({.name = "hold the probe", .leftOut = true, .why = "only its spectrum is needed"});
-            return {FilterSource(std::move(spectrum)), repaired, "2:1, as latlong files are", true};
+            return {FilterSource(std::move(spectrum)), repaired, detectLayout(info, options.from).reason, true};
         }
     }
 

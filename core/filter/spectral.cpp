@@ -83,10 +83,10 @@ BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance)
     return finishPlan(k, std::min(bandLimit, largestBandLimit), tolerance, term, 1.0);
 }
 
-BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance, const Spectrum& spectrum, double outsidePower)
+BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance, const Spectrum& spectrum, double outsidePower, int least)
 {
     const int length = static_cast<int>(k.size()) - 1, known = std::min(spectrum.bandLimit, length);
-    const std::vector<double> power = spectrum.power();
+    const std::vector<double> power = spectrum.powerAboutMean();
     double strongest = 0.0; // power per coefficient among the last degrees known
     for (int l = known * 7 / 10; l <= known; ++l)
         strongest = std::max(strongest, power[static_cast<size_t>(l)] / (2.0 * l + 1.0));
@@ -100,7 +100,7 @@ BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance, cons
     const double scale = std::sqrt(total);
     if (scale <= 0.0) // a black probe
         return {0, {1.0}, 0.0};
-    const int bandLimit = std::min(limitForTail(term, length, truncationShare * tolerance * scale), largestBandLimit);
+    const int bandLimit = std::min({std::max(least, limitForTail(term, length, truncationShare * tolerance * scale)), length, largestBandLimit});
     return finishPlan(k, bandLimit, tolerance, term, scale);
 }
 

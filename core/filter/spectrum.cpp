@@ -108,13 +108,21 @@ std::mutex& plannerMutex()
 
 } // namespace
 
-std::vector<double> Spectrum::power() const
+std::vector<double> Spectrum::powerAboutMean() const
 {
     std::vector<double> result(static_cast<size_t>(bandLimit) + 1);
-    for (const auto& channel : coefficients)
+    for (const auto& channel : coefficients) {
+        const double mean = channel[0].real() / unit[0].real();
+        const auto add = [&](int l, int m, bool zonal) {
+            const size_t i = index(l, m);
+            const Complex a = zonal ? channel[i] - mean * unit[i] : channel[i];
+            result[static_cast<size_t>(l)] += (m == 0 ? 1.0 : 2.0) * std::norm(a);
+        };
+        result[0] += std::norm(channel[0]);
         for (int m = 0; m <= bandLimit; ++m)
-            for (int l = m; l <= bandLimit; ++l)
-                result[static_cast<size_t>(l)] += (m == 0 ? 1.0 : 2.0) * std::norm(channel[index(l, m)]);
+            for (int l = std::max(m, 1); l <= bandLimit; ++l)
+                add(l, m, m % ringLength == 0);
+    }
     return result;
 }
 

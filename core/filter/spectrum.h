@@ -31,8 +31,9 @@ struct Spectrum {
         return static_cast<size_t>(m) * static_cast<size_t>(2 * bandLimit + 1 - m) / 2 + static_cast<size_t>(l);
     }
 
-    /// Power per degree, sum over m and the channels of |a_lm|^2; its sum over l is the integral of L^2 where nothing is truncated.
-    std::vector<double> power() const;
+    /// Power per degree of the map about its mean, sum over m and the channels of |a_lm - mean unit_lm|^2; that of the mean itself at
+    /// l = 0. A filter reproduces the mean exactly, so this is what a truncation can lose.
+    std::vector<double> powerAboutMean() const;
 };
 
 /// Builds a Spectrum from rows that arrive one block after the other, so that a probe of any size streams through: each row is

@@ -1,6 +1,7 @@
 #include "map_file.h"
 
 #include "builtin_probes.h"
+#include "layout_detection.h"
 
 #include "../error.h"
 
@@ -70,9 +71,13 @@ Probe readProbe(const std::string& probe, const ReadProbeOptions& options, const
         result.origin = "built in";
         return result;
     }
+    const Detection detection = detectLayout(openImage(probe)->info(), options.from);
     Image image = timedStage(stages, "read probe", [&] { return readImage(probe, job); });
-    result.repaired = repair(image, options.negatives);
-    result.map = EnvironmentMap({Parameterization::Latlong, image.height, 0}, std::move(image));
+    result.repaired = timedStage(stages, "repair", [&] { return repair(image, options.negatives); });
+    stages.back().why = describe(result.repaired);
+    result.origin = detection.reason;
+    result.certain = detection.certain;
+    result.map = toEnvironmentMap(std::move(image), detection, job);
     return result;
 }
 

@@ -158,12 +158,12 @@ void exchangeOverRim(Image& image, const MapLayout& layout, const SolidAngles& s
 EnvironmentMap halvePairs(const EnvironmentMap& fine, const SolidAngles& solidAngles, const JobControl& job)
 {
     struct Weighted {
-        int dx, dy;           // from the box's upper left texel
-        int fromDx, fromDy;   // for the eight outer texels: the box's texel that they exchange with
+        int dx, dy;         // from the box's upper left texel
+        int fromDx, fromDy; // for the eight outer texels: the box's texel that they exchange with
     };
     constexpr std::array<Weighted, 4> own{{{0, 0, 0, 0}, {1, 0, 1, 0}, {0, 1, 0, 1}, {1, 1, 1, 1}}};
-    constexpr std::array<Weighted, 8> outer{{{-1, 0, 0, 0}, {0, -1, 0, 0}, {2, 0, 1, 0}, {1, -1, 1, 0},
-                                             {-1, 1, 0, 1}, {0, 2, 0, 1}, {2, 1, 1, 1}, {1, 2, 1, 1}}};
+    constexpr std::array<Weighted, 8> outer{
+        {{-1, 0, 0, 0}, {0, -1, 0, 0}, {2, 0, 1, 0}, {1, -1, 1, 0}, {-1, 1, 0, 1}, {0, 2, 0, 1}, {2, 1, 1, 1}, {1, 2, 1, 1}}};
     const MapLayout& layout = fine.layout;
     const int n = layout.size, chartWidth = layout.kind == Parameterization::Latlong ? 2 * n : n;
     EnvironmentMap coarse(halved(layout));

@@ -8,6 +8,8 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <fstream>
+#include <sstream>
 
 namespace mirrorball::openimageio {
 namespace {
@@ -213,6 +215,26 @@ bool writePixels(OIIO::ImageOutput& output, const RawLevel& level)
     return level.bytes ? output.write_image(OIIO::TypeUInt8, level.bytes) : output.write_image(OIIO::TypeFloat, level.floats);
 }
 
+/// Tile by tile, each filled to its edges: given a whole image, OpenImageIO leaves what it finds in memory beyond the picture.
+bool writeTiles(OIIO::ImageOutput& output, const RawLevel& level)
+{
+    const auto channels = static_cast<size_t>(level.channels);
+    std::vector<float> tile(tileEdge * tileEdge * channels);
+    for (int top = 0; top < level.height; top += tileEdge)
+        for (int left = 0; left < level.width; left += tileEdge) {
+            for (int y = 0; y < tileEdge; ++y)
+                for (int x = 0; x < tileEdge; ++x) {
+                    const auto row = static_cast<size_t>(std::min(top + y, level.height - 1));
+                    const auto column = static_cast<size_t>(std::min(left + x, level.width - 1));
+                    std::copy_n(level.floats + (row * static_cast<size_t>(level.width) + column) * channels, channels,
+                                tile.data() + static_cast<size_t>(y * tileEdge + x) * channels);
+                }
+            if (!output.write_tile(left, top, 0, OIIO::TypeFloat, tile.data()))
+                return false;
+        }
+    return true;
+}
+
 WorkError writeError(const std::filesystem::path& named, const std::string& reason)
 {
     return WorkError(named.string() + ": cannot be written: " + (reason.empty() ? "the disk may be full" : oneLine(reason)) +
@@ -221,8 +243,8 @@ WorkError writeError(const std::filesystem::path& named, const std::string& reas
 
 void write(Sink& sink, const std::filesystem::path& named, const RawLevel& image, const WriteOptions& options)
 {
+    SinkProxy proxy(sink); // outlives the output, whose destructor may still write
     const auto output = createOutput(named);
-    SinkProxy proxy(sink);
     output->set_ioproxy(&proxy);
     const bool written = output->open(named.string(), makeSpec(image, options, false)) && writePixels(*output, image) && output->close();
     proxy.rethrow();
@@ -238,17 +260,15 @@ void writeMips(const std::filesystem::path& temporary, const std::filesystem::pa
     bool written = true;
     for (size_t i = 0; i < levels.size() && written; ++i)
         written = output->open(temporary.string(), makeSpec(levels[i], options, true), i == 0 ? OIIO::ImageOutput::Create : append) &&
-                  writePixels(*output, levels[i]);
+                  writeTiles(*output, levels[i]);
     written = output->close() && written;
     if (!written)
         throw writeError(named, output->geterror());
-    // libtiff tells nobody when its last directory did not fit on the disk.
-    try {
-        if (Reader(temporary, output->format_name(), 0).info().levels == static_cast<int>(levels.size()))
-            return;
-    } catch (const FileError&) { // says the same, of a file that nobody knows
-    }
-    throw writeError(named, {});
+    // libtiff tells nobody when its last directory does not fit on the disk; but then not one byte more fits either.
+    const auto size = std::filesystem::file_size(temporary);
+    if (!(std::ofstream(temporary, std::ios::binary | std::ios::app).put('\0').flush()))
+        throw writeError(named, {});
+    std::filesystem::resize_file(temporary, size);
 }
 
 const Module exported{moduleVersion, &open, &write, &writeMips};

@@ -67,7 +67,8 @@ public:
             return;
         }
         MipPyramid pyramid = buildMipPyramid(source, job);
-        while (pyramid.levels[static_cast<size_t>(m_level)].layout.size < 4)
+        m_level = std::min(m_level, static_cast<int>(pyramid.levels.size()) - 1);
+        while (pyramid.levels[static_cast<size_t>(m_level)].layout.size < 4) // what the spline needs
             --m_level;
         m_spline.emplace(std::move(pyramid.levels[static_cast<size_t>(m_level)]));
     }
@@ -81,8 +82,7 @@ public:
         const glm::dvec2 ratio = texelExtent(m_target, centre) / sourceAngle(d);
         if (m_spline) {
             const double samples = isPolar(d, y) ? 8.0 : 2.0; // per texel of the level
-            return mean(x, y, samples * std::ldexp(1.0, -m_level) * ratio,
-                        [this](const glm::dvec3& s) { return m_spline->radiance(s); });
+            return mean(x, y, samples * std::ldexp(1.0, -m_level) * ratio, [this](const glm::dvec3& s) { return m_spline->radiance(s); });
         }
         if (std::max(ratio.x, ratio.y) <= 1.05)
             return m_source.radiance(d);
@@ -120,8 +120,9 @@ private:
         return texelAngle(m_source.layout, coordinate(m_source.layout, d));
     }
 
-    /// Mean of a grid of sub-samples by their solid angle. At a disc's rim each cell counts by its clipped solid angle. A texel wholly outside,
-    /// or beyond the rim in a paraboloid's border, which is read like any other texel, is the plain mean of the continued directions.
+    /// Mean of a grid of sub-samples by their solid angle. At a disc's rim each cell counts by its clipped solid angle. A texel wholly
+    /// outside, or beyond the rim in a paraboloid's border, which is read like any other texel, is the plain mean of the continued
+    /// directions.
     template <class Lookup>
     glm::vec3 mean(int x, int y, const glm::dvec2& wanted, const Lookup& lookup) const
     {

@@ -14,10 +14,10 @@ struct ReprojectOptions {
 /// Resamples a map to another parameterization, size or yaw.
 ///
 /// Where a target texel is no larger than the source's, the value is the bilinear lookup at its centre. Where it is larger, it is the mean
-/// over the texel, weighted by solid angle, of sub-samples. When all are larger, those read a level of the source's mip pyramid whose texels
-/// are at most three quarters of the target's smallest, smoothed by a cubic B-spline and spaced by half a texel of that level. Texels
-/// outside a disc continue it. The same layout without yaw returns the source as it is.
-/// A constant map stays constant; the mean radiance is kept to about 1e-3 when minifying, even of a single bright texel.
+/// over the texel, weighted by solid angle, of sub-samples. When all are larger, those read a level of the source's mip pyramid whose
+/// texels are at most three quarters of the target's smallest, smoothed by a cubic B-spline and spaced by half a texel of that level.
+/// Texels outside a disc continue it. The same layout without yaw returns the source as it is. A constant map stays constant; the mean
+/// radiance is kept to about 1e-3 when minifying, even of a single bright texel.
 /// @throws InvalidArgument for a layout out of range; Cancelled
 EnvironmentMap reproject(const EnvironmentMap& source, const ReprojectOptions& options, const JobControl& job = {});
 

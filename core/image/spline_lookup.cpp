@@ -128,8 +128,8 @@ glm::vec3 SplineLookup::radiance(const glm::dvec3& d) const
     bool inside = x - 1 >= left && x + 2 < left + chartWidth && y - 1 >= top && y + 2 < top + n;
     if (inside && (layout.kind == Parameterization::Sphere || layout.kind == Parameterization::Angular ||
                    (layout.kind == Parameterization::Paraboloid && layout.border < 2))) {
-        const disc::Disc disc = layout.kind == Parameterization::Paraboloid ? dual_paraboloid::half(n, layout.border, chart.x >= n)
-                                                                            : disc::inscribed(n);
+        const disc::Disc disc =
+            layout.kind == Parameterization::Paraboloid ? dual_paraboloid::half(n, layout.border, chart.x >= n) : disc::inscribed(n);
         inside = disc.holdsCentre(x - 1, y - 1) && disc.holdsCentre(x + 2, y - 1) && disc.holdsCentre(x - 1, y + 2) &&
                  disc.holdsCentre(x + 2, y + 2);
     }

@@ -82,6 +82,7 @@ Mesh torusMesh(float ringRadius, float tubeRadius, int ringSegments, int tubeSeg
     for (size_t i = 0; i < static_cast<size_t>(ringSegments); ++i)
         for (size_t j = 0; j < static_cast<size_t>(tubeSegments); ++j)
             addQuad(mesh, i * stride + j, (i + 1) * stride + j, (i + 1) * stride + j + 1, i * stride + j + 1);
+    mesh.openFrom = mesh.indices.size();
     return mesh;
 }
 
@@ -107,6 +108,7 @@ Mesh sphereMesh(float radius, int level)
                 addQuad(mesh, first + j * stride + i, first + j * stride + i + 1, first + (j + 1) * stride + i + 1,
                         first + (j + 1) * stride + i);
     }
+    mesh.openFrom = mesh.indices.size();
     return mesh;
 }
 
@@ -120,6 +122,7 @@ Mesh boxMesh(const glm::vec3& halfSize)
                       0.5 * (corner + 1.0));
         addQuad(mesh, first, first + 1, first + 2, first + 3);
     }
+    mesh.openFrom = mesh.indices.size();
     return mesh;
 }
 

@@ -2,6 +2,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct Mesh {
     std::vector<glm::vec3> normals{};       ///< unit, outward; one per position
     std::vector<glm::vec2> texCoords{};     ///< one per position
     std::vector<std::uint32_t> indices{};   ///< three per triangle
+    std::size_t openFrom = 0;               ///< triangles from this index on can be seen from behind, through a hole
 
     bool operator==(const Mesh&) const = default;
 };
@@ -33,7 +35,7 @@ BoundingSphere boundingSphere(const Mesh& mesh);
 
 /// The Utah teapot with lid, spout, handle and bottom, spout towards +X, scaled to the unit sphere about the origin.
 /// @param level each of the 32 patches becomes level x level quads; at least 1
-Mesh teapotMesh(int level = 12);
+Mesh teapotMesh(int level = 10);
 
 /// A ring about the Y axis. @param ringRadius R of the centre circle; @param tubeRadius r < R
 Mesh torusMesh(float ringRadius = 0.7f, float tubeRadius = 0.3f, int ringSegments = 96, int tubeSegments = 48);

@@ -16,7 +16,8 @@ GlObject upload(const std::vector<Element>& elements)
 
 MeshBuffer::MeshBuffer(const Mesh& mesh)
     : m_vertexArray(makeVertexArray()), m_attributes{upload(mesh.positions), upload(mesh.normals), upload(mesh.texCoords)},
-      m_indices(upload(mesh.indices)), m_count(static_cast<GLsizei>(mesh.indices.size())), m_bounds(boundingBox(mesh))
+      m_indices(upload(mesh.indices)), m_count(static_cast<GLsizei>(mesh.indices.size())),
+      m_openFrom(static_cast<GLsizei>(mesh.openFrom)), m_bounds(boundingBox(mesh))
 {
     const GLint components[3] = {3, 3, 2};
     for (GLuint i = 0; i < 3; ++i) {
@@ -30,7 +31,16 @@ MeshBuffer::MeshBuffer(const Mesh& mesh)
 void MeshBuffer::draw() const
 {
     glBindVertexArray(m_vertexArray);
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
     glDrawElements(GL_TRIANGLES, m_count, GL_UNSIGNED_INT, nullptr);
+    if (m_openFrom < m_count) {
+        glCullFace(GL_FRONT);
+        const auto* offset = static_cast<const char*>(nullptr) + static_cast<size_t>(m_openFrom) * sizeof(std::uint32_t);
+        glDrawElements(GL_TRIANGLES, m_count - m_openFrom, GL_UNSIGNED_INT, offset);
+    }
+    glCullFace(GL_BACK);
+    glDisable(GL_CULL_FACE);
     glBindVertexArray(0);
 }
 

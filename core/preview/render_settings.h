@@ -17,7 +17,7 @@ enum class GeometryKind { Teapot, Torus, Sphere, Box };
 /// What the material is shown on. A mesh read from a file comes in as `mesh`.
 struct Geometry {
     GeometryKind kind = GeometryKind::Teapot;
-    int level = 12;                             ///< how finely it is cut; quads along a patch of the teapot
+    int level = 10;                             ///< how finely it is cut; quads along a patch of the teapot
     std::shared_ptr<const Mesh> mesh = nullptr; ///< drawn in place of `kind` when there is one; a new pointer means a new mesh
 
     bool operator==(const Geometry&) const = default;

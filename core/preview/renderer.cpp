@@ -191,7 +191,6 @@ PixelRectangle Renderer::Resources::beginObject(const RenderSettings& settings, 
     glDepthFunc(GL_LESS);
     glEnable(GL_MULTISAMPLE);
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-    glDisable(GL_CULL_FACE); // one can look into the spout
     glDisable(GL_BLEND);
     return part;
 }

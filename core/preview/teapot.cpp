@@ -38,6 +38,19 @@ glm::dvec3 evaluate(const BezierPatch& patch, const Weights& u, const Weights& v
     return weightedSum(u, columns[0], columns[1], columns[2], columns[3]);
 }
 
+// A point of the surface. An edge v = 0 or v = 1 that is one point comes out as that point, with no rounding along the edge.
+glm::dvec3 positionAt(const BezierPatch& patch, int i, int j, int level)
+{
+    const auto isPoint = [&](size_t row) {
+        return patch[row] == patch[row + 1] && patch[row] == patch[row + 2] && patch[row] == patch[row + 3];
+    };
+    if (j == 0 && isPoint(0))
+        return patch[0];
+    if (j == level && isPoint(12))
+        return patch[12];
+    return evaluate(patch, bernstein(i, level), bernstein(j, level));
+}
+
 // The outward unit normal S_v x S_u. Where a whole edge v = 0 or v = 1 is one point (the knob's tip, the middle of the bottom) S_u
 // vanishes there; beside the edge it is S_u(v) = +-|v - edge| S_uv + ..., so its direction tends to that of S_uv, pointed into the patch.
 glm::dvec3 normalAt(const BezierPatch& patch, int i, int j, int level)
@@ -58,11 +71,15 @@ Mesh teapotMesh(int level)
     level = std::max(1, level);
     Mesh mesh;
     std::vector<glm::dvec3> positions;
-    for (const BezierPatch& patch : teapotPatches()) {
+    const TeapotPatches patches = teapotPatches();
+    for (size_t number = 0; number < patches.size(); ++number) {
+        const BezierPatch& patch = patches[number];
+        if (number == firstOpenPatch)
+            mesh.openFrom = mesh.indices.size();
         const size_t first = positions.size(), stride = static_cast<size_t>(level) + 1;
         for (int j = 0; j <= level; ++j)
             for (int i = 0; i <= level; ++i) {
-                positions.push_back(evaluate(patch, bernstein(i, level), bernstein(j, level)));
+                positions.push_back(positionAt(patch, i, j, level));
                 mesh.normals.emplace_back(normalAt(patch, i, j, level));
                 mesh.texCoords.emplace_back(double(i) / level, double(j) / level);
             }

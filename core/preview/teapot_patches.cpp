@@ -19,7 +19,9 @@ constexpr Profile body[] = {
     {{{1.4, 2.4}, {1.3375, 2.53125}, {1.4375, 2.53125}, {1.5, 2.4}}},  // rim
     {{{1.5, 2.4}, {1.75, 1.875}, {2.0, 1.35}, {2.0, 0.9}}},            // shoulder
     {{{2.0, 0.9}, {2.0, 0.45}, {1.5, 0.225}, {1.5, 0.15}}},            // belly
-    {{{1.5, 0.15}, {1.5, 0.075}, {1.425, 0.0}, {0.0, 0.0}}},           // bottom
+};
+constexpr Profile bottom[] = {
+    {{{1.5, 0.15}, {1.5, 0.075}, {1.425, 0.0}, {0.0, 0.0}}},
 };
 constexpr Profile lid[] = {
     {{{0.0, 3.15}, {0.8, 3.15}, {0.0, 2.85}, {0.2, 2.7}}}, // knob
@@ -78,17 +80,25 @@ BezierPatch halfTube(const Tube& tube, int side)
 
 } // namespace
 
-std::vector<BezierPatch> teapotPatches()
+TeapotPatches teapotPatches()
 {
-    std::vector<BezierPatch> patches;
-    for (const std::span<const Profile> part : {std::span<const Profile>(body), std::span<const Profile>(lid)})
+    TeapotPatches patches{};
+    auto next = patches.begin();
+    const auto addRevolved = [&](std::span<const Profile> part) {
         for (const Profile& profile : part)
             for (int quarter = 0; quarter < 4; ++quarter)
-                patches.push_back(revolved(profile, quarter));
-    for (const std::span<const Tube> part : {std::span<const Tube>(handle), std::span<const Tube>(spout)})
+                *next++ = revolved(profile, quarter);
+    };
+    const auto addTube = [&](std::span<const Tube> part) {
         for (const Tube& tube : part)
             for (const int side : {-1, 1})
-                patches.push_back(halfTube(tube, side));
+                *next++ = halfTube(tube, side);
+    };
+    addRevolved(bottom);
+    addRevolved(lid);
+    addTube(handle);
+    addRevolved(body);
+    addTube(spout);
     return patches;
 }
 

@@ -3,7 +3,7 @@
 #include <glm/glm.hpp>
 
 #include <array>
-#include <vector>
+#include <cstddef>
 
 /// The control points of Martin Newell's teapot (1975).
 namespace mirrorball::preview {
@@ -11,7 +11,12 @@ namespace mirrorball::preview {
 /// A bicubic Bezier patch: point [4 v + u]. The outward normal is dS/dv x dS/du.
 using BezierPatch = std::array<glm::dvec3, 16>;
 
-/// The 32 patches: rim, body and bottom (16), lid (8), handle (4), spout (4). Newell's units, bottom at y = 0, Y up, spout towards +X.
-std::vector<BezierPatch> teapotPatches();
+/// Bottom (4), lid (8), handle (4), body (12), spout (4).
+using TeapotPatches = std::array<BezierPatch, 32>;
+/// The inside of the patches from here on, body and spout, can be seen: through the spout and beside the lid.
+inline constexpr std::size_t firstOpenPatch = 16;
+
+/// Newell's units, bottom at y = 0, Y up, spout towards +X.
+TeapotPatches teapotPatches();
 
 } // namespace mirrorball::preview

@@ -1,6 +1,8 @@
 #include "texture.h"
 
 #include "../error.h"
+#include "../sphere/disc.h"
+#include "../sphere/dual_paraboloid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,12 +24,70 @@ float scaleFor(std::span<const EnvironmentMap> levels, TexelFormat format)
     return format == TexelFormat::Float || largest <= largestHalf ? 1.0f : std::exp2(std::ceil(std::log2(largest / largestHalf)));
 }
 
-void copyTexel(const EnvironmentMap& map, Texel from, float scale, float* to)
+void copyTexel(const glm::vec3& radiance, float scale, float* to)
 {
-    const float* texel = map.image.texel(from.x, from.y);
     for (int c = 0; c < 3; ++c)
-        to[c] = texel[c] / scale;
+        to[c] = radiance[c] / scale;
     to[3] = 1.0f;
+}
+
+glm::vec3 texelAt(const Image& image, int x, int y)
+{
+    const float* t = image.texel(x, y);
+    return {t[0], t[1], t[2]};
+}
+
+// Bilinear among those of the four texels around p whose centres the disc holds: the others may be anything.
+glm::vec3 withinDisc(const Image& image, const disc::Disc& disc, const glm::dvec2& p)
+{
+    const glm::dvec2 corner = glm::floor(p - 0.5), fraction = p - 0.5 - corner;
+    glm::dvec3 sum(0.0);
+    double total = 0.0;
+    for (int k = 0; k < 4; ++k) {
+        const int x = static_cast<int>(corner.x) + k % 2, y = static_cast<int>(corner.y) + k / 2;
+        const double weight = (k % 2 ? fraction.x : 1.0 - fraction.x) * (k / 2 ? fraction.y : 1.0 - fraction.y);
+        if (weight > 0.0 && disc.holdsCentre(x, y)) {
+            sum += weight * glm::dvec3(texelAt(image, x, y));
+            total += weight;
+        }
+    }
+    const Texel inner = disc.innerTexel(p);
+    return total < 1e-6 ? texelAt(image, inner.x, inner.y) : glm::vec3(sum / total);
+}
+
+// What the texel at (x, y) of the disc of this chart stands for, be it in the image or in the frame. Past the rim that is its continued
+// direction, looked up in the other half or on the far side of the same disc, as EnvironmentMap::radiance does for its taps. A
+// paraboloid's border holds such values already.
+glm::vec3 discTexel(const EnvironmentMap& map, int chart, int x, int y)
+{
+    const MapLayout& layout = map.layout;
+    const glm::dvec2 centre(x + 0.5, y + 0.5);
+    const bool isHalf = layout.kind == Parameterization::Paraboloid, isBack = chart == 1;
+    const disc::Disc here = isHalf ? dual_paraboloid::half(layout.size, layout.border, isBack) : disc::inscribed(layout.size);
+    const int left = chart * layout.size;
+    const bool isInImage = x >= left && x < left + layout.size && y >= 0 && y < layout.size;
+    if (here.holdsCentre(x, y) || (isInImage && layout.border > 0))
+        return texelAt(map.image, x, y);
+    if (!isHalf)
+        return withinDisc(map.image, here, coordinate(layout, direction(layout, centre)));
+    const disc::Disc there = dual_paraboloid::half(layout.size, layout.border, !isBack);
+    const glm::dvec2 q = here.fromImage(centre);
+    return withinDisc(map.image, there, there.toImage(q / glm::dot(q, q)));
+}
+
+// What a bilinear tap at (x, y) reads, in the image or one texel beyond its chart.
+glm::vec3 framedTexel(const EnvironmentMap& map, int chart, int x, int y)
+{
+    switch (map.layout.kind) {
+    case Parameterization::Sphere:
+    case Parameterization::Angular:
+    case Parameterization::Paraboloid:
+        return discTexel(map, chart, x, y);
+    default:
+        break;
+    }
+    const Texel across = acrossSeam(map.layout, {0, 0}, x, y);
+    return texelAt(map.image, across.x, across.y);
 }
 
 void checkSize(GLenum limit, int size)
@@ -84,7 +144,7 @@ void EnvironmentTexture::uploadCube(std::span<const EnvironmentMap> levels, GLen
         float* to = texels.data();
         for (int y = 0; y < 6 * size; ++y)
             for (int x = 0; x < size; ++x, to += 4)
-                copyTexel(map, {x, y}, m_scale, to);
+                copyTexel(texelAt(map.image, x, y), m_scale, to);
         glTextureSubImage3D(m_texture, i, 0, 0, 0, size, size, 6, GL_RGBA, GL_FLOAT, texels.data());
         m_levels.emplace_back(0.0f, 0.0f, float(size), 0.0f);
     }
@@ -123,10 +183,8 @@ void EnvironmentTexture::uploadAtlas(std::span<const EnvironmentMap> levels, GLe
         for (int chart = 0; chart < charts; ++chart) {
             float* to = texels.data();
             for (int row = -1; row < place.height - 1; ++row)
-                for (int column = -1; column < place.width - 1; ++column, to += 4) {
-                    const Texel inside{chart * width + std::clamp(column, 0, width - 1), std::clamp(row, 0, map.layout.height() - 1)};
-                    copyTexel(map, acrossSeam(map.layout, inside, chart * width + column, row), m_scale, to);
-                }
+                for (int column = -1; column < place.width - 1; ++column, to += 4)
+                    copyTexel(framedTexel(map, chart, chart * width + column, row), m_scale, to);
             glTextureSubImage2D(m_texture, 0, place.x + chart * place.width, place.y, place.width, place.height, GL_RGBA, GL_FLOAT,
                                 texels.data());
         }

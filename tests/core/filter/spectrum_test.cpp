@@ -27,9 +27,21 @@ TEST(Spectrum, OfOneTexelFollowsTheAdditionTheorem)
     EnvironmentMap probe = constantProbe(32, 0.0f);
     probe.image.texel(5, 9)[0] = 3.0f;
     const double flux = 3.0 * texelSolidAngle(probe.layout, 5, 9);
-    const std::vector<double> power = analyse(probe, 100).power(); // far beyond what 64 columns resolve
-    for (int l = 0; l <= 100; ++l)
-        EXPECT_NEAR(power[static_cast<size_t>(l)] / (flux * flux * (2 * l + 1) / (4.0 * pi)), 1.0, 1e-10) << l;
+    const Spectrum s = analyse(probe, 100); // far beyond what 64 columns resolve
+    for (int l = 0; l <= 100; ++l) {
+        double power = 0.0;
+        for (int m = 0; m <= l; ++m)
+            power += (m == 0 ? 1.0 : 2.0) * std::norm(s.coefficients[0][s.index(l, m)]);
+        EXPECT_NEAR(power / (flux * flux * (2 * l + 1) / (4.0 * pi)), 1.0, 1e-10) << l;
+    }
+}
+
+TEST(Spectrum, OfAConstantHasNoPowerAboutItsMean)
+{
+    const std::vector<double> power = analyse(constantProbe(16, 3.0f), 80).powerAboutMean();
+    EXPECT_NEAR(power[0], 3 * 9.0 * 4.0 * pi, 1e-9);
+    for (size_t l = 1; l < power.size(); ++l)
+        EXPECT_LT(power[l], 1e-24);
 }
 
 TEST(Spectrum, TruncatingRowsIsExact)
