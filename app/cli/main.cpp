@@ -29,6 +29,8 @@ int main(int argc, char** argv)
     cli::addInfoCommand(program);
     cli::addConvertCommand(program);
     cli::addFilterCommand(program);
+    cli::addRenderCommand(program);
+    cli::addExportCommand(program);
     cli::addPresetsCommand(program);
     try {
         program.parse(argc, argv);

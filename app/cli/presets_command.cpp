@@ -1,6 +1,7 @@
 #include "command.h"
 
 #include "core/image/builtin_probes.h"
+#include "core/scene/material_presets.h"
 
 #include <nlohmann/json.hpp>
 
@@ -20,6 +21,8 @@ std::vector<Preset> allPresets()
     std::vector<Preset> presets;
     for (const BuiltinProbe& probe : builtinProbes())
         presets.push_back({"builtin:" + std::string(probe.name), "probe", std::string(probe.description)});
+    for (const MaterialPreset& material : materialPresets())
+        presets.push_back({std::string(material.name), "material", std::string(material.description)});
     return presets;
 }
 

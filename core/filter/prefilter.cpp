@@ -66,20 +66,6 @@ EnvironmentMap lookUp(const EnvironmentMap& probe, const MapLayout& target, doub
     return map;
 }
 
-/// Height of the latlong form of a probe in another parameterization: its smallest texels stay apart.
-int latlongHeight(const MapLayout& layout)
-{
-    switch (layout.kind) {
-    case Parameterization::Latlong: return layout.size;
-    case Parameterization::Cube: return 3 * layout.size;
-    case Parameterization::Sphere: return 2 * layout.size;
-    case Parameterization::Angular: return layout.size;
-    case Parameterization::Paraboloid: return 2 * layout.size;
-    case Parameterization::Octahedral: return 2 * layout.size;
-    }
-    return layout.size;
-}
-
 /// Lobes with a long spectrum of their own, whose kernel is cheap, are applied to the bright texels one by one (BrightTexels).
 bool splitsBrightTexels(const Lobe& lobe)
 {
@@ -187,6 +173,19 @@ std::optional<Method> methodFromName(std::string_view word)
         if (name(method) == word)
             return method;
     return std::nullopt;
+}
+
+int latlongHeight(const MapLayout& layout)
+{
+    switch (layout.kind) {
+    case Parameterization::Latlong: return layout.size;
+    case Parameterization::Cube: return 3 * layout.size;
+    case Parameterization::Sphere: return 2 * layout.size;
+    case Parameterization::Angular: return layout.size;
+    case Parameterization::Paraboloid: return 2 * layout.size;
+    case Parameterization::Octahedral: return 2 * layout.size;
+    }
+    return layout.size;
 }
 
 FilterSource::FilterSource(EnvironmentMap probe, const JobControl& job)

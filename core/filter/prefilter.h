@@ -27,6 +27,9 @@ inline constexpr std::array allMethods{Method::Auto, Method::Reference, Method::
 std::string_view name(Method method);
 std::optional<Method> methodFromName(std::string_view word);
 
+/// Height of the latlong form that a probe of this layout is resampled to: its smallest texels stay apart.
+int latlongHeight(const MapLayout& layout);
+
 /// A probe made ready for filtering. Holds its latlong form, and its spectrum once a method has asked for it: many lobes share both.
 /// A probe too large to hold is streamed through a SpectrumBuilder instead and has a spectrum only. Cheap to copy; the spectrum is
 /// kept for later calls, so one thread at a time may filter through one object.

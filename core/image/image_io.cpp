@@ -155,6 +155,8 @@ void writeImage(const std::filesystem::path& path, const Image& image, const Wri
 {
     checkWritable(path, image);
     const std::string extension = lowerExtension(path);
+    if (options.encoding == Encoding::Display && (holdsMips(path) || isHdr(extension)))
+        throw InvalidArgument(path.string() + ": holds linear values, not a display picture; use .png");
     if (!isExr(extension) && !isHdr(extension))
         openimageio::checkWrites(path);
     AtomicFile file(path);

@@ -51,9 +51,14 @@ Image readImage(const std::filesystem::path& path, const JobControl& job = {});
 
 enum class SampleType { Float, Half };
 
+/// What the texels to be written are: linear radiance, or a picture already encoded for a display (color.h), in [0, 1], which only 8-bit
+/// formats take and which goes into them as it is.
+enum class Encoding { Linear, Display };
+
 struct WriteOptions {
     SampleType sampleType = SampleType::Float;       ///< .exr and .tif; half is clamped to +-65504 first
     std::map<std::string, std::string> attributes{}; ///< stored where the format can hold strings (not .hdr)
+    Encoding encoding = Encoding::Linear;
 };
 
 /// Whether the format of this extension keeps a mip chain in one file (.exr, .tif).
@@ -61,7 +66,7 @@ bool holdsMips(const std::filesystem::path& path);
 
 /// Writes linear RGB. .png is tone-mapped (color.h) and sRGB-encoded; .hdr takes no negative values (clamped to 0).
 /// The file appears whole or not at all: it is written under a temporary name beside the target and renamed.
-/// @throws InvalidArgument for an extension that cannot be written; WorkError when writing fails
+/// @throws InvalidArgument for an extension that cannot be written, or that takes no display picture; WorkError when writing fails
 void writeImage(const std::filesystem::path& path, const Image& image, const WriteOptions& options = {});
 
 /// Writes a mip chain, largest first, into one file; level i is half of level i-1 rounded down, at least 1.

@@ -1,0 +1,233 @@
+#include "command.h"
+#include "scene_stats.h"
+
+#include "core/error.h"
+#include "core/image/image_io.h"
+#include "core/preview/offscreen_context.h"
+#include "core/preview/renderer.h"
+#include "core/preview/scene_settings.h"
+#include "core/scene/material_presets.h"
+#include "core/scene/scene_file.h"
+#include "core/scene/scene_maps.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <map>
+#include <memory>
+
+namespace mirrorball::cli {
+
+namespace {
+
+/// An option that sets one field of the scene as a file would. Its help and range are the field's.
+struct FieldOption {
+    const char* flag;
+    const char* field;
+    /// A second field that the option implies, and its value: an exponent makes the lobe phong.
+    const char* impliedField = nullptr;
+    const char* impliedValue = nullptr;
+};
+
+constexpr std::array fieldOptions{
+    FieldOption{"--yaw", "probe.yaw"},
+    FieldOption{"--probe-exposure", "probe.exposure"},
+    FieldOption{"--from", "probe.parameterization"},
+    FieldOption{"--kind", "map.parameterization"},
+    FieldOption{"--map-size", "map.size"},
+    FieldOption{"--border", "map.border"},
+    FieldOption{"--mips", "map.mips"},
+    FieldOption{"--exponent", "material.specular.exponent", "material.specular.lobe", "phong"},
+    FieldOption{"--roughness", "material.specular.roughness", "material.specular.lobe", "ggx"},
+    FieldOption{"--ior", "material.fresnel.index", "material.fresnel.kind", "dielectric"},
+    FieldOption{"--metal", "material.fresnel.metal", "material.fresnel.kind", "conductor"},
+    FieldOption{"--combine", "material.combine"},
+    FieldOption{"--lambda", "material.lambda"},
+    FieldOption{"--fov", "view.camera.fov"},
+    FieldOption{"--projection", "view.camera.projection"},
+    FieldOption{"--exposure", "view.exposure"},
+    FieldOption{"--tone", "view.tone"},
+    FieldOption{"--background", "view.background.kind"},
+};
+
+struct Options {
+    std::string scene, probe, material, geometry, size, camera, out, saved, stats;
+    std::map<std::string, std::string> fields; ///< by flag, as typed
+    std::vector<std::string> set;
+    int threads = 0;
+    bool explain = false;
+};
+
+/// "material.specular.exponent: must be ..." becomes "--exponent: must be ...".
+void setByOption(Scene& scene, const std::string& option, const std::string& field, const std::string& value)
+{
+    try {
+        setField(scene, field, value);
+    } catch (const InvalidArgument& error) {
+        std::string message = error.what();
+        if (message.starts_with(field))
+            message = message.substr(message.find(": ") + 2);
+        throw InvalidArgument(option + ": " + message);
+    }
+}
+
+std::vector<std::string> split(const std::string& text, char separator)
+{
+    std::vector<std::string> parts{""};
+    for (const char c : text)
+        if (c == separator)
+            parts.emplace_back();
+        else
+            parts.back() += c;
+    return parts;
+}
+
+void setSize(Scene& scene, const std::string& text)
+{
+    const std::vector<std::string> parts = split(text, 'x');
+    if (parts.size() != 2)
+        throw InvalidArgument("--size: must be WIDTHxHEIGHT in pixels, such as 1280x720; it is '" + text + "'");
+    setByOption(scene, "--size", "view.width", parts[0]);
+    setByOption(scene, "--size", "view.height", parts[1]);
+}
+
+void setCamera(Scene& scene, const std::string& text)
+{
+    const std::vector<std::string> parts = split(text, ',');
+    if (parts.size() < 2 || parts.size() > 3)
+        throw InvalidArgument("--camera: must be YAW,PITCH or YAW,PITCH,DISTANCE, such as 25,18,3.4; it is '" + text + "'");
+    constexpr std::array fields{"view.camera.yaw", "view.camera.pitch", "view.camera.distance"};
+    for (size_t i = 0; i < parts.size(); ++i)
+        setByOption(scene, "--camera", fields[i], parts[i]);
+}
+
+Material findMaterial(const std::string& word)
+{
+    if (const MaterialPreset* preset = findMaterialPreset(word))
+        return preset->material;
+    if (word.find_first_of("./\\") != std::string::npos)
+        return loadMaterial(word);
+    std::string known;
+    for (const MaterialPreset& preset : materialPresets())
+        known += (known.empty() ? "" : ", ") + std::string(preset.name);
+    throw InvalidArgument("--material: '" + word + "' is neither a preset (" + known + ") nor a file");
+}
+
+/// The scene that the file and the options make together.
+Scene makeScene(const Options& o)
+{
+    Scene scene = o.scene.empty() ? Scene{} : loadScene(o.scene);
+    if (!o.probe.empty())
+        scene.probe = {.source = o.probe.starts_with("builtin:") ? o.probe : std::filesystem::absolute(o.probe).string()};
+    if (!o.material.empty())
+        scene.material = findMaterial(o.material);
+    if (!o.geometry.empty())
+        scene.view.geometry = o.geometry;
+    if (!o.size.empty())
+        setSize(scene, o.size);
+    if (!o.camera.empty())
+        setCamera(scene, o.camera);
+    for (const FieldOption& option : fieldOptions)
+        if (const auto given = o.fields.find(option.flag); given != o.fields.end() && !given->second.empty()) {
+            setByOption(scene, option.flag, option.field, given->second);
+            if (option.impliedField)
+                setField(scene, option.impliedField, option.impliedValue);
+        }
+    for (const std::string& assignment : o.set) {
+        const size_t equals = assignment.find('=');
+        if (equals == std::string::npos)
+            throw InvalidArgument("--set: must be FIELD=VALUE, such as material.lambda=2; it is '" + assignment + "'");
+        setByOption(scene, "--set " + assignment.substr(0, equals), assignment.substr(0, equals), assignment.substr(equals + 1));
+    }
+    return scene;
+}
+
+/// Radiance goes into formats that hold floats, the display picture into the others.
+bool holdsRadiance(const std::string& out)
+{
+    std::string extension = std::filesystem::path(out).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    constexpr std::array formats{".exr", ".hdr", ".tif", ".tiff", ".pfm"};
+    if (extension.empty())
+        throw InvalidArgument(out + ": has no extension that tells the format; use .png or .exr");
+    return std::find(formats.begin(), formats.end(), extension) != formats.end();
+}
+
+/// A picture without transparency has no use for its fourth channel.
+Image withoutOpacity(const Image& rgba)
+{
+    Image rgb(rgba.width, rgba.height, 3);
+    for (size_t i = 0; i < rgb.texels.size() / 3; ++i)
+        std::copy_n(&rgba.texels[4 * i], 3, &rgb.texels[3 * i]);
+    return rgb;
+}
+
+void run(const Options& o)
+{
+    const bool radiance = holdsRadiance(o.out);
+    const Scene scene = makeScene(o);
+    const JobControl job = jobWithProgress("render", o.threads);
+    const Plan plan = makePlan(scene, probeLayout(scene));
+    const preview::RenderSettings settings = preview::renderSettings(scene, plan);
+    if (o.explain)
+        printStages(plan.stages);
+
+    WorkRecord record;
+    SceneProbe probe = openProbe(scene, plan, job, record);
+    const preview::RenderMaps maps = preview::renderMaps(buildMaps(scene, plan, probe, job, record));
+    Image picture = timedStage(record.stages, "draw", [&] {
+        preview::OffscreenContext context;
+        preview::Renderer renderer;
+        return radiance ? renderer.renderRadiance(settings, maps) : renderer.renderDisplay(settings, maps);
+    });
+    if (scene.view.background.kind != Backdrop::None)
+        picture = withoutOpacity(picture);
+    timedStage(record.stages, "save picture",
+               [&] { writeImage(o.out, picture, {.encoding = radiance ? Encoding::Linear : Encoding::Display}); });
+    if (!o.saved.empty())
+        saveScene(scene, o.saved);
+    if (!o.stats.empty())
+        writeStats(o.stats, sceneStats(plan, record, job.threadCount()));
+}
+
+/// The name that an option's value has in the help: its words or its range.
+std::string valueHelp(const FieldEntry& entry)
+{
+    std::string help(entry.field.help);
+    std::string words;
+    for (const std::string_view word : entry.words)
+        words += (words.empty() ? "" : " | ") + std::string(word);
+    if (!words.empty())
+        help += ": " + words;
+    if (!entry.field.unit.empty())
+        help += " (" + std::string(entry.field.unit) + ")";
+    return help;
+}
+
+} // namespace
+
+void addRenderCommand(CLI::App& program)
+{
+    const auto o = std::make_shared<Options>();
+    CLI::App* command = program.add_subcommand("render", "Render a picture of a material under a probe");
+    command->add_option("SCENE", o->scene, "scene file (.mirrorball); options override what it says");
+    command->add_option("-o,--output", o->out, "picture: .png (tone-mapped, sRGB) or .exr (linear radiance)")->required();
+    command->add_option("--probe", o->probe, "image file, or builtin:NAME");
+    command->add_option("--material", o->material, "preset (see mirrorball presets) or material file");
+    command->add_option("--geometry", o->geometry, "teapot, torus or sphere");
+    command->add_option("--size", o->size, "WIDTHxHEIGHT in pixels");
+    command->add_option("--camera", o->camera, "YAW,PITCH[,DISTANCE]: degrees; the object's radius is 1");
+    const std::vector<FieldEntry> entries = sceneFields();
+    for (const FieldOption& option : fieldOptions) {
+        const auto entry = std::find_if(entries.begin(), entries.end(), [&](const FieldEntry& e) { return e.path == option.field; });
+        command->add_option(option.flag, o->fields[option.flag], valueHelp(*entry));
+    }
+    command->add_option("--set", o->set, "FIELD=VALUE: any field of the scene file, such as view.background.blur=0.5")->allow_extra_args(false);
+    command->add_option("--save-scene", o->saved, "write the scene that was drawn, options and all, to this .mirrorball file");
+    command->add_option("--threads", o->threads, "threads; 0: one per core")->check(CLI::Range(0, 1024));
+    command->add_flag("--explain", o->explain, "print what is done, what is left out, and why; then do it");
+    command->add_option("--stats", o->stats, "write times, method and predicted error to this JSON file");
+    command->callback([o] { run(*o); });
+}
+
+} // namespace mirrorball::cli

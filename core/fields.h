@@ -1,0 +1,20 @@
+#pragma once
+
+#include <limits>
+#include <string_view>
+
+/// What files, command line and forms know about one member of a settings struct.
+///
+/// Such a struct has a static template `visitFields(self, visit)` that calls `visit(Field, member)` for each member, so that an option
+/// is spelled once. Enums have their words in an overload of `words(E)`, in the order of their values.
+namespace mirrorball {
+
+struct Field {
+    std::string_view name; ///< the key in a file
+    std::string_view help; ///< one line, no full stop
+    double low = -std::numeric_limits<double>::max(); ///< numbers: the range, both ends included
+    double high = std::numeric_limits<double>::max();
+    std::string_view unit{};
+};
+
+} // namespace mirrorball

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "scene_maps.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace mirrorball {
+
+struct ExportOptions {
+    std::vector<std::string> only{}; ///< names of exports; empty: all of them
+};
+
+struct ExportOutcome {
+    std::vector<std::filesystem::path> files{}; ///< everything written, in order
+    WorkRecord record{};
+};
+
+/// Writes the scene's exports into a folder, which is made when missing. All share one reading of the probe and one forward transform.
+///
+/// Beside each map lies NAME.json, which says what a reader of the map must know: the files and their levels, parameterization and axes,
+/// whether it is looked up by direction, reflection or normal, border, colour space, lobe and the law from level to roughness.
+/// Every file appears whole or not at all, and replaces an older one; a NAME.json is written last, so it never describes files that
+/// are not there.
+/// @throws InvalidArgument naming the field, when there is nothing to export or `only` names an unknown export; WorkError; Cancelled
+ExportOutcome exportScene(const Scene& scene, const std::filesystem::path& folder, const ExportOptions& options = {},
+                          const JobControl& job = {});
+
+} // namespace mirrorball

@@ -1,0 +1,359 @@
+#include "plan.h"
+
+#include "../error.h"
+#include "../filter/source_file.h"
+#include "../image/mip_pyramid.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace mirrorball {
+
+namespace {
+
+/// A background of more texels than this shows no more detail in a picture.
+constexpr int tallestBackground = 2048;
+/// Diffuse light is so smooth that this many texels show all of it.
+constexpr int irradianceSize = 64;
+
+template <typename... Parts>
+std::string text(const Parts&... parts)
+{
+    std::ostringstream stream;
+    stream.precision(3);
+    (stream << ... << parts);
+    return stream.str();
+}
+
+std::string sizeText(const MapLayout& layout)
+{
+    return text(name(layout.kind), ' ', layout.width(), " x ", layout.height());
+}
+
+std::string plural(int count, const std::string& thing)
+{
+    return text(count, ' ', thing, count == 1 ? "" : "s");
+}
+
+bool isBlack(const glm::dvec3& color)
+{
+    return color == glm::dvec3(0.0);
+}
+
+MapLayout withSize(MapLayout layout, int size)
+{
+    layout.size = std::min(layout.size, size);
+    layout.border = std::min(layout.border, (layout.size - 1) / 2);
+    return layout;
+}
+
+/// The size at which bilinear lookups show all that a filtered map holds: eight texels to the shortest wave of its band limit.
+int sizeForBandLimit(Parameterization kind, int bandLimit)
+{
+    const bool wholeTurn = kind == Parameterization::Sphere || kind == Parameterization::Angular; // 360 degrees across the edge
+    const int perDegree = kind == Parameterization::Cube ? 2 : wholeTurn ? 8 : 4;
+    int size = 16;
+    while (size < perDegree * bandLimit && size < 16384)
+        size *= 2;
+    return size;
+}
+
+/// Which light the material takes in at all, in the order in which reasons rule it out.
+PlannedMaterial planMaterial(const Material& material)
+{
+    PlannedMaterial planned{.specular = material.specular.weight * material.specular.color,
+                            .diffuse = material.diffuse.weight * material.diffuse.color,
+                            .fresnel = fresnelTerm(material.fresnel),
+                            .combine = material.combine};
+    if (const auto f = constantReflectance(planned.fresnel)) {
+        planned.specular *= *f;
+        if (planned.combine == Combine::Coat)
+            planned.diffuse *= 1.0 - *f;
+        planned.fresnel = {};
+        planned.combine = Combine::Add;
+    }
+    if (planned.combine == Combine::Add && isBlack(planned.specular)) // F only scales what is not there
+        planned.fresnel = {};
+    return planned;
+}
+
+class Planner {
+public:
+    Planner(const Scene& scene, const MapLayout& probe) : m_scene(scene), m_probe(probe) {}
+
+    Plan make(const PlanRequest& request)
+    {
+        m_plan.material = planMaterial(m_scene.material);
+        if (request.picture)
+            planPicture();
+        if (request.exports)
+            planExports(*request.exports);
+        planReading();
+        return std::move(m_plan);
+    }
+
+private:
+    void need(std::string name, std::string why) { m_later.push_back({.name = std::move(name), .why = std::move(why)}); }
+    void leaveOut(std::string name, std::string why)
+    {
+        m_later.push_back({.name = std::move(name), .leftOut = true, .why = std::move(why)});
+    }
+
+    /// Why the material shows no reflection, or no diffuse light.
+    std::string whyNoSpecular() const
+    {
+        const Material& material = m_scene.material;
+        if (material.specular.weight == 0.0)
+            return "specular weight is 0";
+        return isBlack(material.specular.color) ? "specular colour is black" : "the index of refraction is 1: nothing is reflected";
+    }
+    std::string whyNoDiffuse() const
+    {
+        const Material& material = m_scene.material;
+        if (material.diffuse.weight == 0.0)
+            return "diffuse weight is 0";
+        return isBlack(material.diffuse.color) ? "diffuse colour is black" : "the coat mirrors everything: no light gets below it";
+    }
+
+    PrefilterPlan predicted(const PrefilterOptions& filter) const { return planPrefilter(filter, 2 * latlongHeight(m_probe), false); }
+
+    /// Adds the stages of one level and remembers what it takes. A map that never was to be filtered has no stage for that.
+    void addLevel(MapPlan& map, const PrefilterOptions& filter, const std::string& name, const std::string& note = "",
+                  const std::string& whyMirror = "")
+    {
+        const PrefilterPlan prediction = predicted(filter);
+        map.filters.push_back(filter);
+        map.bandLimits.push_back(prediction.filtered ? static_cast<size_t>(std::max(prediction.bandLimit, 1)) : 0);
+        if (prediction.filtered) {
+            const std::string how = prediction.method == Method::Spectral
+                                        ? text("spectral, band limit ", prediction.bandLimit, " at most")
+                                        : text(mirrorball::name(prediction.method));
+            need("filter " + name, text(describe(filter.lobe), " into ", sizeText(filter.target), ": ", how, note));
+        } else {
+            if (!filter.lobe.isMirror() || !whyMirror.empty())
+                leaveOut("filter " + name, filter.lobe.isMirror() ? whyMirror : prediction.why);
+            const bool same = filter.target == m_probe && filter.yaw == 0.0;
+            if (same)
+                leaveOut("resample " + name, text("the probe already is ", sizeText(m_probe)));
+            else
+                need("resample " + name, text(sizeText(m_probe), " to ", sizeText(filter.target), note));
+        }
+    }
+
+    void planPicture()
+    {
+        planSpecular();
+        planDiffuse();
+        planBackground();
+        if (m_plan.material.fresnel.kind != FresnelKind::None)
+            need("fresnel term", m_plan.material.fresnel.kind == FresnelKind::Dielectric
+                                     ? text("index ", m_scene.material.fresnel.index, ": evaluated at every pixel")
+                                     : text("metal ", m_scene.material.fresnel.metal, ": evaluated at every pixel"));
+        else if (m_scene.material.fresnel.kind == FresnelKind::None)
+            leaveOut("fresnel term", "none: F is 1 at every angle");
+        else
+            leaveOut("fresnel term", m_scene.material.fresnel.kind == FresnelKind::Dielectric && m_scene.material.fresnel.index == 1.0
+                                         ? "the index is 1: F is 0 at every angle"
+                                         : whyNoSpecular());
+        if (!m_scene.material.sphereMap.source.empty())
+            leaveOut("sphere map", "painted sphere maps are kept in the scene, but not shown yet");
+        if (m_plan.specular || m_plan.diffuse) {
+            std::string others;
+            for (const Parameterization p : allParameterizations)
+                if (p != m_scene.map.parameterization)
+                    others += (others.empty() ? "" : ", ") + std::string(name(p));
+            leaveOut("other maps", text("the picture reads ", name(m_scene.map.parameterization), ": no ", others, " is built"));
+        }
+        need("draw", text(m_scene.view.geometry, ", ", m_scene.view.width, " x ", m_scene.view.height));
+    }
+
+    /// The environment's yaw belongs to the picture's lookups, so that turning it makes no map anew; a map in eye space has no such turn.
+    double bakedYaw() const { return m_scene.map.space == MapSpace::Eye ? m_scene.probe.yawDeg * pi / 180.0 : 0.0; }
+
+    MapLayout mapLayout() const { return {m_scene.map.parameterization, m_scene.map.size, m_scene.map.border}; }
+
+    void planSpecular()
+    {
+        if (isBlack(m_plan.material.specular)) {
+            leaveOut("specular map", whyNoSpecular());
+            return;
+        }
+        MapPlan map{.name = "specular map"};
+        PrefilterOptions filter{.lobe = lobe(m_scene.material.specular), .target = mapLayout(), .yaw = bakedYaw()};
+        std::string note;
+        const PrefilterPlan prediction = predicted(filter);
+        if (prediction.filtered && prediction.method == Method::Spectral) {
+            const MapLayout enough = withSize(filter.target, sizeForBandLimit(filter.target.kind, prediction.bandLimit));
+            if (enough.size < filter.target.size)
+                note = text("; so smooth that size ", enough.size, " shows all of it, ", filter.target.size, " is left out");
+            filter.target = enough;
+        }
+        addLevel(map, filter, map.name, note, "the surface is a mirror: it shows the environment itself");
+        const double lambda = m_scene.material.lambda;
+        map.pyramid = lambda > 0.0 || m_scene.map.mips;
+        const std::string stage = "mip levels of specular map";
+        if (map.pyramid)
+            need(stage, text(lambda > 0.0 ? text("lambda ", lambda) : "asked for, where reflections shrink", ": ",
+                             plural(levelCount(filter.target), "level"), ", halved across seams"));
+        else
+            leaveOut(stage, "lambda is 0: only the finest level is read");
+        m_plan.specular = std::move(map);
+    }
+
+    void planDiffuse()
+    {
+        if (isBlack(m_plan.material.diffuse)) {
+            leaveOut("irradiance map", whyNoDiffuse());
+            return;
+        }
+        MapPlan map{.name = "irradiance map"};
+        addLevel(map, {.lobe = diffuseLobe(), .target = withSize(mapLayout(), irradianceSize), .yaw = bakedYaw()}, map.name);
+        m_plan.diffuse = std::move(map);
+    }
+
+    void planBackground()
+    {
+        const BackdropSettings& background = m_scene.view.background;
+        MapPlan map{.name = "background"};
+        switch (background.kind) {
+        case Backdrop::Color: leaveOut("background", "one colour: no map"); return;
+        case Backdrop::None: leaveOut("background", "none: the picture is transparent beside the object"); return;
+        case Backdrop::Environment:
+            addLevel(map, {.lobe = ggxLobe(0.0), .target = withSize(m_probe, tallestBackground)}, map.name);
+            break;
+        case Backdrop::Blurred:
+            addLevel(map, {.lobe = ggxLobe(background.blur * background.blur), .target = {Parameterization::Cube, 256, 0}}, map.name);
+            break;
+        }
+        m_plan.background = std::move(map);
+    }
+
+    void planExports(const std::vector<std::string>& only)
+    {
+        for (const std::string& name : only)
+            if (std::none_of(m_scene.exports.begin(), m_scene.exports.end(), [&](const ExportTarget& t) { return t.name == name; })) {
+                std::string known;
+                for (const ExportTarget& target : m_scene.exports)
+                    known += (known.empty() ? "" : ", ") + target.name;
+                throw InvalidArgument("--only: the scene has no export '" + name + "'; it has " + (known.empty() ? "none" : known));
+            }
+        for (const ExportTarget& target : m_scene.exports)
+            if (only.empty() || std::find(only.begin(), only.end(), target.name) != only.end())
+                planExport(target);
+            else
+                leaveOut("export " + target.name, "not among those asked for");
+    }
+
+    void planExport(const ExportTarget& target)
+    {
+        MapPlan map{.name = target.name};
+        PrefilterOptions filter{.target = target.layout(), .yaw = m_scene.probe.yawDeg * pi / 180.0};
+        switch (target.kind) {
+        case ExportKind::Source: filter.lobe = ggxLobe(0.0); break;
+        case ExportKind::Specular: filter.lobe = lobe(m_scene.material.specular); break;
+        case ExportKind::Diffuse: filter.lobe = diffuseLobe(); break;
+        case ExportKind::Chain: break;
+        }
+        if (target.kind == ExportKind::Chain) {
+            const int all = levelCount(filter.target), levels = target.levels == 0 ? all : std::min(target.levels, all);
+            for (int i = 0; i < levels; ++i) {
+                const double roughness = chainRoughness(i, levels);
+                PrefilterOptions level = filter;
+                level.lobe = ggxLobe(roughness * roughness);
+                level.target = levelLayout(filter.target, i);
+                addLevel(map, level, text(target.name, " level ", i), "", "roughness 0: the level is the environment itself");
+            }
+        } else {
+            addLevel(map, filter, map.name, "", target.kind == ExportKind::Specular ? "the surface is a mirror" : "");
+            const bool held = holdsMips(target.fileName());
+            map.pyramid = target.mips && held;
+            if (map.pyramid)
+                need("mip levels of " + map.name, plural(levelCount(filter.target), "level"));
+            else
+                leaveOut("mip levels of " + map.name, target.mips ? target.fileName() + " holds none; .exr and .tif do" : "not asked for");
+        }
+        need("save " + map.name, target.fileName());
+        m_plan.exports.push_back({std::move(map), target});
+    }
+
+    /// The stages before all others follow from what the maps need.
+    void planReading()
+    {
+        const bool builtin = m_scene.probe.source.starts_with("builtin:");
+        const std::string read = builtin ? "compute probe" : "read probe";
+        std::vector<Stage>& stages = m_plan.stages;
+        if (!m_plan.needsProbe()) {
+            stages.push_back({.name = read, .leftOut = true, .why = "no map is needed"});
+        } else {
+            const std::vector<PrefilterOptions> filters = m_plan.filters();
+            int filtered = 0, spectral = 0, bandLimit = 0;
+            for (const PrefilterOptions& filter : filters) {
+                const PrefilterPlan prediction = predicted(filter);
+                filtered += prediction.filtered;
+                spectral += prediction.filtered && prediction.method == Method::Spectral;
+                bandLimit = std::max(bandLimit, prediction.filtered ? prediction.bandLimit : 0);
+            }
+            const bool large = std::int64_t{m_probe.width()} * m_probe.height() > streamedFrom;
+            const bool streamed = large && m_probe.kind == Parameterization::Latlong && !builtin &&
+                                  filtered == static_cast<int>(filters.size());
+            std::string how = m_scene.probe.source + ", " + sizeText(m_probe);
+            if (streamed)
+                how += text("; each row is truncated to band limit ", bandLimit, " while it is read, which is exact");
+            else if (large)
+                how += "; held whole, because not every map is filtered";
+            stages.push_back({.name = read, .why = how});
+            if (spectral > 0)
+                stages.push_back({.name = "spectrum", .why = text("one forward transform for ", plural(spectral, "lobe"))});
+            else
+                stages.push_back({.name = "spectrum",
+                                  .leftOut = true,
+                                  .why = filtered == 0 ? "nothing is filtered" : "direct sums are cheaper for these lobes"});
+        }
+        stages.insert(stages.end(), std::make_move_iterator(m_later.begin()), std::make_move_iterator(m_later.end()));
+    }
+
+    const Scene& m_scene;
+    MapLayout m_probe;
+    Plan m_plan{};
+    std::vector<Stage> m_later{};
+};
+
+} // namespace
+
+std::vector<PrefilterOptions> Plan::filters() const
+{
+    std::vector<PrefilterOptions> all;
+    const auto add = [&](const MapPlan& map) { all.insert(all.end(), map.filters.begin(), map.filters.end()); };
+    for (const auto* map : {&specular, &diffuse, &background})
+        if (*map)
+            add(**map);
+    for (const ExportPlan& planned : exports)
+        add(planned.map);
+    return all;
+}
+
+bool Plan::filtersAny() const
+{
+    const auto filters = [](const MapPlan& map) {
+        return std::any_of(map.bandLimits.begin(), map.bandLimits.end(), [](size_t limit) { return limit > 0; });
+    };
+    return (specular && filters(*specular)) || (diffuse && filters(*diffuse)) || (background && filters(*background)) ||
+           std::any_of(exports.begin(), exports.end(), [&](const ExportPlan& planned) { return filters(planned.map); });
+}
+
+std::optional<double> constantReflectance(const Fresnel& fresnel)
+{
+    if (fresnel.kind == FresnelKind::None)
+        return 1.0;
+    if (fresnel.kind == FresnelKind::Dielectric && fresnel.index == 1.0)
+        return 0.0;
+    return std::nullopt;
+}
+
+Plan makePlan(const Scene& scene, const MapLayout& probe, const PlanRequest& request)
+{
+    validate(scene);
+    return Planner(scene, probe).make(request);
+}
+
+} // namespace mirrorball

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "scene.h"
+
+#include "../filter/prefilter.h"
+#include "../stage.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What a scene needs, what is left out, and why. Pure: nothing is opened or computed, and stages that are left out cost nothing later.
+namespace mirrorball {
+
+/// The material with everything resolved that does not change from pixel to pixel. A colour of 0 needs no map, and where F is the same
+/// at every angle no Fresnel term is evaluated: kind None.
+struct PlannedMaterial {
+    glm::dvec3 specular{0.0};
+    glm::dvec3 diffuse{0.0};
+    Fresnel fresnel{};
+    Combine combine = Combine::Add;
+    bool operator==(const PlannedMaterial&) const = default;
+};
+
+/// One map to make.
+struct MapPlan {
+    std::string name{};                       ///< for stages: "specular map"
+    std::vector<PrefilterOptions> filters{};  ///< a filtered level each, largest first; ggx with alpha = 0: the environment itself
+    bool pyramid = false;                     ///< the levels below the first are its halvings
+    std::vector<size_t> bandLimits{};         ///< expected of each filter; 0: not filtered
+};
+
+struct ExportPlan {
+    MapPlan map{};
+    ExportTarget target{};
+};
+
+struct PlanRequest {
+    bool picture = true;                                ///< the maps that the view shows
+    std::optional<std::vector<std::string>> exports{}; ///< names of exports; empty list: all of them; nothing: none
+};
+
+struct Plan {
+    std::vector<Stage> stages{};        ///< in order; seconds are 0
+    PlannedMaterial material{};
+    std::optional<MapPlan> specular{};
+    std::optional<MapPlan> diffuse{};
+    std::optional<MapPlan> background{};
+    std::vector<ExportPlan> exports{};
+
+    bool needsProbe() const { return specular || diffuse || background || !exports.empty(); }
+    /// Every filter of the plan, for openFilterSource.
+    std::vector<PrefilterOptions> filters() const;
+    /// Whether any map is filtered; otherwise the probe is only resampled and no spectrum is needed.
+    bool filtersAny() const;
+};
+
+/// @param probe  layout of the probe as its file's header tells it (probeLayout() in scene_maps.h)
+/// @throws InvalidArgument naming the field; for unknown export names, naming the known ones
+Plan makePlan(const Scene& scene, const MapLayout& probe, const PlanRequest& request = {});
+
+/// F where it is the same at every angle and in every channel: 1 without a Fresnel term, 0 for an index of 1.
+std::optional<double> constantReflectance(const Fresnel& fresnel);
+
+} // namespace mirrorball

@@ -1,0 +1,174 @@
+#include "scene.h"
+
+#include "../error.h"
+#include "../shading/conductor.h"
+#include "field_checks.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+namespace mirrorball {
+
+namespace {
+
+using namespace std::string_view_literals;
+constexpr std::array surfaceLobeWords{"mirror"sv, "phong"sv, "ggx"sv};
+constexpr std::array sphereMapUseWords{"replace"sv, "multiply"sv, "over"sv};
+constexpr std::array mapSpaceWords{"world"sv, "eye"sv};
+constexpr std::array projectionWords{"perspective"sv, "orthographic"sv};
+constexpr std::array backdropWords{"environment"sv, "blurred"sv, "color"sv, "none"sv};
+constexpr std::array exportKindWords{"source"sv, "specular"sv, "diffuse"sv, "chain"sv};
+constexpr std::array fresnelKindWords{"none"sv, "dielectric"sv, "conductor"sv};
+constexpr std::array combineWords{"add"sv, "coat"sv};
+
+template <typename E, size_t count, typename Values>
+std::array<std::string_view, count> namesOf(const Values& values)
+{
+    std::array<std::string_view, count> names;
+    std::transform(values.begin(), values.end(), names.begin(), [](E value) { return name(value); });
+    return names;
+}
+
+/// Checks every number of a settings struct against its range.
+class RangeChecker {
+public:
+    explicit RangeChecker(std::string path) : m_path(std::move(path)) {}
+
+    template <typename T>
+    void operator()(const Field& field, const T& value) const
+    {
+        const std::string path = fieldPath(m_path, field.name);
+        if constexpr (std::is_same_v<T, double> || std::is_same_v<T, int>)
+            checkRange(path, field, static_cast<double>(value));
+        else if constexpr (std::is_same_v<T, glm::dvec3>)
+            for (int c = 0; c < 3; ++c)
+                checkRange(path, field, value[c]);
+        else if constexpr (hasFields<T>)
+            T::visitFields(value, RangeChecker(path));
+        else if constexpr (std::is_same_v<T, std::vector<ExportTarget>>)
+            for (size_t i = 0; i < value.size(); ++i)
+                ExportTarget::visitFields(value[i], RangeChecker(path + "[" + std::to_string(i) + "]"));
+    }
+
+private:
+    std::string m_path;
+};
+
+void checkBorder(const std::string& path, const MapLayout& layout)
+{
+    if (layout.border > 0 && (layout.kind != Parameterization::Paraboloid || 2 * layout.border >= layout.size))
+        throw InvalidArgument(path + ".border: must be 0 but for a paraboloid, where it must be less than half the size; it is " +
+                              std::to_string(layout.border));
+}
+
+void checkMaterial(const std::string& path, const Material& material)
+{
+    Material::visitFields(material, RangeChecker(path));
+    if (material.fresnel.metal != "custom" && !conductorFromName(material.fresnel.metal)) {
+        std::string known;
+        for (const Conductor& metal : conductors())
+            known += std::string(metal.name) + ", ";
+        throw InvalidArgument(fieldPath(path, "fresnel.metal") + ": must be one of " + known + "custom; it is " +
+                              inQuotes(material.fresnel.metal));
+    }
+}
+
+/// A word that is a file name on every system, and no path.
+bool isPlainName(const std::string& text, std::string_view alsoAllowed)
+{
+    return !text.empty() && text.size() <= 200 && text.front() != '.' && std::all_of(text.begin(), text.end(), [&](char c) {
+        return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_' ||
+               alsoAllowed.find(c) != std::string_view::npos;
+    });
+}
+
+void checkExports(const std::vector<ExportTarget>& exports)
+{
+    std::set<std::string> names, files;
+    for (size_t i = 0; i < exports.size(); ++i) {
+        const ExportTarget& target = exports[i];
+        const std::string path = "exports[" + std::to_string(i) + "]";
+        checkBorder(path, target.layout());
+        if (!isPlainName(target.name, ""))
+            throw InvalidArgument(path + ".name: must be 1 to 200 letters, digits, - and _; it is " + inQuotes(target.name));
+        if (!names.insert(target.name).second)
+            throw InvalidArgument(path + ".name: must differ from the other exports' names; " + inQuotes(target.name) + " is taken");
+        const std::string file = target.fileName();
+        if (!isPlainName(file, ". %") || std::filesystem::path(file).extension().empty())
+            throw InvalidArgument(path + ".file: must be a file name with an extension and without folders, such as \"" + target.name +
+                                  ".exr\"; it is " + inQuotes(file));
+        if (!files.insert(std::filesystem::path(file).stem().string()).second)
+            throw InvalidArgument(path + ".file: must differ from the other exports' files in more than the extension; " + inQuotes(file) +
+                                  " does not");
+    }
+}
+
+} // namespace
+
+std::span<const std::string_view> words(SurfaceLobe) { return surfaceLobeWords; }
+std::span<const std::string_view> words(SphereMapUse) { return sphereMapUseWords; }
+std::span<const std::string_view> words(MapSpace) { return mapSpaceWords; }
+std::span<const std::string_view> words(Projection) { return projectionWords; }
+std::span<const std::string_view> words(Backdrop) { return backdropWords; }
+std::span<const std::string_view> words(ExportKind) { return exportKindWords; }
+std::span<const std::string_view> words(FresnelKind) { return fresnelKindWords; }
+std::span<const std::string_view> words(Combine) { return combineWords; }
+
+std::span<const std::string_view> words(Parameterization)
+{
+    static const auto names = namesOf<Parameterization, allParameterizations.size()>(allParameterizations);
+    return names;
+}
+
+std::span<const std::string_view> words(ToneCurve)
+{
+    static const auto names = namesOf<ToneCurve, 3>(std::array{ToneCurve::None, ToneCurve::Reinhard, ToneCurve::Filmic});
+    return names;
+}
+
+void validate(const Scene& scene)
+{
+    Scene::visitFields(scene, RangeChecker(""));
+    checkBorder("map", {scene.map.parameterization, scene.map.size, scene.map.border});
+    checkMaterial("material", scene.material);
+    checkExports(scene.exports);
+    if (scene.probe.source.empty())
+        throw InvalidArgument("probe.source: must be an image file or builtin:NAME; it is empty");
+    if (scene.view.geometry.empty())
+        throw InvalidArgument("view.geometry: must be teapot, torus, sphere or a mesh file; it is empty");
+}
+
+void validate(const Material& material)
+{
+    checkMaterial("", material);
+}
+
+std::string resolved(const Scene& scene, const std::string& path)
+{
+    return path.starts_with("builtin:") ? path : (scene.folder / path).string(); // an absolute path replaces the folder
+}
+
+Lobe lobe(const SpecularSettings& specular)
+{
+    switch (specular.lobe) {
+    case SurfaceLobe::Phong: return phongLobe(specular.exponent);
+    case SurfaceLobe::Ggx: return ggxLobe(specular.roughness * specular.roughness);
+    case SurfaceLobe::Mirror: break;
+    }
+    return ggxLobe(0.0);
+}
+
+Fresnel fresnelTerm(const FresnelSettings& settings)
+{
+    Fresnel fresnel{.kind = settings.kind, .index = settings.index, .conductor = {settings.n, settings.k}};
+    if (settings.kind == FresnelKind::Conductor && settings.metal != "custom") {
+        const auto metal = conductorFromName(settings.metal);
+        if (!metal)
+            throw InvalidArgument("material.fresnel.metal: " + inQuotes(settings.metal) + " is no metal that is built in");
+        fresnel.conductor = *metal;
+    }
+    return fresnel;
+}
+
+} // namespace mirrorball

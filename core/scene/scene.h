@@ -1,0 +1,315 @@
+#pragma once
+
+#include "../fields.h"
+#include "../filter/lobe.h"
+#include "../image/color.h"
+#include "../shading/fresnel.h"
+#include "../sphere/parameterization.h"
+
+#include <glm/glm.hpp>
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// A scene says what to make: which probe, on which material, seen how, written into which maps. One plain value, which the command
+/// line reads from a file (scene_file.h) and the studio edits. Angles are in degrees here, and only here in core: they stand as they
+/// were typed, so that a file that is loaded and saved stays the same.
+namespace mirrorball {
+
+/// Keys of a file that this version does not know, with their JSON text: kept, so that a newer file survives an older program.
+using UnknownKeys = std::map<std::string, std::string>;
+
+enum class SurfaceLobe { Mirror, Phong, Ggx };
+enum class SphereMapUse { Replace, Multiply, Over };
+enum class MapSpace { World, Eye };
+enum class Projection { Perspective, Orthographic };
+enum class Backdrop { Environment, Blurred, Color, None };
+enum class ExportKind { Source, Specular, Diffuse, Chain };
+
+/// The words of files and command line for an enum's values, in their order.
+std::span<const std::string_view> words(SurfaceLobe);      // mirror phong ggx
+std::span<const std::string_view> words(SphereMapUse);     // replace multiply over
+std::span<const std::string_view> words(MapSpace);         // world eye
+std::span<const std::string_view> words(Projection);       // perspective orthographic
+std::span<const std::string_view> words(Backdrop);         // environment blurred color none
+std::span<const std::string_view> words(ExportKind);       // source specular diffuse chain
+std::span<const std::string_view> words(Parameterization); // latlong cube sphere angular paraboloid octahedral
+std::span<const std::string_view> words(FresnelKind);      // none dielectric conductor
+std::span<const std::string_view> words(Combine);          // add coat
+std::span<const std::string_view> words(ToneCurve);        // none reinhard filmic
+
+/// Where the light comes from.
+struct ProbeSettings {
+    std::string source = "builtin:studio";
+    std::optional<Parameterization> parameterization{}; ///< empty: found out from the file
+    double yawDeg = 0.0;
+    double exposure = 0.0;
+    UnknownKeys unknown{};
+
+    bool operator==(const ProbeSettings&) const = default;
+    template <typename Self, typename Visit>
+    static void visitFields(Self& self, Visit&& visit)
+    {
+        visit(Field{"source", "image file, or builtin:NAME"}, self.source);
+        visit(Field{"parameterization", "how the file shows the sphere; auto: found out from the file"}, self.parameterization);
+        visit(Field{"yaw", "turns the environment about +Y, counterclockwise seen from above", -36000, 36000, "degrees"}, self.yawDeg);
+        visit(Field{"exposure", "brightness of the light: radiance times 2^exposure", -64, 64, "EV"}, self.exposure);
+    }
+};
+
+/// The map that the picture reads reflections from.
+struct MapSettings {
+    Parameterization parameterization = Parameterization::Cube;
+    int size = 512;
+    int border = 0;
+    bool mips = false;
+    MapSpace space = MapSpace::World;
+    UnknownKeys unknown{};
+
+    bool operator==(const MapSettings&) const = default;
+    template <typename Self, typename Visit>
+    static void visitFields(Self& self, Visit&& visit)
+    {
+        visit(Field{"parameterization", "kind of the map that the picture reads"}, self.parameterization);
+        visit(Field{"size", "edge of a face, disc or octahedron, or height of a latlong", 1, 16384, "texels"}, self.size);
+        visit(Field{"border", "paraboloid: texels kept free outside each disc", 0, 4096, "texels"}, self.border);
+        visit(Field{"mips", "coarser levels, read where a reflection shrinks: no shimmer on strongly curved parts"}, self.mips);
+        visit(Field{"space", "world: the environment stands still; eye: the map turns with the camera"}, self.space);
+    }
+};
+
+/// The mirrored part of a material.
+struct SpecularSettings {
+    SurfaceLobe lobe = SurfaceLobe::Mirror;
+    double exponent = 50.0;
+    double roughness = 0.3;
+    double weight = 1.0;
+    glm::dvec3 color{1.0};
+    UnknownKeys unknown{};
+
+    bool operator==(const SpecularSettings&) const = default;
+    template <typename Self, typename Visit>
+    static void visitFields(Self& self, Visit&& visit)
+    {
+        visit(Field{"lobe", "mirror, or how a glossy surface spreads the reflection"}, self.lobe);
+        visit(Field{"exponent", "phong: the larger, the sharper", 0, 1e9}, self.exponent);
+        visit(Field{"roughness", "ggx: 0 is a mirror, 1 fully rough; alpha is its square", 0, 1}, self.roughness);
+        visit(Field{"weight", "strength of the reflection", 0, 1000}, self.weight);
+        visit(Field{"color", "colour of the reflection, linear RGB", 0, 1000}, self.color);
+    }
+};
+
+/// The Fresnel term of a material.
+struct FresnelSettings {
+    FresnelKind kind = FresnelKind::None;
+    double index = 1.5;
+    std::string metal = "gold";
+    glm::dvec3 n{0.2, 0.9, 1.1};
+    glm::dvec3 k{3.9, 2.5, 2.4};
+    UnknownKeys unknown{};
+
+    bool operator==(const FresnelSettings&) const = default;
+    template <typename Self, typename Visit>
+    static void visitFields(Self& self, Visit&& visit)
+    {
+        visit(Field{"kind", "none: mirrors alike at every angle; dielectric: glass, lacquer, water; conductor: metal"}, self.kind);
+        visit(Field{"index", "dielectric: index of refraction", 1e-3, 1e9}, self.index);
+        visit(Field{"metal", "conductor: name of a metal, or custom for n and k below"}, self.metal);
+        visit(Field{"n", "custom conductor: index of refraction for red, green, blue", 1e-6, 1e6}, self.n);
+        visit(Field{"k", "custom conductor: extinction for red, green, blue", 0, 1e6}, self.k);
+    }
+};
+
+/// The matt part of a material.
+struct DiffuseSettings {
+    double weight = 0.0;
+    glm::dvec3 color{0.8};
+    UnknownKeys unknown{};
+
+    bool operator==(const DiffuseSettings&) const = default;
+    template <typename Self, typename Visit>
+    static void visitFields(Self& self, Visit&& visit)
+    {
+        visit(Field{"weight", "strength of the diffuse part", 0, 1000}, self.weight);
+        visit(Field{"color", "colour of the diffuse part, linear RGB", 0, 1000}, self.color);
+    }
+};
+
+/// A painted sphere map and how it meets the reflection.
+struct SphereMapSettings {
+    std::string source{};
+    SphereMapUse use = SphereMapUse::Replace;
+    UnknownKeys unknown{};
+
+    bool operator==(const SphereMapSettings&) const = default;
+    template <typename Self, typename Visit>
+    static void visitFields(Self& self, Visit&& visit)
+    {
+        visit(Field{"source", "painted sphere map: a file or a preset; empty: none"}, self.source);
+        visit(Field{"use", "replaces the reflection, multiplies it, or lies over it"}, self.use);
+    }
+};
+
+/// A material: F L_m + L_d (add) or F L_m + (1 - F) L_d (coat), with L_m the specular and L_d the diffuse part.
+struct Material {
+    SpecularSettings specular{};
+    FresnelSettings fresnel{};
+    Combine combine = Combine::Add;
+    DiffuseSettings diffuse{};
+    double lambda = 0.0;
+    SphereMapSettings sphereMap{};
+    UnknownKeys unknown{};
+
+    bool operator==(const Material&) const = default;
+    template <typename Self, typename Visit>
+    static void visitFields(Self& self, Visit&& visit)
+    {
+        visit(Field{"specular", "the mirrored part"}, self.specular);
+        visit(Field{"fresnel", "how much is mirrored at which angle"}, self.fresnel);
+        visit(Field{"combine", "add: F times specular plus diffuse; coat: the diffuse part lies under the reflecting layer, times 1 - F"},
+              self.combine);
+        visit(Field{"diffuse", "the matt part"}, self.diffuse);
+        visit(Field{"lambda", "least mip level of the reflection: blurs it without filtering", 0, 16}, self.lambda);
+        visit(Field{"sphere_map", "a painted sphere map"}, self.sphereMap);
+    }
+};
+
+/// Orbits the object: yaw 0, pitch 0 looks from +Z; yaw turns the eye towards +X, pitch towards +Y.
+struct CameraSettings {
+    double yawDeg = 25.0;
+    double pitchDeg = 18.0;
+    double distance = 3.4;
+    double fieldOfViewDeg = 36.0;
+    Projection projection = Projection::Perspective;
+    UnknownKeys unknown{};
+
+    bool operator==(const CameraSettings&) const = default;
+    template <typename Self, typename Visit>
+    static void visitFields(Self& self, Visit&& visit)
+    {
+        visit(Field{"yaw", "longitude of the eye", -36000, 36000, "degrees"}, self.yawDeg);
+        visit(Field{"pitch", "latitude of the eye", -90, 90, "degrees"}, self.pitchDeg);
+        visit(Field{"distance", "from the centre of the object, whose radius is 1", 0.01, 1000}, self.distance);
+        visit(Field{"fov", "angle of view from bottom to top", 1, 170, "degrees"}, self.fieldOfViewDeg);
+        visit(Field{"projection", "perspective, or orthographic at the size the object has in perspective"}, self.projection);
+    }
+};
+
+/// What stands behind the object.
+struct BackdropSettings {
+    Backdrop kind = Backdrop::Environment;
+    double blur = 0.3;
+    glm::dvec3 color{0.18};
+    UnknownKeys unknown{};
+
+    bool operator==(const BackdropSettings&) const = default;
+    template <typename Self, typename Visit>
+    static void visitFields(Self& self, Visit&& visit)
+    {
+        visit(Field{"kind", "the environment, the environment blurred, one colour, or none (transparent)"}, self.kind);
+        visit(Field{"blur", "blurred: ggx roughness of the blur", 0.01, 1}, self.blur);
+        visit(Field{"color", "color: linear RGB", 0, 1000}, self.color);
+    }
+};
+
+/// How the picture is taken.
+struct ViewSettings {
+    std::string geometry = "teapot";
+    CameraSettings camera{};
+    ToneCurve toneCurve = ToneCurve::Filmic;
+    double exposure = 0.0;
+    BackdropSettings background{};
+    int width = 1280;
+    int height = 720;
+    UnknownKeys unknown{};
+
+    bool operator==(const ViewSettings&) const = default;
+    template <typename Self, typename Visit>
+    static void visitFields(Self& self, Visit&& visit)
+    {
+        visit(Field{"geometry", "teapot, torus, sphere, or a mesh file"}, self.geometry);
+        visit(Field{"camera", "where the eye is"}, self.camera);
+        visit(Field{"tone", "curve that brings radiance to the display"}, self.toneCurve);
+        visit(Field{"exposure", "brightness of the display picture: times 2^exposure", -64, 64, "EV"}, self.exposure);
+        visit(Field{"background", "what stands behind the object"}, self.background);
+        visit(Field{"width", "of the picture", 1, 16384, "pixels"}, self.width);
+        visit(Field{"height", "of the picture", 1, 16384, "pixels"}, self.height);
+    }
+};
+
+/// One map to write.
+struct ExportTarget {
+    std::string name{};
+    ExportKind kind = ExportKind::Specular;
+    Parameterization parameterization = Parameterization::Cube;
+    int size = 256;
+    int border = 0;
+    std::string file{};
+    bool half = false;
+    bool mips = false;
+    int levels = 0;
+    UnknownKeys unknown{};
+
+    bool operator==(const ExportTarget&) const = default;
+    template <typename Self, typename Visit>
+    static void visitFields(Self& self, Visit&& visit)
+    {
+        visit(Field{"name", "letters, digits, - and _; names the files"}, self.name);
+        visit(Field{"kind",
+                    "source: the environment; specular: filtered with the material's lobe; diffuse: irradiance over pi; chain: ggx "
+                    "levels of roughness 0 to 1"},
+              self.kind);
+        visit(Field{"parameterization", "kind of the map"}, self.parameterization);
+        visit(Field{"size", "edge of a face, disc or octahedron, or height of a latlong", 1, 16384, "texels"}, self.size);
+        visit(Field{"border", "paraboloid: texels kept free outside each disc", 0, 4096, "texels"}, self.border);
+        visit(Field{"file", "file name, whose extension is the format; empty: NAME.exr; %s in a cube's makes six files"}, self.file);
+        visit(Field{"half", "16-bit floats where the format has them"}, self.half);
+        visit(Field{"mips", "halved levels inside the file"}, self.mips);
+        visit(Field{"levels", "chain: how many levels; 0: down to one texel", 0, 16}, self.levels);
+    }
+
+    MapLayout layout() const { return {parameterization, size, border}; }
+    /// `file`, or NAME.exr where that is empty.
+    std::string fileName() const { return file.empty() ? name + ".exr" : file; }
+};
+
+struct Scene {
+    ProbeSettings probe{};
+    MapSettings map{};
+    Material material{};
+    ViewSettings view{};
+    std::vector<ExportTarget> exports{};
+    UnknownKeys unknown{};
+    /// Where relative paths start from: the folder of the scene's file. Not written into it. Empty: the current folder.
+    std::filesystem::path folder{};
+
+    bool operator==(const Scene&) const = default;
+    template <typename Self, typename Visit>
+    static void visitFields(Self& self, Visit&& visit)
+    {
+        visit(Field{"probe", "where the light comes from"}, self.probe);
+        visit(Field{"map", "the map that the picture reads"}, self.map);
+        visit(Field{"material", "what the object is made of"}, self.material);
+        visit(Field{"view", "how the picture is taken"}, self.view);
+        visit(Field{"exports", "maps to write"}, self.exports);
+    }
+};
+
+/// @throws InvalidArgument naming the field ("material.specular.exponent"), what it must be and what it is
+void validate(const Scene& scene);
+void validate(const Material& material);
+
+/// A path of the scene as it can be opened: relative ones start at scene.folder; "builtin:NAME" and absolute ones stay.
+std::string resolved(const Scene& scene, const std::string& path);
+
+/// The lobe of the reflection; a mirror is ggx with alpha = 0.
+Lobe lobe(const SpecularSettings& specular);
+/// The Fresnel term with the metal looked up. @throws InvalidArgument for an unknown metal
+Fresnel fresnelTerm(const FresnelSettings& settings);
+
+} // namespace mirrorball

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "scene.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Scenes and materials as files: JSON, UTF-8. A scene file (`*.mirrorball`) holds "version": 1 and the fields of Scene; a material file
+/// holds the fields of Material. Fields that are missing take their defaults; keys that are not known are kept.
+///
+/// Files are not trusted: they may hold at most 16 MiB, nested at most 64 deep, no key twice in an object. Whatever is wrong gives one
+/// line with the file, the field, what it must be and what it is.
+namespace mirrorball {
+
+inline constexpr int sceneFileVersion = 1;
+
+/// @throws FileError
+Scene loadScene(const std::filesystem::path& path);
+/// Writes every field. Paths inside that are relative to scene.folder are written relative to the new file's folder. The file appears
+/// whole or not at all. @throws InvalidArgument naming the field that is out of range (nothing is written); WorkError
+void saveScene(const Scene& scene, const std::filesystem::path& path);
+
+/// The material of a material file, or of a scene file. @throws FileError
+Material loadMaterial(const std::filesystem::path& path);
+/// @throws InvalidArgument, WorkError
+void saveMaterial(const Material& material, const std::filesystem::path& path);
+
+/// One field of a scene as files, command line and forms name it.
+struct FieldEntry {
+    std::string path{}; ///< "material.specular.exponent"
+    Field field{};
+    std::vector<std::string_view> words{}; ///< of an enum or of true and false; empty otherwise
+};
+/// All fields of a scene but those of its exports, in the order of the file.
+std::vector<FieldEntry> sceneFields();
+
+/// Sets one field by its path ("material.specular.exponent", "exports[0].size") to a value written as in a file; quotes around words may
+/// be left out. What the command line's options do. @throws InvalidArgument naming the field
+void setField(Scene& scene, const std::string& path, const std::string& value);
+
+} // namespace mirrorball

@@ -1,0 +1,101 @@
+#include "scene_maps.h"
+
+#include "../filter/source_file.h"
+#include "../image/builtin_probes.h"
+#include "../image/map_file.h"
+#include "../image/mip_pyramid.h"
+#include "../image/reproject.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirrorball {
+
+namespace {
+
+EnvironmentMap buildLevel(const PrefilterOptions& filter, const std::string& name, SceneProbe& probe, const JobControl& job,
+                          WorkRecord& record)
+{
+    if (!probe.source)
+        return timedStage(record.stages, "resample " + name,
+                          [&] { return reproject(*probe.environment, {.target = filter.target, .yaw = filter.yaw}, job); });
+    PrefilterOutcome outcome = prefilter(*probe.source, filter, job);
+    for (Stage& stage : outcome.stages) {
+        stage.name += " of " + name;
+        record.stages.push_back(std::move(stage));
+    }
+    record.add(outcome);
+    return std::move(outcome.map);
+}
+
+void expose(std::vector<EnvironmentMap>& levels, double exposure)
+{
+    if (exposure == 0.0)
+        return;
+    const float factor = static_cast<float>(std::exp2(exposure));
+    for (EnvironmentMap& level : levels)
+        for (float& value : level.image.texels)
+            value *= factor;
+}
+
+} // namespace
+
+void WorkRecord::add(const PrefilterOutcome& outcome)
+{
+    if (!outcome.filtered)
+        return;
+    if (const std::string_view ran = name(outcome.method); method.find(ran) == std::string::npos)
+        method += (method.empty() ? "" : ", ") + std::string(ran);
+    bandLimit = std::max(bandLimit, outcome.bandLimit);
+    predictedError = std::max(predictedError, outcome.predictedError);
+}
+
+MapLayout probeLayout(const Scene& scene)
+{
+    const std::string path = resolved(scene, scene.probe.source);
+    if (path.starts_with("builtin:")) {
+        builtinProbe(std::string_view(path).substr(8)); // says when there is none of that name
+        return builtinProbeLayout;
+    }
+    const ImageFileInfo info = openImage(path)->info();
+    return {scene.probe.parameterization.value_or(Parameterization::Latlong), info.height, 0};
+}
+
+SceneProbe openProbe(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record)
+{
+    if (!plan.needsProbe())
+        return {};
+    const std::string path = resolved(scene, scene.probe.source);
+    const ReadProbeOptions options{.from = scene.probe.parameterization};
+    if (plan.filtersAny()) {
+        OpenedSource opened = openFilterSource(path, options, plan.filters(), job, record.stages);
+        return {.source = std::move(opened.source), .repaired = opened.repaired, .origin = opened.origin};
+    }
+    Probe probe = readProbe(path, options, job, record.stages);
+    return {.environment = std::make_shared<const EnvironmentMap>(std::move(probe.map)),
+            .repaired = probe.repaired,
+            .origin = std::move(probe.origin)};
+}
+
+std::vector<EnvironmentMap> buildMap(const MapPlan& plan, SceneProbe& probe, double exposure, const JobControl& job, WorkRecord& record)
+{
+    std::vector<EnvironmentMap> levels;
+    for (size_t i = 0; i < plan.filters.size(); ++i)
+        levels.push_back(buildLevel(plan.filters[i], plan.filters.size() > 1 ? plan.name + " level " + std::to_string(i) : plan.name, probe,
+                                    job, record));
+    if (plan.pyramid)
+        levels = timedStage(record.stages, "mip levels of " + plan.name,
+                            [&] { return std::move(buildMipPyramid(levels.front(), job).levels); });
+    expose(levels, exposure);
+    return levels;
+}
+
+SceneMaps buildMaps(const Scene& scene, const Plan& plan, SceneProbe& probe, const JobControl& job, WorkRecord& record)
+{
+    const auto build = [&](const std::optional<MapPlan>& map) {
+        return map ? std::make_shared<const std::vector<EnvironmentMap>>(buildMap(*map, probe, scene.probe.exposure, job, record)) : nullptr;
+    };
+    return {.specular = build(plan.specular), .diffuse = build(plan.diffuse), .background = build(plan.background)};
+}
+
+} // namespace mirrorball

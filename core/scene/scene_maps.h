@@ -1,0 +1,56 @@
+#pragma once
+
+#include "plan.h"
+
+#include "../image/environment_map.h"
+#include "../image/repair.h"
+#include "../job.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// From a plan to maps in memory.
+namespace mirrorball {
+
+/// The layout of the scene's probe, from its file's header alone. @throws FileError, InvalidArgument
+MapLayout probeLayout(const Scene& scene);
+
+/// What was done: for `--stats`.
+struct WorkRecord {
+    std::vector<Stage> stages{};
+    std::string method{};          ///< those that ran: "spectral, direct"; empty when nothing was filtered
+    int bandLimit = 0;             ///< the largest
+    double predictedError = 0.0;   ///< the largest rel_rms
+
+    void add(const PrefilterOutcome& outcome);
+};
+
+/// The scene's probe, opened as a plan needs it. Keep it while only other parts of the scene change: it keeps its spectrum.
+struct SceneProbe {
+    std::optional<FilterSource> source{};                ///< when something is filtered
+    std::shared_ptr<const EnvironmentMap> environment{}; ///< when nothing is: the probe as it is
+    RepairReport repaired{};
+    std::string origin{};                                ///< how its parameterization was found, in words
+};
+
+/// @throws FileError, InvalidArgument, Cancelled
+SceneProbe openProbe(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record);
+
+/// A map and its coarser levels, largest first.
+using MapLevels = std::shared_ptr<const std::vector<EnvironmentMap>>;
+
+/// The levels of one planned map; radiance times 2^exposure.
+std::vector<EnvironmentMap> buildMap(const MapPlan& plan, SceneProbe& probe, double exposure, const JobControl& job, WorkRecord& record);
+
+/// What the renderer needs of a scene. Maps that the plan leaves out are null.
+struct SceneMaps {
+    MapLevels specular{};
+    MapLevels diffuse{};
+    MapLevels background{};
+};
+
+SceneMaps buildMaps(const Scene& scene, const Plan& plan, SceneProbe& probe, const JobControl& job, WorkRecord& record);
+
+} // namespace mirrorball

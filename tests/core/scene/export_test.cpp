@@ -1,0 +1,196 @@
+#include "core/scene/export.h"
+
+#include "core/error.h"
+#include "core/image/builtin_probes.h"
+#include "core/image/image_io.h"
+#include "core/image/mip_pyramid.h"
+#include "core/image/reproject.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <fstream>
+
+namespace mirrorball {
+namespace {
+
+class Export : public testing::Test {
+protected:
+    void SetUp() override
+    {
+        m_folder = std::filesystem::path(testing::TempDir()) /
+                   ("mirrorball_export_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+        std::filesystem::remove_all(m_folder);
+    }
+    void TearDown() override { std::filesystem::remove_all(m_folder); }
+
+    nlohmann::json sidecar(const std::string& name) const
+    {
+        std::ifstream file(m_folder / (name + ".json"));
+        return nlohmann::json::parse(file);
+    }
+
+    std::filesystem::path m_folder;
+};
+
+/// One of each kind, small.
+Scene exportingScene()
+{
+    Scene scene;
+    scene.probe.source = "builtin:cube-room";
+    scene.probe.yawDeg = 30.0;
+    scene.material.specular = {.lobe = SurfaceLobe::Phong, .exponent = 20.0};
+    scene.exports = {
+        {.name = "env", .kind = ExportKind::Source, .parameterization = Parameterization::Octahedral, .size = 64, .mips = true},
+        {.name = "gloss", .kind = ExportKind::Specular, .parameterization = Parameterization::Paraboloid, .size = 32, .border = 2},
+        {.name = "matt", .kind = ExportKind::Diffuse, .parameterization = Parameterization::Latlong, .size = 16, .file = "irradiance.hdr"},
+        {.name = "chain", .kind = ExportKind::Chain, .size = 32, .half = true, .levels = 4}};
+    return scene;
+}
+
+float largestDifference(const Image& a, const Image& b)
+{
+    EXPECT_EQ(a.width, b.width);
+    EXPECT_EQ(a.height, b.height);
+    float largest = a.texels.size() == b.texels.size() ? 0.0f : 1e30f;
+    for (size_t i = 0; i < std::min(a.texels.size(), b.texels.size()); ++i)
+        largest = std::max(largest, std::abs(a.texels[i] - b.texels[i]));
+    return largest;
+}
+
+TEST_F(Export, WritesWhatDirectCallsGive)
+{
+    const ExportOutcome outcome = exportScene(exportingScene(), m_folder);
+    FilterSource source(renderBuiltinProbe("cube-room"));
+    const double yaw = 30.0 * pi / 180.0;
+
+    const EnvironmentMap env = reproject(*source.latlong(), {.target = {Parameterization::Octahedral, 64, 0}, .yaw = yaw});
+    EXPECT_EQ(largestDifference(readImage(m_folder / "env.exr"), env.image), 0.0f);
+    EXPECT_EQ(largestDifference(readLevel(m_folder / "env.exr", 2), buildMipPyramid(env).levels[2].image), 0.0f);
+
+    const auto direct = [&](const Lobe& lobe, const MapLayout& target) {
+        return prefilter(source, {.lobe = lobe, .target = target, .yaw = yaw}).map.image;
+    };
+    EXPECT_LT(largestDifference(readImage(m_folder / "gloss.exr"), direct(phongLobe(20), {Parameterization::Paraboloid, 32, 2})), 2e-5f);
+    EXPECT_LT(largestDifference(readImage(m_folder / "irradiance.hdr"), direct(diffuseLobe(), {Parameterization::Latlong, 16, 0})), 0.05f)
+        << "the format keeps 8 bits of mantissa";
+    for (int level = 1; level < 4; ++level) {
+        const double roughness = level / 3.0;
+        EXPECT_LT(largestDifference(readLevel(m_folder / "chain.exr", level),
+                                    direct(ggxLobe(roughness * roughness), {Parameterization::Cube, 32 >> level, 0})),
+                  0.01f)
+            << "half floats, level " << level;
+    }
+    for (const std::filesystem::path& file : outcome.files)
+        EXPECT_TRUE(std::filesystem::is_regular_file(file)) << file;
+    EXPECT_EQ(outcome.files.size(), 8u);
+    EXPECT_THAT(outcome.record.method, testing::HasSubstr("spectral"));
+    EXPECT_EQ(std::count_if(outcome.record.stages.begin(), outcome.record.stages.end(),
+                            [](const Stage& s) { return s.name.find("probe") != std::string::npos; }),
+              1)
+        << "the probe is read once for all";
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(m_folder), {}), 8) << "no temporary file is left";
+}
+
+TEST_F(Export, DescribesEachMapBesideIt)
+{
+    exportScene(exportingScene(), m_folder);
+    const nlohmann::json gloss = sidecar("gloss");
+    EXPECT_EQ(gloss["files"], nlohmann::json({"gloss.exr"}));
+    EXPECT_EQ(gloss["parameterization"], "paraboloid");
+    EXPECT_EQ(gloss["width"], 64);
+    EXPECT_EQ(gloss["border"], 2);
+    EXPECT_EQ(gloss["indexed_by"], "reflection");
+    EXPECT_EQ(gloss["handedness"], "right");
+    EXPECT_EQ(gloss["up"], "+Y");
+    EXPECT_EQ(gloss["lobe"]["kind"], "phong");
+    EXPECT_EQ(gloss["lobe"]["exponent"], 20.0);
+    EXPECT_THAT(gloss["color_space"].get<std::string>(), testing::HasSubstr("linear"));
+    EXPECT_EQ(gloss["probe"]["source"], "builtin:cube-room");
+
+    EXPECT_EQ(sidecar("matt")["indexed_by"], "normal");
+    EXPECT_EQ(sidecar("matt")["files"], nlohmann::json({"irradiance.hdr"}));
+    EXPECT_EQ(sidecar("env")["indexed_by"], "direction");
+    EXPECT_EQ(sidecar("env")["levels"].size(), 7u);
+
+    const nlohmann::json chain = sidecar("chain");
+    EXPECT_EQ(chain["sample_type"], "half");
+    EXPECT_THAT(chain["level_rule"].get<std::string>(), testing::HasSubstr("alpha = roughness^2"));
+    ASSERT_EQ(chain["levels"].size(), 4u);
+    EXPECT_EQ(chain["levels"][0]["lobe"]["kind"], "mirror");
+    EXPECT_NEAR(chain["levels"][1]["lobe"]["roughness"].get<double>(), 1.0 / 3, 1e-12);
+    EXPECT_EQ(chain["levels"][3]["size"], 4);
+}
+
+TEST_F(Export, WritesOnlyWhatIsAskedForAndNamesTheKnownOnes)
+{
+    const ExportOutcome outcome = exportScene(exportingScene(), m_folder, {.only = {"matt"}});
+    EXPECT_THAT(outcome.files, testing::ElementsAre(m_folder / "irradiance.hdr", m_folder / "matt.json"));
+    try {
+        exportScene(exportingScene(), m_folder, {.only = {"mat"}});
+        ADD_FAILURE() << "an unknown name was accepted";
+    } catch (const InvalidArgument& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("env, gloss, matt, chain"));
+    }
+    EXPECT_THROW(exportScene({}, m_folder), InvalidArgument) << "a scene without exports";
+}
+
+TEST_F(Export, ReplacesOlderFilesAndRefusesAFolderThatIsAFile)
+{
+    Scene scene = exportingScene();
+    exportScene(scene, m_folder, {.only = {"matt"}});
+    scene.exports[2].size = 8;
+    exportScene(scene, m_folder, {.only = {"matt"}});
+    EXPECT_EQ(readImage(m_folder / "irradiance.hdr").height, 8);
+    EXPECT_THROW(exportScene(scene, m_folder / "irradiance.hdr", {.only = {"matt"}}), WorkError);
+}
+
+TEST_F(Export, AFormatThatCannotBeWrittenLeavesNothing)
+{
+    Scene scene = exportingScene();
+    scene.exports[2].file = "irradiance.xyz";
+    EXPECT_THROW(exportScene(scene, m_folder, {.only = {"matt"}}), InvalidArgument);
+    EXPECT_TRUE(!std::filesystem::exists(m_folder) || std::filesystem::is_empty(m_folder));
+}
+
+TEST_F(Export, ExposureScalesTheRadiance)
+{
+    Scene scene = exportingScene();
+    scene.exports = {{.name = "plain", .kind = ExportKind::Specular, .size = 8}};
+    exportScene(scene, m_folder);
+    const Image plain = readImage(m_folder / "plain.exr");
+    scene.probe.exposure = 2.0;
+    exportScene(scene, m_folder);
+    const Image brighter = readImage(m_folder / "plain.exr");
+    for (size_t i = 0; i < plain.texels.size(); ++i)
+        EXPECT_FLOAT_EQ(brighter.texels[i], 4.0f * plain.texels[i]);
+}
+
+TEST(SceneMaps, AreBuiltOnlyWhereThePlanNeedsThem)
+{
+    Scene scene;
+    scene.map.size = 32;
+    scene.view.background.kind = Backdrop::None;
+    scene.material.lambda = 1.0;
+    Plan plan = makePlan(scene, probeLayout(scene));
+    WorkRecord record;
+    SceneProbe probe = openProbe(scene, plan, {}, record);
+    SceneMaps maps = buildMaps(scene, plan, probe, {}, record);
+    ASSERT_TRUE(maps.specular);
+    EXPECT_EQ(maps.specular->size(), 6u);
+    EXPECT_FALSE(maps.diffuse);
+    EXPECT_FALSE(maps.background);
+
+    scene.material.specular.weight = 0.0;
+    plan = makePlan(scene, probeLayout(scene));
+    record = {};
+    probe = openProbe(scene, plan, {}, record);
+    maps = buildMaps(scene, plan, probe, {}, record);
+    EXPECT_FALSE(maps.specular);
+    EXPECT_TRUE(record.stages.empty()) << "nothing was opened";
+}
+
+} // namespace
+} // namespace mirrorball

@@ -1,0 +1,197 @@
+#include "core/scene/plan.h"
+
+#include "core/error.h"
+#include "core/scene/material_presets.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace mirrorball {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr MapLayout probe{Parameterization::Latlong, 512, 0};
+
+const Stage& stage(const Plan& plan, const std::string& name)
+{
+    static const Stage none{.name = "none"};
+    const auto found = std::find_if(plan.stages.begin(), plan.stages.end(), [&](const Stage& s) { return s.name == name; });
+    if (found == plan.stages.end())
+        ADD_FAILURE() << "no stage " << name;
+    return found == plan.stages.end() ? none : *found;
+}
+
+void expectLeftOut(const Plan& plan, const std::string& name, const std::string& why)
+{
+    EXPECT_TRUE(stage(plan, name).leftOut) << name;
+    EXPECT_THAT(stage(plan, name).why, HasSubstr(why));
+}
+
+void expectNeeded(const Plan& plan, const std::string& name, const std::string& why)
+{
+    EXPECT_FALSE(stage(plan, name).leftOut) << name;
+    EXPECT_THAT(stage(plan, name).why, HasSubstr(why));
+}
+
+TEST(Plan, AMirrorNeedsNoFilterNoPyramidNoFresnelAndNoIrradiance)
+{
+    const Plan plan = makePlan({}, probe);
+    expectNeeded(plan, "compute probe", "builtin:studio, latlong 1024 x 512");
+    expectLeftOut(plan, "spectrum", "nothing is filtered");
+    expectLeftOut(plan, "filter specular map", "mirror");
+    expectNeeded(plan, "resample specular map", "cube 512 x 3072");
+    expectLeftOut(plan, "mip levels of specular map", "lambda is 0");
+    expectLeftOut(plan, "irradiance map", "diffuse weight is 0");
+    expectLeftOut(plan, "resample background", "already is latlong 1024 x 512");
+    expectLeftOut(plan, "fresnel term", "F is 1 at every angle");
+    expectLeftOut(plan, "other maps", "no latlong, sphere, angular, paraboloid, octahedral is built");
+    EXPECT_FALSE(plan.filtersAny());
+    EXPECT_FALSE(plan.diffuse);
+    EXPECT_TRUE(plan.exports.empty());
+    for (const Stage& s : plan.stages)
+        EXPECT_FALSE(s.why.empty()) << s.name;
+}
+
+TEST(Plan, AGlossyLobeIsFilteredAtItsBandLimitAndNoLargerThanItShows)
+{
+    Scene scene;
+    scene.material.specular = {.lobe = SurfaceLobe::Phong, .exponent = 50.0};
+    const Plan plan = makePlan(scene, probe);
+    expectNeeded(plan, "filter specular map", "phong:50 into cube 128 x 768");
+    expectNeeded(plan, "filter specular map", "512 is left out");
+    expectNeeded(plan, "spectrum", "one forward transform for 1 lobe");
+    EXPECT_TRUE(plan.filtersAny());
+    EXPECT_EQ(plan.specular->filters.front().target.size, 128);
+}
+
+TEST(Plan, AnUnresolvedLobeIsALookup)
+{
+    Scene scene;
+    scene.material.specular = {.lobe = SurfaceLobe::Phong, .exponent = 1e7};
+    const Plan plan = makePlan(scene, probe);
+    expectLeftOut(plan, "filter specular map", "texels wide at half maximum, under 1.5");
+    expectLeftOut(plan, "spectrum", "nothing is filtered");
+}
+
+TEST(Plan, LambdaAsksForAPyramid)
+{
+    Scene scene;
+    scene.material.lambda = 2.5;
+    const Plan plan = makePlan(scene, probe);
+    expectNeeded(plan, "mip levels of specular map", "lambda 2.5: 10 levels");
+    EXPECT_TRUE(plan.specular->pyramid);
+
+    Scene shrinking;
+    shrinking.map.mips = true;
+    expectNeeded(makePlan(shrinking, probe), "mip levels of specular map", "where reflections shrink: 10 levels");
+}
+
+TEST(Plan, ConstantFresnelTermsAreFoldedIntoTheColours)
+{
+    Scene scene;
+    scene.material.diffuse.weight = 1.0;
+    scene.material.combine = Combine::Coat;
+    Plan plan = makePlan(scene, probe); // F = 1: nothing gets below the coat
+    expectLeftOut(plan, "irradiance map", "the coat mirrors everything");
+    EXPECT_EQ(plan.material.specular, glm::dvec3(1.0));
+
+    scene.material.fresnel = {.kind = FresnelKind::Dielectric, .index = 1.0}; // F = 0
+    plan = makePlan(scene, probe);
+    expectLeftOut(plan, "specular map", "index of refraction is 1");
+    expectLeftOut(plan, "fresnel term", "index is 1");
+    expectNeeded(plan, "filter irradiance map", "diffuse into cube 64 x 384");
+    EXPECT_EQ(plan.material.fresnel.kind, FresnelKind::None);
+    EXPECT_EQ(plan.material.combine, Combine::Add);
+
+    scene.material.fresnel.index = 1.5;
+    plan = makePlan(scene, probe);
+    expectNeeded(plan, "fresnel term", "index 1.5");
+    EXPECT_TRUE(plan.specular && plan.diffuse);
+}
+
+TEST(Plan, WithoutAReflectionAddNeedsNoFresnelTermButACoatDoes)
+{
+    Scene scene;
+    scene.material.specular.weight = 0.0;
+    scene.material.diffuse.weight = 1.0;
+    scene.material.fresnel.kind = FresnelKind::Dielectric;
+    Plan plan = makePlan(scene, probe);
+    expectLeftOut(plan, "fresnel term", "specular weight is 0");
+    expectLeftOut(plan, "specular map", "specular weight is 0");
+    scene.material.combine = Combine::Coat;
+    plan = makePlan(scene, probe);
+    expectNeeded(plan, "fresnel term", "index 1.5");
+    EXPECT_FALSE(plan.specular);
+}
+
+TEST(Plan, ABlackMaterialOnAPlainBackgroundDoesNotOpenTheProbe)
+{
+    Scene scene;
+    scene.probe.source = "light.hdr";
+    scene.material.specular.color = glm::dvec3(0.0);
+    scene.view.background.kind = Backdrop::Color;
+    const Plan plan = makePlan(scene, probe);
+    expectLeftOut(plan, "read probe", "no map is needed");
+    expectLeftOut(plan, "background", "one colour");
+    EXPECT_FALSE(plan.needsProbe());
+}
+
+TEST(Plan, ALargeProbeIsTruncatedRowByRowWhenEveryMapIsFiltered)
+{
+    constexpr MapLayout large{Parameterization::Latlong, 8192, 0};
+    Scene scene;
+    scene.probe.source = "large.exr";
+    scene.material.specular = {.lobe = SurfaceLobe::Phong, .exponent = 50.0};
+    scene.view.background.kind = Backdrop::None;
+    expectNeeded(makePlan(scene, large), "read probe", "truncated to band limit 4");
+    scene.view.background.kind = Backdrop::Environment;
+    const Plan held = makePlan(scene, large);
+    expectNeeded(held, "read probe", "held whole");
+    EXPECT_EQ(held.background->filters.front().target.size, 2048) << "no picture shows more";
+}
+
+TEST(Plan, ExportsAreChosenByNameAndTheOthersLeftOut)
+{
+    Scene scene;
+    scene.exports = {{.name = "env", .kind = ExportKind::Source, .mips = true},
+                     {.name = "env-hdr", .kind = ExportKind::Source, .file = "flat.hdr", .mips = true},
+                     {.name = "irradiance", .kind = ExportKind::Diffuse, .size = 32},
+                     {.name = "chain", .kind = ExportKind::Chain, .size = 64}};
+    const Plan all = makePlan(scene, probe, {.picture = false, .exports = std::vector<std::string>{}});
+    EXPECT_EQ(all.exports.size(), 4u);
+    expectNeeded(all, "mip levels of env", "9 levels");
+    expectLeftOut(all, "mip levels of env-hdr", "flat.hdr holds none");
+    expectLeftOut(all, "mip levels of irradiance", "not asked for");
+    EXPECT_EQ(all.exports[3].map.filters.size(), 7u);
+    expectLeftOut(all, "filter chain level 0", "roughness 0");
+    expectNeeded(all, "filter chain level 6", "ggx:1 into cube 1 x 6");
+
+    const Plan one = makePlan(scene, probe, {.picture = false, .exports = std::vector<std::string>{"irradiance"}});
+    ASSERT_EQ(one.exports.size(), 1u);
+    expectLeftOut(one, "export env", "not among those asked for");
+    EXPECT_THROW(makePlan(scene, probe, {.picture = false, .exports = std::vector<std::string>{"irradianse"}}), InvalidArgument);
+}
+
+TEST(Plan, IsMadeForEveryPresetInEveryParameterization)
+{
+    for (const MaterialPreset& preset : materialPresets())
+        for (const Parameterization p : allParameterizations) {
+            Scene scene;
+            scene.material = preset.material;
+            scene.map.parameterization = p;
+            EXPECT_NO_THROW(makePlan(scene, probe)) << preset.name;
+        }
+}
+
+TEST(Plan, ChecksTheSceneFirst)
+{
+    Scene scene;
+    scene.map.size = 0;
+    EXPECT_THROW(makePlan(scene, probe), InvalidArgument);
+}
+
+} // namespace
+} // namespace mirrorball
