@@ -163,7 +163,7 @@ EnvironmentMap cutUp(const Image& image, const std::array<Cell, 6>& cells, int n
 Detection detectLayout(const ImageFileInfo& info, std::optional<Parameterization> forced)
 {
     if (info.width < 1 || info.height < 1)
-        throw InvalidArgument("an image of " + sizeText(info) + " texels holds no map");
+        throw FileError(info.path.string(), "an image of " + sizeText(info) + " texels holds no map");
     const auto fromFile = fromEnvmapAttribute(info);
     if (forced) {
         if (fromFile && fromFile->layout.kind == *forced)
@@ -171,7 +171,7 @@ Detection detectLayout(const ImageFileInfo& info, std::optional<Parameterization
         const auto own = fromOwnAttributes(info);
         auto detection = own && own->layout.kind == *forced ? own : asKind(info, *forced, 0);
         if (!detection)
-            throw InvalidArgument("an image of " + sizeText(info) + " texels is no " + std::string(name(*forced)) + " map: that needs " +
+            throw FileError(info.path.string(), "an image of " + sizeText(info) + " texels is no " + std::string(name(*forced)) + " map: that needs " +
                                   sizesOf(*forced));
         detection->reason = "read as " + std::string(name(*forced)) + " on request";
         return *detection;
@@ -191,7 +191,7 @@ Detection detectLayout(const ImageFileInfo& info, std::optional<Parameterization
                 false};
     if (auto cube = asKind(info, Parameterization::Cube, 0))
         return *cube;
-    throw InvalidArgument("an image of " + sizeText(info) +
+    throw FileError(info.path.string(), "an image of " + sizeText(info) +
                           " texels fits no map: a latlong or paraboloid is 2N x N, a sphere, angular or octahedral map N x N, a cube " +
                           sizesOf(Parameterization::Cube));
 }

@@ -36,7 +36,7 @@ struct Detection {
 /// Mirrorball's own attributes (mirrorball:parameterization, mirrorball:border; ignored when the shape does not fit them), the shape.
 /// A square fits angular, sphere and octahedral maps: it is taken for an angular map, not certain. 2:1 is a latlong.
 /// @param forced  the kind to read the file as; its cube may come in any of the cube arrangements
-/// @throws InvalidArgument when the shape fits nothing, or not the forced kind: names the sizes that would
+/// @throws FileError when the shape fits nothing, or not the forced kind: names the sizes that would
 Detection detectLayout(const ImageFileInfo& info, std::optional<Parameterization> forced = {});
 
 /// Turns a file's image into a map in our layout: cuts up strips, grids and crosses, resamples OpenEXR's edge-sampled maps, spreads a

@@ -137,7 +137,7 @@ TEST(CommandLine, ConvertsThereAndBack)
     const EnvironmentMap start(layout, readImage(folder / "latlong.exr"));
     for (const char* kind : {"cube", "sphere", "angular", "paraboloid", "octahedral"}) {
         const std::string there = quoted(folder / (std::string(kind) + ".exr"));
-        ASSERT_EQ(mirrorballRuns("convert " + quoted(folder / "latlong.exr") + " -o " + there + " --size 256 --to " + kind).status, 0);
+        ASSERT_EQ(mirrorballRuns("convert " + quoted(folder / "latlong.exr") + " -o " + there + " --size 512 --to " + kind).status, 0);
         // No --from: the file says what it is.
         ASSERT_EQ(mirrorballRuns("convert " + there + " -o " + quoted(folder / "back.exr") + " --to latlong --size 128").status, 0);
         // Two bilinear resamplings blur the edges of the soft boxes; a mirrored or turned map would give 1 and more.
