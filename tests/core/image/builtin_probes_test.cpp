@@ -141,11 +141,12 @@ TEST(BuiltinProbes, MapsKeepTheMeanRadiance)
         if (probe.name == "sky")
             continue; // its sun needs the test below
         dvec3 mean(0.0);
-        constexpr int rows = 1000, columns = 2000;
+        constexpr int rows = 1500, columns = 3001; // odd, so that no column of samples runs along a cube edge
         for (int i = 0; i < rows; ++i)
             for (int j = 0; j < columns; ++j)
                 mean += probe.radiance(directionFromLonLat(2 * pi * (j + 0.5) / columns, std::asin(2 * (i + 0.5) / rows - 1)));
         mean /= rows * columns;
+        // The thin lines of a cube's faces line up with the samples of a small cube map, which is worth up to 0.4 percent.
         for (const Parameterization kind : allParameterizations)
             for (const int size : {32, 256}) {
                 const dvec3 found = energyAround(renderBuiltinProbe(probe.name, {kind, size, 0}), {0, 0, 1}, pi) / (4 * pi);
