@@ -2,6 +2,7 @@
 
 #include "../filter/source_file.h"
 #include "../image/builtin_probes.h"
+#include "../image/layout_detection.h"
 #include "../image/map_file.h"
 #include "../image/mip_pyramid.h"
 #include "../image/reproject.h"
@@ -57,8 +58,7 @@ MapLayout probeLayout(const Scene& scene)
         builtinProbe(std::string_view(path).substr(8)); // says when there is none of that name
         return builtinProbeLayout;
     }
-    const ImageFileInfo info = openImage(path)->info();
-    return {scene.probe.parameterization.value_or(Parameterization::Latlong), info.height, 0};
+    return detectLayout(openImage(path)->info(), scene.probe.parameterization).layout;
 }
 
 SceneProbe openProbe(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record)

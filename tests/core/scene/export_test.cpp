@@ -168,6 +168,19 @@ TEST_F(Export, ExposureScalesTheRadiance)
         EXPECT_FLOAT_EQ(brighter.texels[i], 4.0f * plain.texels[i]);
 }
 
+TEST_F(Export, ReadsBackAnExportedMapAsTheProbeItIs)
+{
+    Scene scene = exportingScene();
+    scene.exports = {{.name = "cube", .kind = ExportKind::Source, .size = 32}};
+    exportScene(scene, m_folder);
+    scene.folder = m_folder;
+    scene.probe = {.source = "cube.exr"};
+    EXPECT_EQ(probeLayout(scene), (MapLayout{Parameterization::Cube, 32, 0}));
+    scene.exports[0].file = "again.exr";
+    exportScene(scene, m_folder);
+    EXPECT_EQ(readImage(m_folder / "again.exr"), readImage(m_folder / "cube.exr")) << "the same layout is not resampled";
+}
+
 TEST(SceneMaps, AreBuiltOnlyWhereThePlanNeedsThem)
 {
     Scene scene;
