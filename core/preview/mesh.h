@@ -34,8 +34,9 @@ struct BoundingSphere {
 BoundingSphere boundingSphere(const Mesh& mesh);
 
 /// The Utah teapot with lid, spout, handle and bottom, spout towards +X, scaled to the unit sphere about the origin.
-/// @param level each of the 32 patches becomes level x level quads; at least 1
-Mesh teapotMesh(int level = 10);
+/// @param level quads along a quarter of the belly's circumference, at least 2; along shorter and flatter curves there are fewer in
+///              proportion, so that all look equally smooth
+Mesh teapotMesh(int level = 12);
 
 /// A ring about the Y axis. @param ringRadius R of the centre circle; @param tubeRadius r < R
 Mesh torusMesh(float ringRadius = 0.7f, float tubeRadius = 0.3f, int ringSegments = 96, int tubeSegments = 48);

@@ -3,6 +3,7 @@
 #include "camera.h"
 #include "mesh.h"
 
+#include "../image/color.h"
 #include "../image/environment_map.h"
 #include "../shading/fresnel.h"
 
@@ -17,7 +18,7 @@ enum class GeometryKind { Teapot, Torus, Sphere, Box };
 /// What the material is shown on. A mesh read from a file comes in as `mesh`.
 struct Geometry {
     GeometryKind kind = GeometryKind::Teapot;
-    int level = 10;                             ///< how finely it is cut; quads along a patch of the teapot
+    int level = 12;                             ///< how finely it is cut: quads along a quarter of the circumference
     std::shared_ptr<const Mesh> mesh = nullptr; ///< drawn in place of `kind` when there is one; a new pointer means a new mesh
 
     bool operator==(const Geometry&) const = default;
@@ -49,9 +50,6 @@ struct Background {
     glm::vec3 color{0.18f};                            ///< scene-linear, for Color
     bool operator==(const Background&) const = default;
 };
-
-/// Tone curves, as in core/image/color.
-enum class ToneCurve { None, Reinhard, Filmic };
 
 struct RenderSettings {
     int width = 1280;

@@ -2,6 +2,7 @@
 #include "teapot_patches.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mirrorball::preview {
 
@@ -39,24 +40,24 @@ glm::dvec3 evaluate(const BezierPatch& patch, const Weights& u, const Weights& v
 }
 
 // A point of the surface. An edge v = 0 or v = 1 that is one point comes out as that point, with no rounding along the edge.
-glm::dvec3 positionAt(const BezierPatch& patch, int i, int j, int level)
+glm::dvec3 positionAt(const BezierPatch& patch, int i, int j, int uLevel, int vLevel)
 {
     const auto isPoint = [&](size_t row) {
         return patch[row] == patch[row + 1] && patch[row] == patch[row + 2] && patch[row] == patch[row + 3];
     };
     if (j == 0 && isPoint(0))
         return patch[0];
-    if (j == level && isPoint(12))
+    if (j == vLevel && isPoint(12))
         return patch[12];
-    return evaluate(patch, bernstein(i, level), bernstein(j, level));
+    return evaluate(patch, bernstein(i, uLevel), bernstein(j, vLevel));
 }
 
 // The outward unit normal S_v x S_u. Where a whole edge v = 0 or v = 1 is one point (the knob's tip, the middle of the bottom) S_u
 // vanishes there; beside the edge it is S_u(v) = +-|v - edge| S_uv + ..., so its direction tends to that of S_uv, pointed into the patch.
-glm::dvec3 normalAt(const BezierPatch& patch, int i, int j, int level)
+glm::dvec3 normalAt(const BezierPatch& patch, int i, int j, int uLevel, int vLevel)
 {
-    const Weights u = bernstein(i, level), v = bernstein(j, level);
-    const Weights du = bernsteinDerivative(i, level), dv = bernsteinDerivative(j, level);
+    const Weights u = bernstein(i, uLevel), v = bernstein(j, vLevel);
+    const Weights du = bernsteinDerivative(i, uLevel), dv = bernsteinDerivative(j, vLevel);
     glm::dvec3 alongU = evaluate(patch, du, v);
     const glm::dvec3 alongV = evaluate(patch, u, dv);
     if (glm::length(alongU) < 1e-9)
@@ -68,20 +69,21 @@ glm::dvec3 normalAt(const BezierPatch& patch, int i, int j, int level)
 
 Mesh teapotMesh(int level)
 {
-    level = std::max(1, level);
     Mesh mesh;
     std::vector<glm::dvec3> positions;
     const TeapotPatches patches = teapotPatches();
     for (size_t number = 0; number < patches.size(); ++number) {
-        const BezierPatch& patch = patches[number];
+        const BezierPatch& patch = patches[number].points;
+        const auto quads = [level](double share) { return std::max(2, static_cast<int>(std::lround(share * level))); };
+        const int uLevel = quads(patches[number].uShare), vLevel = quads(patches[number].vShare);
         if (number == firstOpenPatch)
             mesh.openFrom = mesh.indices.size();
-        const size_t first = positions.size(), stride = static_cast<size_t>(level) + 1;
-        for (int j = 0; j <= level; ++j)
-            for (int i = 0; i <= level; ++i) {
-                positions.push_back(positionAt(patch, i, j, level));
-                mesh.normals.emplace_back(normalAt(patch, i, j, level));
-                mesh.texCoords.emplace_back(double(i) / level, double(j) / level);
+        const size_t first = positions.size(), stride = static_cast<size_t>(uLevel) + 1;
+        for (int j = 0; j <= vLevel; ++j)
+            for (int i = 0; i <= uLevel; ++i) {
+                positions.push_back(positionAt(patch, i, j, uLevel, vLevel));
+                mesh.normals.emplace_back(normalAt(patch, i, j, uLevel, vLevel));
+                mesh.texCoords.emplace_back(double(i) / uLevel, double(j) / vLevel);
             }
         const auto addTriangle = [&](size_t a, size_t b, size_t c) {
             if (positions[a] == positions[b] || positions[b] == positions[c] || positions[c] == positions[a])
@@ -89,7 +91,7 @@ Mesh teapotMesh(int level)
             for (const size_t index : {a, b, c})
                 mesh.indices.push_back(static_cast<std::uint32_t>(index));
         };
-        for (size_t j = 0; j + 1 < stride; ++j)
+        for (size_t j = 0; j < static_cast<size_t>(vLevel); ++j)
             for (size_t i = 0; i + 1 < stride; ++i) {
                 const size_t corner = first + j * stride + i;
                 addTriangle(corner, corner + stride, corner + stride + 1);

@@ -12,20 +12,23 @@ namespace {
 
 constexpr double quarterCircle = 0.56; // Newell's offset for a quarter circle of radius 1; the best fit is 0.5523
 
-// Radius and height of the four rows of a surface of revolution, from the top down: the outward normal is to the left of the way.
-using Profile = std::array<glm::dvec2, 4>;
+// Radius and height of the four rows of a surface of revolution, from the top down, and the share of quads along them.
+struct Profile {
+    std::array<glm::dvec2, 4> rows;
+    double share;
+};
 
 constexpr Profile body[] = {
-    {{{1.4, 2.4}, {1.3375, 2.53125}, {1.4375, 2.53125}, {1.5, 2.4}}},  // rim
-    {{{1.5, 2.4}, {1.75, 1.875}, {2.0, 1.35}, {2.0, 0.9}}},            // shoulder
-    {{{2.0, 0.9}, {2.0, 0.45}, {1.5, 0.225}, {1.5, 0.15}}},            // belly
+    {{{{1.4, 2.4}, {1.3375, 2.53125}, {1.4375, 2.53125}, {1.5, 2.4}}}, 0.4}, // rim
+    {{{{1.5, 2.4}, {1.75, 1.875}, {2.0, 1.35}, {2.0, 0.9}}}, 0.5},           // shoulder
+    {{{{2.0, 0.9}, {2.0, 0.45}, {1.5, 0.225}, {1.5, 0.15}}}, 0.8},           // belly
 };
 constexpr Profile bottom[] = {
-    {{{1.5, 0.15}, {1.5, 0.075}, {1.425, 0.0}, {0.0, 0.0}}},
+    {{{{1.5, 0.15}, {1.5, 0.075}, {1.425, 0.0}, {0.0, 0.0}}}, 0.6},
 };
 constexpr Profile lid[] = {
-    {{{0.0, 3.15}, {0.8, 3.15}, {0.0, 2.85}, {0.2, 2.7}}}, // knob
-    {{{0.2, 2.7}, {0.4, 2.55}, {1.3, 2.55}, {1.3, 2.4}}},  // cover
+    {{{{0.0, 3.15}, {0.8, 3.15}, {0.0, 2.85}, {0.2, 2.7}}}, 0.8}, // knob
+    {{{{0.2, 2.7}, {0.4, 2.55}, {1.3, 2.55}, {1.3, 2.4}}}, 0.8},  // cover
 };
 
 // Half of a tube: four cross sections from its root on, each given by the (x, y) of its two ends in the plane z = 0 and its half width.
@@ -45,17 +48,17 @@ constexpr Tube spout[] = {
 };
 
 // A profile swept through the quarter from +X to -Z, then turned on about +Y by `quarter` right angles.
-BezierPatch revolved(const Profile& profile, int quarter)
+TeapotPatch revolved(const Profile& profile, int quarter)
 {
-    BezierPatch patch{};
+    TeapotPatch patch{.points = {}, .uShare = 1.0, .vShare = profile.share};
     for (size_t v = 0; v < 4; ++v) {
-        const double r = profile[v].x, h = quarterCircle * r;
+        const double r = profile.rows[v].x, h = quarterCircle * r;
         const glm::dvec2 arc[4] = {{r, 0.0}, {r, -h}, {h, -r}, {0.0, -r}}; // (x, z)
         for (size_t u = 0; u < 4; ++u) {
             glm::dvec2 xz = arc[u];
             for (int i = 0; i < quarter; ++i)
                 xz = {xz.y, -xz.x};
-            patch[4 * v + u] = {xz.x, profile[v].y, xz.y};
+            patch.points[4 * v + u] = {xz.x, profile.rows[v].y, xz.y};
         }
     }
     return patch;
@@ -63,9 +66,9 @@ BezierPatch revolved(const Profile& profile, int quarter)
 
 // The half of a tube on the side of -Z (side = -1), or its mirror image on the side of +Z (side = 1), run through the other way
 // round so that the normal still points outward.
-BezierPatch halfTube(const Tube& tube, int side)
+TeapotPatch halfTube(const Tube& tube, int side, double uShare, double vShare)
 {
-    BezierPatch patch{};
+    TeapotPatch patch{.points = {}, .uShare = uShare, .vShare = vShare};
     for (size_t v = 0; v < 4; ++v) {
         const Section& section = tube[v];
         const glm::dvec3 row[4] = {{section.first, 0.0},
@@ -73,7 +76,7 @@ BezierPatch halfTube(const Tube& tube, int side)
                                    {section.last, side * section.halfWidth},
                                    {section.last, 0.0}};
         for (size_t u = 0; u < 4; ++u)
-            patch[4 * v + u] = row[side < 0 ? u : 3 - u];
+            patch.points[4 * v + u] = row[side < 0 ? u : 3 - u];
     }
     return patch;
 }
@@ -89,16 +92,16 @@ TeapotPatches teapotPatches()
             for (int quarter = 0; quarter < 4; ++quarter)
                 *next++ = revolved(profile, quarter);
     };
-    const auto addTube = [&](std::span<const Tube> part) {
+    const auto addTube = [&](std::span<const Tube> part, double uShare, double vShare) {
         for (const Tube& tube : part)
             for (const int side : {-1, 1})
-                *next++ = halfTube(tube, side);
+                *next++ = halfTube(tube, side, uShare, vShare);
     };
     addRevolved(bottom);
     addRevolved(lid);
-    addTube(handle);
+    addTube(handle, 0.6, 0.8);
     addRevolved(body);
-    addTube(spout);
+    addTube(spout, 0.8, 1.0);
     return patches;
 }
 

@@ -1,4 +1,5 @@
 // What a picture's pixels were computed from, for tests and pickers.
+#include "lib/surface_point.glsl"
 uniform vec4 viewer;
 uniform mat3 specularRotation;
 in vec3 worldPosition;
@@ -9,9 +10,8 @@ layout(location = 2) out vec4 direction; // of the specular lookup, in the map's
 
 void main()
 {
-    vec3 n = normalize(gl_FrontFacing ? worldNormal : -worldNormal);
-    vec3 v = normalize(viewer.xyz - viewer.w * worldPosition);
+    SurfacePoint p = surfacePoint(viewer, worldPosition, worldNormal);
     position = vec4(worldPosition, 1.0);
-    normal = vec4(n, 1.0);
-    direction = vec4(specularRotation * (2.0 * dot(n, v) * n - v), 1.0);
+    normal = vec4(p.n, 1.0);
+    direction = vec4(specularRotation * p.r, 1.0);
 }

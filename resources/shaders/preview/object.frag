@@ -2,6 +2,7 @@
 // not compiled: HAS_SPECULAR, HAS_DIFFUSE (0 or 1), FRESNEL (0 none, 1 dielectric, 2 conductor), COAT (0 add, 1 coat).
 #include "lib/fresnel.glsl"
 #include "lib/output.glsl"
+#include "lib/surface_point.glsl"
 #if HAS_SPECULAR
 #define MAP_RADIANCE specularRadiance
 #define MAP_SAMPLER specularMap
@@ -39,21 +40,18 @@ layout(location = 0) out vec4 color;
 
 void main()
 {
-    vec3 n = normalize(gl_FrontFacing ? worldNormal : -worldNormal);
-    vec3 v = normalize(viewer.xyz - viewer.w * worldPosition);
-    float c = dot(n, v);
+    SurfacePoint p = surfacePoint(viewer, worldPosition, worldNormal);
     vec3 mirrored = vec3(0.0), diffuse = vec3(0.0);
 #if HAS_SPECULAR
-    vec3 r = 2.0 * c * n - v; // 000 eq. 4
-    mirrored = specularColor * specularRadiance(specularRotation * r, lambda);
+    mirrored = specularColor * specularRadiance(specularRotation * p.r, lambda);
 #endif
 #if HAS_DIFFUSE
-    diffuse = diffuseColor * diffuseRadiance(diffuseRotation * n, 0.0);
+    diffuse = diffuseColor * diffuseRadiance(diffuseRotation * p.n, 0.0);
 #endif
 #if FRESNEL == 1
-    vec3 f = vec3(fresnelDielectric(c, n2m1));
+    vec3 f = vec3(fresnelDielectric(p.c, n2m1));
 #elif FRESNEL == 2
-    vec3 f = fresnelConductor(c, conductorN, conductorK);
+    vec3 f = fresnelConductor(p.c, conductorN, conductorK);
 #else
     vec3 f = vec3(1.0);
 #endif
