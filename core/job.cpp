@@ -62,12 +62,18 @@ void parallelRows(int rows, const JobControl& job, const std::function<void(int,
 
     const int chunks = (rows + grain - 1) / grain;
     const int workers = std::min(job.threadCount(), chunks);
+    // OpenMP's threads, because libsharp uses them too: a pool of our own would compete with its idle threads, which spin for a while.
+    // ThreadSanitizer cannot see libgomp's barriers, so under it the workers are plain threads.
+#if defined(__SANITIZE_THREAD__)
     std::vector<std::jthread> others;
-    others.reserve(static_cast<size_t>(workers));
     for (int i = 1; i < workers; ++i)
         others.emplace_back(work);
     work();
     others.clear(); // joins
+#else
+#pragma omp parallel num_threads(workers) if (workers > 1)
+    work();
+#endif
     if (error)
         std::rethrow_exception(error);
 }

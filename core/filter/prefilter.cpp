@@ -27,10 +27,11 @@ int roundedUp(int bandLimit)
 }
 
 /// Seconds on one core of a current server; only their ratios matter, to choose a method (see tests/benchmarks).
-double spectralSeconds(int bandLimit, int width, int texels)
+double spectralSeconds(int bandLimit, int width, int texels, int knownBandLimit)
 {
     const double l = bandLimit, rings = width / 2.0;
-    return 8e-9 * width * rings * 3 + 0.5e-9 * l * l * (rings + 1.2 * l) + 1e-7 * l * l + 6e-8 * texels;
+    const double forward = knownBandLimit >= bandLimit ? 0.0 : 8e-9 * width * rings * 3 + 0.5e-9 * l * l * rings;
+    return forward + 0.6e-9 * l * l * l + 1e-7 * l * l + 6e-8 * texels;
 }
 
 double directSeconds(const Lobe& lobe, int width, int texels, double level)
@@ -72,6 +73,10 @@ bool splitsBrightTexels(const Lobe& lobe)
     return lobe.kind != LobeKind::Phong || lobe.exponent < 8.0;
 }
 
+/// The bright texels are divided by the norm, whose own harmonics beyond the length of a row are felt on probes narrower than this: k_l
+/// of a kinked lobe is 9e-6 at 128 columns, 3e-7 at 512.
+constexpr int smallProbe = 512;
+
 /// Coefficients looked at first: they settle every band limit up to half their number.
 constexpr int firstLength = 768;
 
@@ -96,13 +101,14 @@ Settled settleBandLimit(FilterSource& source, const PrefilterOptions& options, c
         }
         return {plan, &all};
     }
-    if (plan.bandLimit <= firstLength / 2) // short whatever the probe holds
-        return {plan, &source.spectrum(plan.bandLimit, job)};
     const bool split = splitsBrightTexels(options.lobe);
+    if (plan.bandLimit <= firstLength / 2) { // short whatever the probe holds
+        const bool calmIsThere = split && source.width() >= smallProbe && source.knownBandLimit() < plan.bandLimit &&
+                                 source.knownCalmBandLimit() >= plan.bandLimit;
+        return {plan, calmIsThere ? &source.calmSpectrum(plan.bandLimit, job) : &source.spectrum(plan.bandLimit, job), calmIsThere};
+    }
 
-    // The bright texels are divided by the norm, whose own harmonics beyond the length of a row are felt on small probes (k_l^2 there is
-    // 1e-10 for 128 columns, 1e-13 for 512).
-    const int leastForNorm = split && source.width() < 512 ? 2 * source.width() : 0;
+    const int leastForNorm = split && source.width() < smallProbe ? 2 * source.width() : 0;
     constexpr int firstLook = 128;
     int next = std::max(firstLook, split ? source.knownCalmBandLimit() : source.knownBandLimit());
     for (;;) {
@@ -238,7 +244,7 @@ std::span<const SpherePoint> FilterSource::points(const MapLayout& target, const
     return *m_points;
 }
 
-PrefilterPlan planPrefilter(const PrefilterOptions& options, int width, bool streamed)
+PrefilterPlan planPrefilter(const PrefilterOptions& options, int width, bool streamed, int knownBandLimit)
 {
     validate(options.target);
     if (!(options.tolerance > 0.0 && options.tolerance <= 1.0))
@@ -259,10 +265,12 @@ PrefilterPlan planPrefilter(const PrefilterOptions& options, int width, bool str
     const int texels = options.target.width() * options.target.height();
     const BandLimitPlan band = planBandLimit(legendreCoefficients(options.lobe, firstLength), options.tolerance);
     const double level = directLevel(options.tolerance);
+    // A lobe that decays slowly whatever the probe holds is hardly ever followed that far: its bright texels are taken out.
+    const int usualLimit = splitsBrightTexels(options.lobe) ? std::min(band.bandLimit, firstLength / 3) : band.bandLimit;
     const PrefilterPlan spectral{.method = Method::Spectral,
                                  .bandLimit = band.bandLimit,
                                  .predictedError = std::max(band.predictedError, 0.4 * options.tolerance),
-                                 .predictedSeconds = spectralSeconds(band.bandLimit, width, texels)};
+                                 .predictedSeconds = spectralSeconds(usualLimit, width, texels, knownBandLimit)};
     const PrefilterPlan direct{.method = Method::Direct,
                                .predictedError = directTruncation(options.lobe, {.level = level}),
                                .predictedSeconds = directSeconds(options.lobe, width, texels, level)};
@@ -299,7 +307,8 @@ PrefilterPlan planPrefilter(const PrefilterOptions& options, int width, bool str
 
 PrefilterOutcome prefilter(FilterSource& source, const PrefilterOptions& options, const JobControl& job)
 {
-    const PrefilterPlan plan = planPrefilter(options, source.width(), source.latlong() == nullptr);
+    const PrefilterPlan plan = planPrefilter(options, source.width(), source.latlong() == nullptr,
+                                             std::max(source.knownBandLimit(), source.knownCalmBandLimit()));
     PrefilterOutcome outcome{.method = plan.method, .filtered = plan.filtered, .predictedError = plan.predictedError, .why = plan.why};
     if (!plan.filtered) {
         if (!source.latlong())

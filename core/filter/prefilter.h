@@ -105,7 +105,8 @@ struct PrefilterPlan {
 
 /// @param width  columns of the probe's latlong form
 /// @param streamed  true: the texels are not in memory, so that only the spectral method can run
-PrefilterPlan planPrefilter(const PrefilterOptions& options, int width, bool streamed = false);
+/// @param knownBandLimit  of a spectrum of the probe that is there already and costs nothing; -1: none
+PrefilterPlan planPrefilter(const PrefilterOptions& options, int width, bool streamed = false, int knownBandLimit = -1);
 
 /// The filtered map of a probe, in the chosen parameterization.
 /// @throws InvalidArgument naming the field; Cancelled

@@ -43,7 +43,7 @@ typedef float TwoTexels __attribute__((vector_size(32), aligned(4), may_alias));
 // The loop over taps is the hot one of every export: it is built for AVX2 as well and chosen when the program starts. Sanitizers
 // cannot run such start-up code.
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define MIRRORBALL_CLONES __attribute__((target_clones("arch=haswell", "default")))
+#define MIRRORBALL_CLONES __attribute__((target_clones("arch=x86-64-v3", "default")))
 #else
 #define MIRRORBALL_CLONES
 #endif
@@ -100,17 +100,16 @@ int goodRings(int n)
 
 } // namespace
 
-int RingGrid::ringsFor(const std::vector<double>& k, double tolerance)
+int RingGrid::ringsFor(const std::vector<double>& share, double tolerance)
 {
-    const int bandLimit = static_cast<int>(k.size()) - 1;
+    const int bandLimit = static_cast<int>(share.size()) - 1;
     for (int rings = goodRings(bandLimit + 1);; rings = goodRings(rings + rings / 16 + 1)) {
         double lost = 0.0;
         for (int l = 0; l <= bandLimit; ++l) {
             // The strongest alias of a frequency x (in samples) that a spline of degree 5 lets through, (x/(1-x))^6; one from either
             // side, along the azimuth and along the meridian.
             const double x = l / (2.0 * rings);
-            const double share = std::pow(x / (1.0 - x), 6) * k[static_cast<size_t>(l)];
-            lost += 4.0 * (2.0 * l + 1.0) * share * share;
+            lost += 4.0 * std::pow(x / (1.0 - x), 12) * share[static_cast<size_t>(l)];
         }
         if (lost <= tolerance * tolerance)
             return rings;

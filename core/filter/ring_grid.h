@@ -23,9 +23,9 @@ struct SpherePoint {
 /// Source: M. Unser, "Splines: a perfect fit for signal and image processing", IEEE Signal Processing Magazine 16(6), 1999, eqs. 10-13.
 class RingGrid {
 public:
-    /// Rings that keep the interpolation error below `tolerance`, relative to the mean, for a probe of white spectrum filtered by k; at
-    /// least one more than k's band limit, a length FFTs like.
-    static int ringsFor(const std::vector<double>& k, double tolerance);
+    /// Rings that keep the interpolation error below `tolerance` (rel_rms), for a function whose degrees hold these shares of its power
+    /// (0 .. band limit); at least one more than the band limit, a length FFTs like.
+    static int ringsFor(const std::vector<double>& share, double tolerance);
 
     /// @param yaw radians, as yawed(): the function is turned about +Y
     RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int rings, double yaw, const JobControl& job = {});

@@ -71,7 +71,10 @@ BandLimitPlan finishPlan(const std::vector<double>& k, int bandLimit, double tol
     const int last = static_cast<int>(k.size()) - 1;
     bandLimit = extendForTheDark(k, bandLimit, tolerance);
     const double error = tailFrom(term, bandLimit + 1, last) / scale;
-    return {bandLimit, std::vector<double>(k.begin(), k.begin() + bandLimit + 1), error};
+    std::vector<double> share;
+    for (int l = 0; l <= bandLimit; ++l)
+        share.push_back(term(l) / (scale * scale));
+    return {bandLimit, std::vector<double>(k.begin(), k.begin() + bandLimit + 1), std::move(share), error};
 }
 
 } // namespace
@@ -99,7 +102,7 @@ BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance, cons
         total += term(l);
     const double scale = std::sqrt(total);
     if (scale <= 0.0) // a black probe
-        return {0, {1.0}, 0.0};
+        return {0, {1.0}, {1.0}, 0.0};
     const int bandLimit = std::min({std::max(least, limitForTail(term, length, truncationShare * tolerance * scale)), length, largestBandLimit});
     return finishPlan(k, bandLimit, tolerance, term, scale);
 }
@@ -150,7 +153,7 @@ EnvironmentMap filterSpectral(const Spectrum& spectrum, const BandLimitPlan& pla
     }
 
     assert(points.size() == w * static_cast<size_t>(height));
-    const int rings = RingGrid::ringsFor(plan.k, interpolationShare * tolerance);
+    const int rings = RingGrid::ringsFor(plan.share, interpolationShare * tolerance);
     const RingGrid grid(spectrum, plan.k, rings, yaw, job);
     finishRows([&](int first, int last, float* rgbn) {
         grid.read(points.subspan(static_cast<size_t>(first) * w, static_cast<size_t>(last - first) * w), rgbn);

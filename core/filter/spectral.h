@@ -14,6 +14,7 @@ namespace mirrorball {
 struct BandLimitPlan {
     int bandLimit = 0;
     std::vector<double> k{};     ///< the lobe's Legendre coefficients, 0 .. bandLimit
+    std::vector<double> share{}; ///< each degree's share of the filtered map's power, at most; 0 .. bandLimit
     double predictedError = 0.0; ///< rel_rms that the truncation costs at most
 };
 
