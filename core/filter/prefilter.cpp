@@ -110,19 +110,11 @@ Settled settleBandLimit(FilterSource& source, const PrefilterOptions& options, c
 
     const int leastForNorm = split && source.width() < smallProbe ? 2 * source.width() : 0;
     constexpr int firstLook = 128;
+    // The calm part is held to the tolerance by itself: the dark side of a sunlit map is all its own.
     int next = std::max(firstLook, split ? source.knownCalmBandLimit() : source.knownBandLimit());
     for (;;) {
         const Spectrum& spectrum = split ? source.calmSpectrum(next, job) : source.spectrum(next, job);
-        double outsidePower = 0.0; // at least that of the mean
-        if (split) {
-            glm::dvec3 flux(0.0), calm(0.0);
-            for (const glm::dvec3& f : source.brightTexels().flux)
-                flux += f;
-            for (int c = 0; c < 3; ++c)
-                calm[c] = spectrum.coefficients[static_cast<size_t>(c)][0].real() * std::sqrt(4.0 * pi);
-            outsidePower = (glm::dot(flux + calm, flux + calm) - glm::dot(calm, calm)) / (4.0 * pi);
-        }
-        plan = planBandLimit(k, options.tolerance, spectrum, outsidePower, leastForNorm);
+        plan = planBandLimit(k, options.tolerance, spectrum, leastForNorm);
         if (plan.bandLimit <= spectrum.bandLimit)
             return {plan, &spectrum, split};
         next = std::min(2 * spectrum.bandLimit, plan.bandLimit);

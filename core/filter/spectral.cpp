@@ -86,7 +86,7 @@ BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance)
     return finishPlan(k, std::min(bandLimit, largestBandLimit), tolerance, term, 1.0);
 }
 
-BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance, const Spectrum& spectrum, double outsidePower, int least)
+BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance, const Spectrum& spectrum, int least)
 {
     const int length = static_cast<int>(k.size()) - 1, known = std::min(spectrum.bandLimit, length);
     const std::vector<double> power = spectrum.powerAboutMean();
@@ -97,7 +97,7 @@ BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance, cons
         const auto i = static_cast<size_t>(l);
         return k[i] * k[i] * (l <= known ? power[i] : (2.0 * l + 1.0) * strongest);
     };
-    double total = outsidePower;
+    double total = 0.0;
     for (int l = 0; l <= known; ++l)
         total += term(l);
     const double scale = std::sqrt(total);

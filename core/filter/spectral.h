@@ -32,10 +32,8 @@ BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance);
 
 /// The same for a probe whose spectrum is known up to some degree: uses its power there, and the strongest power of its last
 /// degrees beyond. Lobes with a kink at the horizon (diffuse, rough ggx) decay slowly and gain most.
-/// @param outsidePower  power of the filtered map that is not in the spectrum: that of texels taken out of it, at least
 /// @param least  the band limit is never below this
-BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance, const Spectrum& spectrum, double outsidePower = 0.0,
-                            int least = 0);
+BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance, const Spectrum& spectrum, int least = 0);
 
 /// The filtered map. The rows of a latlong target are rings, on which it is synthesised in place; other targets are read off a
 /// RingGrid at `points`, the target's spherePoints() (unused for latlong).
