@@ -32,6 +32,7 @@ int main(int argc, char** argv)
     cli::addRenderCommand(program);
     cli::addExportCommand(program);
     cli::addPresetsCommand(program);
+    cli::addReportCommand(program, argc, argv);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& e) { // --help, --version
