@@ -80,6 +80,7 @@ struct PrefilterOptions {
     Method method = Method::Auto;
     double tolerance = 1e-5; ///< rel_rms, (0, 1]
     double yaw = 0.0;        ///< radians about +Y, see direction.h
+    bool operator==(const PrefilterOptions&) const = default;
 };
 
 /// What was done, and how well.
