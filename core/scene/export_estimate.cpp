@@ -65,7 +65,7 @@ std::vector<ExportEstimate> estimateExports(const Plan& plan, const MapLayout& p
             estimate.files.push_back(file.string());
         bool smooth = false;
         for (const PrefilterOptions& filter : planned.map.filters) {
-            const PrefilterPlan prediction = planPrefilter(filter, 2 * latlongHeight(probe), false);
+            const PrefilterPlan prediction = planPrefilter(filter, {.width = 2 * latlongHeight(probe)});
             smooth |= prediction.filtered;
             estimate.seconds += prediction.filtered ? prediction.predictedSeconds : 0.0;
         }
