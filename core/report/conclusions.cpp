@@ -18,7 +18,10 @@ double median(std::vector<double> values)
 
 std::string times(double ratio)
 {
-    return shortNumber(ratio, ratio >= 100.0 ? 2 : 3) + " times";
+    if (ratio < 100.0)
+        return shortNumber(ratio) + " times";
+    const double unit = std::pow(10.0, std::floor(std::log10(ratio)) - 1.0); // two digits
+    return std::to_string(std::llround(ratio / unit) * std::llround(unit)) + " times";
 }
 
 std::string milliseconds(double seconds)
@@ -186,9 +189,9 @@ void seams(const Report& report, std::vector<std::string>& sentences)
                                                 (m.setting.method == Method::Mip ? " (" + m.setting.label + ")" : "");
                         worst[who] = std::max(worst[who], ratio);
                     }
-    if (worst.size() < 2)
-        return;
     const auto most = std::max_element(worst.begin(), worst.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (most == worst.end() || most->second < 1.1)
+        return;
     const auto least = std::min_element(worst.begin(), worst.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
     sentences.push_back("Seams show most in maps by " + most->first + ", which change up to " + times(most->second) +
                         " as much across a seam as beside it; least in those by " + least->first + " (" + shortNumber(least->second) + ").");

@@ -105,7 +105,7 @@ public:
     EnvironmentMap standIn(std::string& how) const
     {
         FilterSource source = m_probe;
-        constexpr double tolerance = 1e-8;
+        constexpr double tolerance = 1e-6; // its error is measured and shown
         const PrefilterOptions options{.lobe = m_lobe, .target = m_options.target, .method = Method::Spectral, .tolerance = tolerance};
         PrefilterOutcome outcome = prefilter(source, options, m_job);
         how = outcome.filtered ? "spectral at tolerance " + shortNumber(tolerance) : "the bilinear lookup";

@@ -13,15 +13,35 @@ namespace mirrorball {
 
 namespace {
 
-constexpr int mirrorDirections = 8192;
 constexpr int angles = 181; ///< a degree apart
 
-double lookupError(const EnvironmentMap& map, std::span<const glm::dvec3> directions, std::span<const glm::dvec3> truth)
+/// Where the mirror is looked up: the probe's texel centres, so that no small sun falls between them, or every second, third ... of
+/// both ways in a large probe.
+struct MirrorLookups {
+    std::vector<glm::dvec3> directions{}, truth{};
+    std::vector<double> solidAngles{};
+
+    explicit MirrorLookups(const EnvironmentMap& probe)
+    {
+        constexpr double enough = 1 << 19;
+        const int step = std::max(1, static_cast<int>(std::lround(std::sqrt(probe.image.width * probe.image.height / enough))));
+        for (int y = 0; y < probe.image.height; y += step)
+            for (int x = 0; x < probe.image.width; x += step) {
+                const float* rgb = probe.image.texel(x, y);
+                directions.push_back(texelDirection(probe.layout, x, y));
+                truth.emplace_back(rgb[0], rgb[1], rgb[2]);
+                solidAngles.push_back(texelSolidAngle(probe.layout, x, y));
+            }
+    }
+};
+
+double lookupError(const EnvironmentMap& map, std::span<const glm::dvec3> directions, std::span<const glm::dvec3> truth,
+                   std::span<const double> solidAngles = {})
 {
     std::vector<glm::dvec3> values;
     for (const glm::dvec3& d : directions)
         values.emplace_back(map.radiance(d));
-    return errorMetrics(values, truth).relRms;
+    return errorMetrics(values, truth, solidAngles).relRms;
 }
 
 /// Solid angle of a texel over that of an equal share of the sphere, on the way from +Z over +Y to -Z.
@@ -51,12 +71,12 @@ ParameterizationStudy studyParameterizations(const FilterSource& probe, const Lo
 {
     JobControl inner = job;
     inner.progress = nullptr;
-    ParameterizationStudy study{.lobe = lobe, .directions = mirrorDirections, .referenceDirections = referenceDirections};
     const EnvironmentMap& whole = *probe.latlong();
-    const std::vector<glm::dvec3> directions = evenDirections(mirrorDirections), fewer = evenDirections(referenceDirections);
-    std::vector<glm::dvec3> truth;
-    for (const glm::dvec3& d : directions)
-        truth.emplace_back(whole.radiance(d));
+    const MirrorLookups mirror(whole);
+    const std::vector<glm::dvec3> fewer = evenDirections(referenceDirections);
+    ParameterizationStudy study{.lobe = lobe,
+                                .directions = static_cast<int>(mirror.directions.size()),
+                                .referenceDirections = referenceDirections};
     const bool looksUp = lobe.isMirror() || isUnresolved(lobe, whole.image.width);
     std::vector<glm::dvec3> filteredTruth;
     if (looksUp)
@@ -81,7 +101,7 @@ ParameterizationStudy studyParameterizations(const FilterSource& probe, const Lo
                 }
         row.densityRatio = largest / smallest;
         row.solidAngle = solidAngleByAngle(layout, row.used);
-        row.mirrorError = lookupError(reproject(whole, {.target = layout}, inner), directions, truth);
+        row.mirrorError = lookupError(reproject(whole, {.target = layout}, inner), mirror.directions, mirror.truth, mirror.solidAngles);
         row.filteredError = lookupError(
             prefilter(source, {.lobe = lobe, .target = layout, .method = Method::Spectral, .tolerance = 1e-6}, inner).map, fewer, filteredTruth);
         study.rows.push_back(std::move(row));

@@ -10,8 +10,8 @@ namespace mirrorball {
 /// The parameterizations against each other at about `texels` texels of image each: what a mirror lookup and a lookup of a filtered map
 /// lose, and how unevenly the texels are spread (solid angle against angle as 000 figure 4).
 ///
-/// Errors are rel_rms of bilinear lookups at even directions: of the probe resampled, against the probe itself; of the filtered map,
-/// against the reference sum at `referenceDirections` of them. The filtered map is made by the spectral method at 1e-6.
+/// Errors are rel_rms of bilinear lookups: of the probe resampled, at the probe's own texels; of the filtered map, against the reference
+/// sum at `referenceDirections` even directions. The filtered map is made by the spectral method at 1e-6.
 /// @throws Cancelled
 ParameterizationStudy studyParameterizations(const FilterSource& probe, const Lobe& lobe, int texels, int referenceDirections,
                                              const JobControl& job = {});

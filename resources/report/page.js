@@ -24,7 +24,7 @@ function figure(x, digits = 3) {
   if (!isNumber(x)) return "–";
   if (x === 0) return "0";
   const size = Math.abs(x);
-  return size >= 1e5 || size < 1e-2 ? x.toExponential(digits - 1).replace("e+", "e") : String(+x.toPrecision(digits));
+  return size >= 1e5 || size < 1e-2 ? x.toExponential(digits - 1).replace("e+", "e").replace(/\.?0+e/, "e") : String(+x.toPrecision(digits));
 }
 
 function time(s) {
@@ -123,7 +123,7 @@ function axis(title, text, range, type = "logarithmic") {
     type, min: range?.[0], max: range?.[1],
     title: {display: true, text: title, color: color("soft"), font: {size: 12.5}},
     border: {color: color("line")},
-    grid: {color: tick => !logarithmic || isDecade(tick.tick.value) ? color("line") : color("faint"), tickColor: color("line"), borderColor: color("line")},
+    grid: {color: c => !logarithmic || isDecade(c.tick.value) ? color("line") : c.scale.max / c.scale.min > 1e5 ? "transparent" : color("faint"), tickColor: color("line"), borderColor: color("line")},
     ticks: {color: color("soft"), maxRotation: 0, autoSkip: !logarithmic, callback: logarithmic ? function(value) { return tickText(value, this, text); } : text},
   };
 }
@@ -202,7 +202,7 @@ const tooltip = () => ({
 function plotCard(id, title, footer, configure, low = false) {
   const canvas = element("canvas", {role: "img", "aria-label": title});
   const card = element("article", {class: "card", id},
-    element("header", {}, element("h3", {}, title), element("a", {href: "#only=" + id, title: "show this plot alone"}, "alone")),
+    element("header", {}, element("h3", {}, title), element("a", {href: "#only=" + id, title: "show this plot as large as the window"}, "enlarge")),
     element("div", {class: low ? "plot low" : "plot"}, canvas), footer ? element("footer", {}, footer) : null);
   const entry = {canvas, configure, chart: null};
   charts.push(entry);
@@ -213,7 +213,8 @@ function drawChart(entry) {
   const c = entry.configure();
   const options = {
     scales: {x: c.x, y: c.y}, markerLines: c.markerLines ?? [], interaction: {mode: "nearest", intersect: true},
-    layout: {padding: {right: 8}}, plugins: {tooltip: tooltip()},
+    layout: {padding: {right: 8}},
+    plugins: {tooltip: tooltip(), legend: {display: Boolean(c.legend), position: "bottom", labels: {color: color("text"), usePointStyle: true, pointStyle: "line", boxWidth: 30, font: {size: 12.5}}}},
   };
   entry.chart?.destroy();
   entry.chart = new Chart(entry.canvas, {type: "scatter", data: {datasets: c.datasets}, options, plugins: [whiskers, markers]});
@@ -319,7 +320,7 @@ function errorTimePlot(c) {
   best.forEach(p => p.front = true);
   const sets = methods.filter(name => points.some(p => p.m.method === name)).map(name =>
     methodSet(name, points.filter(p => p.m.method === name).sort((a, b) => a.x - b.x), name === "auto" ? {showLine: false, order: -1} : {showLine: name !== "mip"}));
-  sets.push({label: "Pareto front", data: best.map(p => ({x: p.x, y: p.y})), silent: true, showLine: true, stepped: "after", borderColor: color("front"),
+  sets.push({label: "Pareto front", data: best.map(p => ({x: p.x, y: p.y})), silent: true, showLine: true, stepped: "before", borderColor: color("front"),
     borderWidth: 9, borderJoinStyle: "round", borderCapStyle: "round", pointRadius: 0, pointHoverRadius: 0, order: 10});
   if (shown.predicted)
     for (const p of points)
@@ -352,7 +353,7 @@ if (report.cases.length > 0) {
     const leftOut = c.measurements.filter(m => m.state === "left-out").length;
     grid.append(plotCard("case-" + i, `${c.lobe}  ·  ${probeName(c.probe)}`,
       `Error against the reference sum at ${c.reference_complete ? "all" : c.reference_directions} texels of the map.` +
-      (leftOut ? ` ${count(leftOut, "setting")} left out.` : "") + (reasons.length ? ` Not able to: ${reasons.join(", ")}.` : ""), () => errorTimePlot(c)));
+      (leftOut ? ` ${count(leftOut, "setting")} left out.` : "") + (reasons.length ? ` Refused: ${reasons.join(", ")}.` : ""), () => errorTimePlot(c)));
   });
   section("error-time", "Error against run time",
     element("p", {class: "soft"}, "Every point is one setting of a method; whiskers span the repeated runs. The band and the outlined symbols are the Pareto front: " +
@@ -425,10 +426,11 @@ report.parameterizations.forEach((study, i) => {
       pointStyle: shape, pointRadius: 6, borderColor: color(palette[j % 6]), backgroundColor: key === "mirror_error" ? color("card") : color(palette[j % 6]), pointBorderWidth: 2}))),
   };
   section("parameterizations" + (i || ""), "Parameterizations at equal texel counts",
-    element("p", {class: "soft"}, `On ${probeName(study.probe)}: rel_rms of bilinear lookups at ${study.directions} directions for the mirror, ` +
+    element("p", {class: "soft"}, `On ${probeName(study.probe)}: rel_rms of bilinear lookups at ${study.directions} texels of the probe for the mirror, ` +
       `and at ${study.reference_directions} directions against the reference sum for ${study.lobe}.`),
     element("div", {class: "grid"},
-      plotCard("solid-angle" + i, "Solid angle of a texel over its mean, against the angle from +Z towards +Y", rows.map(r => r.kind).join(", "), () => ({
+      plotCard("solid-angle" + i, "Solid angle of a texel over its mean, against the angle from +Z towards +Y", null, () => ({
+        legend: true,
         datasets: rows.map((r, j) => ({
           label: r.kind, showLine: true, pointRadius: 0, pointHitRadius: 6, borderColor: color(palette[j % 6]), borderDash: dashes[j % 6], borderWidth: 2,
           data: r.solid_angle.map((v, k) => ({x: 180 * k / (r.solid_angle.length - 1), y: v, title: r.kind, lines: [`${Math.round(180 * k / (r.solid_angle.length - 1))}°: ${figure(v)} of the mean`]})).filter(p => p.y > 0),
@@ -560,7 +562,7 @@ function showAlone() {
   document.querySelectorAll(".card").forEach(c => c.classList.toggle("shown", c === card));
   document.querySelectorAll(".card header a").forEach(link => {
     const alone = link.closest(".card") === card;
-    link.textContent = alone ? "all plots" : "alone";
+    link.textContent = alone ? "all plots" : "enlarge";
     link.href = alone ? "#error-time" : "#only=" + link.closest(".card").id;
   });
   document.body.classList.toggle("alone", card !== null);
