@@ -9,7 +9,50 @@ namespace mirrorball::field_json {
 namespace {
 
 constexpr size_t largestFile = size_t{16} << 20;
-constexpr int deepest = 64;
+constexpr size_t deepest = 64;
+
+/// Refuses what nlohmann's parser lets through: deep nesting and keys that occur twice. A pass of its own, because the parser's callback
+/// takes time that grows with the square of a list's length.
+class Checker : public Json::json_sax_t {
+public:
+    explicit Checker(std::string_view what) : m_what(what) {}
+
+    bool null() override { return true; }
+    bool boolean(bool) override { return true; }
+    bool number_integer(number_integer_t) override { return true; }
+    bool number_unsigned(number_unsigned_t) override { return true; }
+    bool number_float(number_float_t, const string_t&) override { return true; }
+    bool string(string_t&) override { return true; }
+    bool binary(binary_t&) override { return true; }
+    bool start_object(std::size_t) override { return open(); }
+    bool start_array(std::size_t) override { return open(); }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+    bool key(string_t& key) override
+    {
+        if (!m_keys.back().insert(key).second)
+            throw InvalidArgument("the key " + inQuotes(key) + " occurs twice in one object; remove one");
+        return true;
+    }
+    bool parse_error(std::size_t, const std::string&, const Json::exception&) override { return false; } // told by the parser itself
+
+private:
+    bool open()
+    {
+        m_keys.emplace_back();
+        if (m_keys.size() > deepest)
+            throw InvalidArgument("is nested more than " + std::to_string(deepest) + " deep; this is no " + std::string(m_what));
+        return true;
+    }
+    bool close()
+    {
+        m_keys.pop_back();
+        return true;
+    }
+
+    std::string_view m_what;
+    std::vector<std::set<std::string>> m_keys; ///< of the objects and lists that are open
+};
 
 } // namespace
 
@@ -88,20 +131,10 @@ void Reader::readPlain(const std::string& path, const Field&, const Json& json, 
 
 Json parse(const std::string& text, std::string_view what)
 {
-    std::vector<std::set<std::string>> keys;
-    const auto check = [&](int depth, Json::parse_event_t event, Json& parsed) {
-        if (depth > deepest)
-            throw InvalidArgument("is nested more than " + std::to_string(deepest) + " deep; this is no " + std::string(what));
-        if (event == Json::parse_event_t::object_start)
-            keys.emplace_back();
-        else if (event == Json::parse_event_t::object_end)
-            keys.pop_back();
-        else if (event == Json::parse_event_t::key && !keys.back().insert(parsed.get_ref<const std::string&>()).second)
-            throw InvalidArgument("the key " + inQuotes(parsed.get_ref<const std::string&>()) + " occurs twice in one object; remove one");
-        return true;
-    };
+    Checker checker(what);
+    Json::sax_parse(text, &checker);
     try {
-        return Json::parse(text, check);
+        return Json::parse(text);
     } catch (const Json::parse_error& error) {
         const size_t end = std::min(error.byte, text.size());
         const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
