@@ -33,6 +33,25 @@ TexelRect unitedWithScaled(const TexelRect& rect, double scale, int size)
 TexelRect outwards(const TexelRect& rect, int size) { return unitedWithScaled(rect, 1.4143, size); }
 TexelRect inwards(const TexelRect& rect, int size) { return unitedWithScaled(rect, 0.7071, size); }
 
+/// Texels multiplied by their opacity to colours that are not. Transparent runs are the common case of a painted layer.
+void unmultiplied(const float* __restrict texels, int count, ColorSpan& __restrict out, int first)
+{
+    float most = 0.0f;
+    for (int i = 0; i < count; ++i)
+        most = std::max(most, texels[4 * i + 3]);
+    if (most == 0.0f) {
+        std::fill_n(out.a + first, count, 0.0f);
+        return;
+    }
+    for (int i = 0; i < count; ++i) {
+        const float alpha = texels[4 * i + 3], inverse = 1.0f / std::max(alpha, 1e-20f);
+        out.r[first + i] = texels[4 * i] * inverse;
+        out.g[first + i] = texels[4 * i + 1] * inverse;
+        out.b[first + i] = texels[4 * i + 2] * inverse;
+        out.a[first + i] = alpha;
+    }
+}
+
 /// Reads a picture over `rect`, multiplied by its opacity, as a generator. Outside the disc the rim goes on, read a little inside it so
 /// that nothing is mixed in that was painted outside.
 SpanGenerator rasterGenerator(std::shared_ptr<const Image> picture, const TexelRect& rect, int size)
@@ -42,28 +61,27 @@ SpanGenerator rasterGenerator(std::shared_ptr<const Image> picture, const TexelR
         const auto clampedTexel = [&](int x, int y) {
             return picture->texel(std::clamp(x, rect.x0, rect.x1 - 1) - rect.x0, std::clamp(y, rect.y0, rect.y1 - 1) - rect.y0);
         };
-        const float* inside = picture->texel(at.column - rect.x0, at.row - rect.y0);
-        for (int i = 0; i < at.count; ++i, inside += 4) {
+        fill(out, at.count, 0.0f, 0.0f, 0.0f);
+        const auto readRim = [&](int i) {
+            const float x = half + rim * at.x[i] - 0.5f, y = half - rim * at.y[i] - 0.5f;
+            const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
+            const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
+            const float *p = clampedTexel(x0, y0), *q = clampedTexel(x0 + 1, y0), *r = clampedTexel(x0, y0 + 1),
+                        *t = clampedTexel(x0 + 1, y0 + 1);
             float rgba[4];
-            if (at.rho[i] < 1.0f) {
-                std::copy_n(inside, 4, rgba);
-            } else {
-                const float x = half + rim * at.x[i] - 0.5f, y = half - rim * at.y[i] - 0.5f;
-                const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
-                const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
-                const float *p = clampedTexel(x0, y0), *q = clampedTexel(x0 + 1, y0), *r = clampedTexel(x0, y0 + 1),
-                            *t = clampedTexel(x0 + 1, y0 + 1);
-                for (int c = 0; c < 4; ++c) {
-                    const float top = p[c] + fx * (q[c] - p[c]), low = r[c] + fx * (t[c] - r[c]);
-                    rgba[c] = top + fy * (low - top);
-                }
+            for (int c = 0; c < 4; ++c) {
+                const float top = p[c] + fx * (q[c] - p[c]), low = r[c] + fx * (t[c] - r[c]);
+                rgba[c] = top + fy * (low - top);
             }
-            const float inverse = 1.0f / std::max(rgba[3], 1e-20f);
-            out.r[i] = rgba[0] * inverse;
-            out.g[i] = rgba[1] * inverse;
-            out.b[i] = rgba[2] * inverse;
-            out.a[i] = rgba[3];
-        }
+            unmultiplied(rgba, 1, out, i);
+        };
+        int first = 0, last = at.count; // a row crosses the disc once
+        while (first < last && at.rho[first] >= 1.0f)
+            readRim(first++);
+        while (last > first && at.rho[last - 1] >= 1.0f)
+            readRim(--last);
+        if (first < last)
+            unmultiplied(picture->texel(at.column + first - rect.x0, at.row - rect.y0), last - first, out, first);
     };
 }
 
@@ -266,8 +284,13 @@ void run(const Step& step, const DiscSpan& at, ColorSpan& result)
         return;
     }
     step.generate(at, colors);
-    for (int i = 0; i < at.count; ++i)
+    float most = 0.0f;
+    for (int i = 0; i < at.count; ++i) {
         colors.a[i] *= share[i];
+        most = std::max(most, colors.a[i]);
+    }
+    if (most == 0.0f) // nothing of it here: most of a painted layer, the inside of a ring
+        return;
     blend(step.layer->blend, at.count, colors, result);
 }
 
