@@ -65,8 +65,7 @@ public:
                     stream(*probe.latlong(), layout);
                 } else {
                     FilterSource resized(reproject(*probe.latlong(), {.target = layout}, m_job));
-                    if (ParaboloidDevice* device = probe.paraboloidDevice())
-                        resized.useParaboloidDevice(std::shared_ptr<ParaboloidDevice>(std::shared_ptr<void>{}, device));
+                    resized.useParaboloidDevice(m_options.device);
                     for (const Method method : m_methods)
                         measure(GrowthAxis::ProbeWidth, width, resized, m_options.lobe, method);
                 }

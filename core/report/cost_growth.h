@@ -5,6 +5,7 @@
 #include "../filter/filter_source.h"
 #include "../job.h"
 
+#include <memory>
 #include <vector>
 
 namespace mirrorball {
@@ -16,6 +17,7 @@ struct CostGrowthOptions {
     double tolerance = 1e-3;
     int largestWidth = 2048;   ///< columns of the largest probe: a power of two, 256 to 16384
     int repeats = 3;
+    std::shared_ptr<ParaboloidDevice> device{}; ///< of the paraboloid method, for the probes of other widths
     double longest = 3.0;      ///< seconds; a method that took longer is not tried further up
 };
 

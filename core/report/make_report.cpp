@@ -160,6 +160,7 @@ Report makeReport(const ReportOptions& options, const JobControl& job)
                                                    .tolerance = options.tolerance,
                                                    .largestWidth = options.growthTo,
                                                    .repeats = std::min(options.repeats, 3),
+                                                   .device = options.device,
                                                    .longest = options.longest},
                                                   progress.part(growthWeight));
             }

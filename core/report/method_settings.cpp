@@ -101,7 +101,7 @@ std::string shortNumber(double value, int digits)
             words.erase(e + 1, 1);
         return words;
     }
-    if (value != 0.0 && std::abs(value) < 0.01 && digits <= 3) { // 0.001 reads 1e-3 beside 1e-4 and 1e-5
+    if (value != 0.0 && std::abs(value) <= 0.01 && digits <= 3) { // 0.01 reads 1e-2 beside 1e-4 and 1e-5
         std::snprintf(text.data(), text.size(), "%.*e", digits - 1, value);
         words = text.data();
         const size_t exponent = words.find('e');

@@ -35,13 +35,13 @@ struct MirrorLookups {
     }
 };
 
-double lookupError(const EnvironmentMap& map, std::span<const glm::dvec3> directions, std::span<const glm::dvec3> truth,
+ErrorMetrics lookupError(const EnvironmentMap& map, std::span<const glm::dvec3> directions, std::span<const glm::dvec3> truth,
                    std::span<const double> solidAngles = {})
 {
     std::vector<glm::dvec3> values;
     for (const glm::dvec3& d : directions)
         values.emplace_back(map.radiance(d));
-    return errorMetrics(values, truth, solidAngles).relRms;
+    return errorMetrics(values, truth, solidAngles);
 }
 
 /// Solid angle of a texel over that of an equal share of the sphere, on the way from +Z over +Y to -Z.
@@ -101,9 +101,11 @@ ParameterizationStudy studyParameterizations(const FilterSource& probe, const Lo
                 }
         row.densityRatio = largest / smallest;
         row.solidAngle = solidAngleByAngle(layout, row.used);
-        row.mirrorError = lookupError(reproject(whole, {.target = layout}, inner), mirror.directions, mirror.truth, mirror.solidAngles);
-        row.filteredError = lookupError(
-            prefilter(source, {.lobe = lobe, .target = layout, .method = Method::Spectral, .tolerance = 1e-6}, inner).map, fewer, filteredTruth);
+        const ErrorMetrics mirrorError = lookupError(reproject(whole, {.target = layout}, inner), mirror.directions, mirror.truth, mirror.solidAngles);
+        row.mirrorError = mirrorError.relRms;
+        row.mirrorP99 = mirrorError.p99Rel;
+        const PrefilterOptions exact{.lobe = lobe, .target = layout, .method = Method::Spectral, .tolerance = 1e-6};
+        row.filteredError = lookupError(prefilter(source, exact, inner).map, fewer, filteredTruth).relRms;
         study.rows.push_back(std::move(row));
         if (job.progress)
             job.progress(static_cast<float>(study.rows.size()) / static_cast<float>(allParameterizations.size()));

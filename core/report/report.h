@@ -78,6 +78,7 @@ struct ParameterizationRow {
     int texels = 0;                  ///< of the image; `used` of them lie on the map
     int used = 0;
     double mirrorError = 0.0;        ///< rel_rms of bilinear lookups of the probe resampled to it
+    double mirrorP99 = 0.0;          ///< p99_rel of them, in which a sun does not drown the rest
     double filteredError = 0.0;      ///< rel_rms of bilinear lookups of the filtered map
     double densityRatio = 0.0;       ///< largest solid angle of a texel over the smallest
     std::vector<double> solidAngle{};///< of a texel over its mean, at angles 0 .. 180 degrees from +Z towards +Y, equally spaced

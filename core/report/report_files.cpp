@@ -112,6 +112,7 @@ Json studyJson(const ParameterizationStudy& study)
         row.update({{"texels", r.texels},
                     {"used", r.used},
                     {"mirror_error", r.mirrorError},
+                    {"mirror_p99", r.mirrorP99},
                     {"filtered_error", r.filteredError},
                     {"density_ratio", r.densityRatio},
                     {"solid_angle", r.solidAngle}});
@@ -322,11 +323,11 @@ std::string growthCsv(const Report& report)
 
 std::string parameterizationsCsv(const Report& report)
 {
-    Csv csv({"probe", "lobe", "parameterization", "width", "height", "texels_used", "mirror_rel_rms", "filtered_rel_rms", "largest_over_smallest_texel"});
+    Csv csv({"probe", "lobe", "parameterization", "width", "height", "texels_used", "mirror_rel_rms", "mirror_p99_rel", "filtered_rel_rms", "largest_over_smallest_texel"});
     for (const ParameterizationStudy& study : report.parameterizations)
         for (const ParameterizationRow& r : study.rows) {
             csv.cell(report.probes[study.probe].name).cell(describe(study.lobe)).cell(name(r.layout.kind)).cell(r.layout.width()).cell(r.layout.height());
-            csv.cell(r.used).cell(r.mirrorError).cell(r.filteredError).cell(r.densityRatio).endRow();
+            csv.cell(r.used).cell(r.mirrorError).cell(r.mirrorP99).cell(r.filteredError).cell(r.densityRatio).endRow();
         }
     return std::move(csv).text();
 }

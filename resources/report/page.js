@@ -128,6 +128,8 @@ function axis(title, text, range, type = "logarithmic") {
   };
 }
 
+const degrees = scale => ({...scale, ticks: {...scale.ticks, stepSize: 30}});
+
 /// Decades that hold all values.
 function decades(values, slack = 1.15) {
   const good = values.filter(v => isNumber(v) && v > 0);
@@ -227,7 +229,7 @@ function methodSet(method, points, extra = {}) {
   return {
     label: method, data: points, showLine: true, borderColor: own, borderWidth: 1.6, whiskers: true, hidden: hidden.has(method),
     pointStyle: shape, pointRadius: p => p.raw?.front ? 6.5 : 4.5, pointHoverRadius: 8, pointBorderWidth: p => strokeOnly(shape) ? 2 : p.raw?.front ? 1.5 : 1,
-    pointBorderColor: p => p.raw?.front && !strokeOnly(shape) ? color("text") : own, pointBackgroundColor: own, ...extra,
+    pointBorderColor: p => p.raw?.front && !strokeOnly(shape) ? color("text") : own, pointBackgroundColor: p => p.raw?.hollow ? color("card") : own, clip: 12, ...extra,
   };
 }
 
@@ -389,7 +391,7 @@ if (pictured.length > 0) {
         element("figcaption", {}, element("b", {}, "filtered map"), element("br"), `by ${c.stand_in}, itself rel_rms ${figure(c.stand_in_error, 2)} off the reference`)),
       ...c.measurements.filter(m => m.error_picture).map(m => element("figure", {},
         element("img", {src: m.error_picture, alt: `signed error of ${m.method}`, loading: "lazy"}),
-        element("figcaption", {}, element("b", {}, m.method), ` ${m.setting}`, element("br"), `rel_rms ${figure(m.rel_rms, 2)} · colours to ±${figure(m.error_picture_limit, 1)}`)))));
+        element("figcaption", {}, element("b", {}, m.method), ` ${m.setting}`, element("br"), `rel_rms ${figure(m.rel_rms, 2)} · `, element("span", {class: "whole"}, `colours to ±${figure(m.error_picture_limit, 1)}`))))));
   }
   section("pictures", "Maps and signed errors",
     element("p", {class: "soft"}, "Each method at its fastest setting that meets the tolerance, else at its most accurate. Red is too bright, blue too dark, in luminance over the map's root mean square; " +
@@ -428,14 +430,14 @@ report.parameterizations.forEach((study, i) => {
   section("parameterizations" + (i || ""), "Parameterizations at equal texel counts",
     element("p", {class: "soft"}, `On ${probeName(study.probe)}: rel_rms of bilinear lookups at ${study.directions} texels of the probe for the mirror, ` +
       `and at ${study.reference_directions} directions against the reference sum for ${study.lobe}.`),
-    element("div", {class: "grid"},
+    element("div", {class: "grid two"},
       plotCard("solid-angle" + i, "Solid angle of a texel over its mean, against the angle from +Z towards +Y", null, () => ({
         legend: true,
         datasets: rows.map((r, j) => ({
           label: r.kind, showLine: true, pointRadius: 0, pointHitRadius: 6, borderColor: color(palette[j % 6]), borderDash: dashes[j % 6], borderWidth: 2,
           data: r.solid_angle.map((v, k) => ({x: 180 * k / (r.solid_angle.length - 1), y: v, title: r.kind, lines: [`${Math.round(180 * k / (r.solid_angle.length - 1))}°: ${figure(v)} of the mean`]})).filter(p => p.y > 0),
         })),
-        x: axis("angle from +Z (degrees)", v => v + "°", [0, 180], "linear"), y: axis("solid angle / mean", figure, decades(rows.flatMap(r => r.solid_angle.filter(v => v > 1e-3)), 1)),
+        x: degrees(axis("angle from +Z (degrees)", v => v + "°", [0, 180], "linear")), y: axis("solid angle / mean", figure, decades(rows.flatMap(r => r.solid_angle.filter(v => v > 1e-3)), 1)),
       })),
       plotCard("lookup-error" + i, "Error of lookups", "Hollow squares: mirror. Filled circles: filtered.", () => ({
         datasets: bars.datasets(), x: axis("rel_rms", powerText, decades(rows.flatMap(r => [r.mirror_error, r.filtered_error]))),
@@ -445,6 +447,7 @@ report.parameterizations.forEach((study, i) => {
     sortableTable([
       {title: "parameterization", value: r => r.kind}, {title: "image", value: r => r.texels, text: r => `${r.width} × ${r.height}`},
       {title: "texels used", kind: "number", value: r => r.used}, {title: "mirror rel_rms", kind: "number", value: r => r.mirror_error, text: r => figure(r.mirror_error)},
+      {title: "mirror p99_rel", kind: "number", value: r => r.mirror_p99, text: r => figure(r.mirror_p99)},
       {title: `${study.lobe} rel_rms`, kind: "number", value: r => r.filtered_error, text: r => figure(r.filtered_error)},
       {title: "largest / smallest texel", kind: "number", value: r => r.density_ratio, text: r => figure(r.density_ratio)},
     ], rows));
@@ -456,7 +459,7 @@ function growthPlot(axisName, value, spread, xTitle, xText, yTitle, yText) {
   const points = report.growth.filter(p => p.axis === axisName && measured(p) && value(p) > 0);
   return {
     datasets: methods.filter(name => points.some(p => p.method === name)).map(name => methodSet(name, points.filter(p => p.method === name).map(p => ({
-      x: p.at, y: value(p), front: p.streamed, title: `${name} · ${xText(p.at)}`,
+      x: p.at, y: value(p), front: p.streamed, hollow: !p.filtered, title: `${name} · ${xText(p.at)}`,
       lines: [time(p.seconds.median) + (p.seconds.runs > 1 ? ` (${time(p.seconds.shortest)} to ${time(p.seconds.longest)})` : ""), `peak memory ${bytes(p.peak_bytes)} beside ${bytes(p.probe_bytes)} of probe`,
         p.method === "auto" ? `chose ${p.ran}` : "", p.streamed ? "streamed: the probe is never held" : "", p.filtered ? "" : "lobe unresolved: a lookup"].filter(Boolean),
     })), {whiskers: false})),
@@ -472,9 +475,9 @@ if (report.growth.length > 0) {
   const names = methods.filter(name => report.growth.some(p => p.method === name && measured(p)));
   section("growth", "How cost grows",
     element("p", {class: "soft"}, `Each method with its usual knobs at tolerance ${figure(report.tolerance)}, on ${probeName(0)} resampled. Time is that of the first lobe; memory is the peak beside the probe. ` +
-      "Outlined symbols are streamed: the probe's rows are made on the fly and never held."),
+      "Outlined symbols are streamed: the probe's rows are made on the fly and never held. Hollow ones are lookups: the lobe is narrower than a texel of the probe."),
     element("div", {class: "controls"}, legend(names)),
-    element("div", {class: "grid"},
+    element("div", {class: "grid two"},
       report.growth.some(p => p.axis === "probe-width" && measured(p)) ? plotCard("growth-time-width", `Time against probe width, ${report.growth_lobe}`, null, () => byWidth(seconds, "run time (median)", timeText), true) : null,
       report.growth.some(p => p.axis === "probe-width" && measured(p)) ? plotCard("growth-memory-width", `Memory against probe width, ${report.growth_lobe}`, null, () => byWidth(memory, "peak memory beside the probe", bytesText), true) : null,
       plotCard("growth-time-exponent", "Time against exponent", null, () => byExponent(seconds, "run time (median)", timeText), true),
