@@ -4,9 +4,14 @@
 #include "core/filter/source_file.h"
 #include "core/image/map_file.h"
 #include "core/image/mip_pyramid.h"
+#include "core/preview/paraboloid_blur.h"
 
+#include <algorithm>
+#include <cmath>
+#include <map>
 #include <memory>
 #include <sstream>
+#include <type_traits>
 
 namespace mirrorball::cli {
 
@@ -16,6 +21,8 @@ struct Options {
     std::string probe, out, lobe, to, from, method = "auto", stats;
     std::optional<double> exponent, roughness, alpha, lambda;
     std::optional<int> samples;
+    std::optional<std::string> mipFiltering;
+    std::map<std::string, std::string> paraboloid; ///< by option, as typed
     int size = 0, border = 0, threads = 0;
     double yawDeg = 0.0, tolerance = 1e-5;
     bool mips = false, half = false, explain = false;
@@ -65,6 +72,58 @@ std::optional<Lobe> parseLobe(const Options& o)
     throw InvalidArgument("--lobe: '" + o.lobe + "' is no lobe; choose phong, diffuse or ggx");
 }
 
+MipFiltering parseMipFiltering(const std::string& word)
+{
+    const auto known = words(MipFiltering{});
+    for (size_t i = 0; i < known.size(); ++i)
+        if (known[i] == word)
+            return static_cast<MipFiltering>(i);
+    throw InvalidArgument("--mip-filtering: '" + word + "' is none; choose across-seams or per-face");
+}
+
+std::string optionOf(const Field& field)
+{
+    std::string option = "--" + std::string(field.name);
+    std::replace(option.begin(), option.end(), '_', '-');
+    return option;
+}
+
+/// Puts what was typed into a knob.
+struct KnobParser {
+    const std::map<std::string, std::string>& typed;
+
+    template <typename Value>
+    void operator()(const Field& field, Value& value) const
+    {
+        const auto given = typed.find(optionOf(field));
+        if (given == typed.end() || given->second.empty())
+            return;
+        if constexpr (std::is_enum_v<Value>) {
+            std::string known;
+            for (size_t i = 0; i < words(Value{}).size(); ++i) {
+                if (words(Value{})[i] == given->second) {
+                    value = static_cast<Value>(i);
+                    return;
+                }
+                known += (known.empty() ? "" : " or ") + std::string(words(Value{})[i]);
+            }
+            throw InvalidArgument(given->first + ": '" + given->second + "' is none; choose " + known);
+        } else {
+            std::istringstream text(given->second);
+            double number = 0.0;
+            const bool isNumber = (text >> number) && text.eof();
+            if (!isNumber || !(number >= field.low && number <= field.high) ||
+                (std::is_integral_v<Value> && number != std::floor(number))) {
+                std::ostringstream message;
+                message << given->first << ": must be " << (std::is_integral_v<Value> ? "a whole number" : "a number") << " from " << field.low
+                        << " to " << field.high << "; it is '" << given->second << "'";
+                throw InvalidArgument(message.str());
+            }
+            value = static_cast<Value>(number);
+        }
+    }
+};
+
 /// One filter job a level.
 std::vector<PrefilterOptions> parseJobs(const Options& o)
 {
@@ -75,8 +134,17 @@ std::vector<PrefilterOptions> parseJobs(const Options& o)
             known += (known.empty() ? "" : ", ") + std::string(name(m));
         throw InvalidArgument("--method: '" + o.method + "' is no method; choose one of " + known);
     }
-    refuse(o.samples.has_value(), "--samples", "only a sampling method uses it, and method '" + o.method + "' takes no samples");
-    refuse(o.lambda.has_value(), "--lambda", "only a mip method uses it, and method '" + o.method + "' reads no mip levels");
+    refuse(o.samples && *method != Method::Importance, "--samples", "belongs to --method importance, not to '" + o.method + "'");
+    refuse(o.lambda && *method != Method::Mip, "--lambda", "belongs to --method mip, not to '" + o.method + "'");
+    refuse(o.mipFiltering && *method != Method::Mip, "--mip-filtering", "belongs to --method mip, not to '" + o.method + "'");
+    MethodKnobs knobs{.lambda = o.lambda};
+    if (o.samples)
+        knobs.samples = *o.samples;
+    if (o.mipFiltering)
+        knobs.mipFiltering = parseMipFiltering(*o.mipFiltering);
+    for (const auto& [option, value] : o.paraboloid)
+        refuse(!value.empty() && *method != Method::Paraboloid, option, "belongs to --method paraboloid, not to '" + o.method + "'");
+    ParaboloidKnobs::visitFields(knobs.paraboloid, KnobParser{o.paraboloid});
     if (!(o.tolerance > 0.0 && o.tolerance <= 1.0))
         throw InvalidArgument("--tolerance: must lie in (0, 1]");
     const MapLayout base{.kind = parseKind("--to", o.to), .size = o.size, .border = o.border};
@@ -90,7 +158,8 @@ std::vector<PrefilterOptions> parseJobs(const Options& o)
                         .target = levelLayout(base, i),
                         .method = *method,
                         .tolerance = o.tolerance,
-                        .yaw = radians(o.yawDeg)});
+                        .yaw = radians(o.yawDeg),
+                        .knobs = knobs});
     }
     return jobs;
 }
@@ -111,11 +180,12 @@ void run(const Options& o)
     const JobControl job = jobWithProgress("filter", o.threads);
     Stats stats{.threads = job.threadCount()};
     OpenedSource opened = openFilterSource(o.probe, read, jobs, job, stats.stages);
+    opened.source.useParaboloidDevice(std::make_shared<preview::ParaboloidBlur>()); // starts no GPU before it is asked
 
     if (o.explain) {
         std::vector<Stage> plan = stats.stages;
         for (const PrefilterOptions& options : jobs) {
-            const PrefilterPlan p = planPrefilter(options, opened.source.width(), opened.streamed);
+            const PrefilterPlan p = planPrefilter(options, traits(opened.source));
             std::ostringstream why;
             why.precision(3);
             if (p.filtered)
@@ -176,10 +246,15 @@ void addFilterCommand(CLI::App& program)
     command->add_option("--border", o->border, "texels kept free outside each disc of a paraboloid map");
     command->add_flag("--mips", o->mips,
                       "every mip level, down to one texel; ggx without a roughness makes the chain of roughness 0 to 1 from base to top");
-    command->add_option("--method", o->method, "auto, reference, spectral or direct");
+    command->add_option("--method", o->method, "auto, reference, spectral, direct, hierarchical, importance, paraboloid, mip or sh9");
     command->add_option("--tolerance", o->tolerance, "largest rel_rms error against the reference sum, in (0, 1]");
-    command->add_option("--samples", o->samples, "samples a texel, for sampling methods");
-    command->add_option("--lambda", o->lambda, "minimum level of detail, for mip methods");
+    command->add_option("--samples", o->samples, "importance: samples of the lobe a texel (1024)");
+    command->add_option("--lambda", o->lambda, "mip: least level of detail of the environment; without it matched to the lobe by width");
+    command->add_option("--mip-filtering", o->mipFiltering, "mip: across-seams, or per-face as the hardware of 2002 did");
+    ParaboloidKnobs knobs;
+    ParaboloidKnobs::visitFields(knobs, [&](const Field& field, auto&) {
+        command->add_option(optionOf(field), o->paraboloid[optionOf(field)], std::string(field.help));
+    });
     command->add_option("--threads", o->threads, "threads; 0: one per core")->check(CLI::Range(0, 1024));
     command->add_flag("--half", o->half, "16-bit floats (.exr, .tif)");
     command->add_flag("--explain", o->explain, "print what is done, what is left out, and why; then do it");

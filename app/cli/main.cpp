@@ -15,6 +15,20 @@ int fail(const char* message, int status)
     return status;
 }
 
+/// CLI11 calls a command that it does not know a missing one. @throws InvalidArgument naming the known ones
+void checkCommand(const CLI::App& program, int argc, char** argv)
+{
+    if (argc < 2 || argv[1][0] == '-')
+        return;
+    std::string known;
+    for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+        if (command->get_name() == argv[1])
+            return;
+        known += (known.empty() ? "" : ", ") + command->get_name();
+    }
+    throw mirrorball::InvalidArgument("'" + std::string(argv[1]) + "' is no command; choose one of " + known);
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -33,6 +47,7 @@ int main(int argc, char** argv)
     cli::addExportCommand(program);
     cli::addPresetsCommand(program);
     try {
+        checkCommand(program, argc, argv);
         program.parse(argc, argv);
     } catch (const CLI::Success& e) { // --help, --version
         return program.exit(e);

@@ -60,9 +60,9 @@ ParaboloidKnobs resolved(ParaboloidKnobs knobs, int probeHeight);
 /// Why the method cannot do this; empty where it can. @param knobs resolved
 std::string paraboloidRefusal(const Lobe& lobe, const ParaboloidKnobs& knobs);
 
-/// What the method costs against the reference sum: rel_rms for a single bright texel, the most demanding probe there is, by integrating
-/// the square of the difference between its effective kernel and the lobe. Other probes show less. Blended kernels are averaged over the
-/// hemisphere.
+/// What the method costs against the reference sum: rel_rms for a single bright texel, the most demanding probe there is, where the method
+/// is worst (blended at the rim, exact in the middle of a half), by integrating the square of the difference between its effective kernel
+/// and the lobe. Other probes show less.
 double paraboloidError(const Lobe& lobe, const ParaboloidKnobs& knobs);
 
 /// Seconds on one core of a current server with a software renderer; with a GPU only laying out the halves takes time.

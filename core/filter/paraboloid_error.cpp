@@ -3,11 +3,12 @@
 #include "../sphere/direction.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-/// The error of the paraboloid method for a single bright texel. For a lookup at r the method reads the texel's radiance with some weight
-/// g(q) a steradian at the texel's place q, where the reference reads k(r.q). Averaged over all places of the texel, or of the lookup,
-///   rel_rms^2 = integral (g - k)^2 d omega / integral k^2 d omega.
+/// The error of the paraboloid method for a single bright texel at q. A lookup at r reads it with some weight g(r) a steradian, where the
+/// reference reads it with k(r.q), so that over all lookups
+///   rel_rms^2 = integral (g - k)^2 d omega_r / integral k^2 d omega.
 namespace mirrorball {
 
 namespace {
@@ -31,137 +32,116 @@ double stretch(double q2)
     return 4.0 / ((1.0 + q2) * (1.0 + q2));
 }
 
-/// cos of the angle between two places of the plane.
-double cosBetween(const glm::dvec2& p, const glm::dvec2& q)
+/// Direction of a place in the plane of the front half.
+glm::dvec3 lift(const glm::dvec2& q)
 {
-    const glm::dvec2 d = p - q;
-    return 1.0 - 2.0 * glm::dot(d, d) / ((1.0 + glm::dot(p, p)) * (1.0 + glm::dot(q, q)));
+    return glm::dvec3(2.0 * q, 1.0 - glm::dot(q, q)) / (1.0 + glm::dot(q, q));
 }
 
-/// In the middle of a half, where the texels are widest: k is read off its cubic interpolant. The lookup lies on a texel (offset 0) or
-/// between four (offset 1/2).
-double exactSquareError(const LobeShape& shape, double reach, int largestKernel, double offset)
+/// Integral of f(r) over the directions within an angle of q, by the midpoint rule in polar coordinates.
+/// @param turn  of the azimuth: 2 pi, or less where f repeats itself
+template <typename Function>
+double integralAround(const glm::dvec3& q, double angle, double turn, int rings, int spokes, Function&& f)
 {
-    constexpr int steps = 4;
-    const double texel = 1.0 / exactHalfRadius(reach, largestKernel), cosReach = std::cos(reach);
-    const int m = largestKernel / 2 + 4, cells = 2 * m - 2, size = cells * steps;
-    const auto lobeAt = [&](double x, double y, double least) {
-        const double c = cosBetween({0.0, 0.0}, {x, y});
-        return c >= least ? shape.relative(c) : 0.0;
-    };
-    // Along x first: rows of texels, columns of sub-samples.
-    std::vector<double> rows(static_cast<size_t>(2 * m + 1) * static_cast<size_t>(size));
-    for (int j = -m; j <= m; ++j)
-        for (int cell = 0; cell < cells; ++cell)
-            for (int s = 0; s < steps; ++s) {
-                const std::array<double, 4> w = cubicWeights((s + 0.5) / steps);
-                double sum = 0.0;
-                for (int i = 0; i < 4; ++i)
-                    sum += w[static_cast<size_t>(i)] * lobeAt((cell - m + i + offset) * texel, (j + offset) * texel, cosReach);
-                rows[static_cast<size_t>(j + m) * static_cast<size_t>(size) + static_cast<size_t>(cell * steps + s)] = sum;
-            }
-    std::vector<double> interpolated, exact, area;
-    double norm = 0.0, radius = 0.0;
-    for (int cell = 0; cell < cells; ++cell)
-        for (int s = 0; s < steps; ++s) {
-            const std::array<double, 4> w = cubicWeights((s + 0.5) / steps);
-            for (int x = 0; x < size; ++x) {
-                double sum = 0.0;
-                for (int j = 0; j < 4; ++j)
-                    sum += w[static_cast<size_t>(j)] * rows[static_cast<size_t>(cell + j) * static_cast<size_t>(size) + static_cast<size_t>(x)];
-                const double qx = (x / steps - m + 1 + (x % steps + 0.5) / steps + offset) * texel;
-                const double qy = (cell - m + 1 + (s + 0.5) / steps + offset) * texel;
-                interpolated.push_back(sum);
-                exact.push_back(lobeAt(qx, qy, -1.0));
-                area.push_back(stretch(qx * qx + qy * qy) * texel * texel / (steps * steps));
-                norm += sum * area.back();
-                radius = std::max(radius, std::abs(qx));
-            }
+    const glm::dvec3 u = glm::normalize(std::abs(q.x) < 0.9 ? glm::dvec3(1.0, 0.0, 0.0) - q.x * q : glm::dvec3(0.0, 1.0, 0.0) - q.y * q);
+    const glm::dvec3 v = glm::cross(q, u);
+    double sum = 0.0;
+    for (int i = 0; i < rings; ++i) {
+        const double t = angle * (i + 0.5) / rings;
+        for (int j = 0; j < spokes; ++j) {
+            const double phi = turn * (j + 0.5) / spokes;
+            sum += std::sin(t) * f(std::cos(t) * q + std::sin(t) * (std::cos(phi) * u + std::sin(phi) * v));
         }
-    double square = 0.0;
-    for (size_t i = 0; i < area.size(); ++i)
-        square += std::pow(interpolated[i] / norm - exact[i] / shape.integral(), 2) * area[i];
-    return square;
+    }
+    return sum * 2.0 * pi * angle / (rings * spokes);
 }
 
-double exactError(const Lobe& lobe, double reach, const ParaboloidKnobs& knobs)
+/// In the middle of a half, where the texels are widest: the lobe is read at the sixteen texels that the radiance was spread over.
+/// @param f  place of the source between texels: 0 on one, where nothing is interpolated, 1/2 between four, where most is
+double exactSquareError(const LobeShape& shape, double reach, int largestKernel, double f)
 {
-    const LobeShape shape(lobe);
-    const double power = integralBeyond(shape, 0.0, 2.0) / (shape.integral() * shape.integral());
-    const double square = 0.5 * (exactSquareError(shape, reach, knobs.largestKernel, 0.0) +
-                                 exactSquareError(shape, reach, knobs.largestKernel, 0.5));
-    return std::sqrt(square / power);
+    const double texel = 1.0 / exactHalfRadius(reach, largestKernel), leastCos = std::cos(reach);
+    const double clamped = shape.integral() - integralBeyond(shape, reach, 1.0);
+    const std::array<double, 4> w = cubicWeights(f);
+    const double angle = std::min(pi, reach + 2.0 * std::atan(3.0 * texel));
+    const double inside = integralAround({0.0, 0.0, 1.0}, angle, 0.25 * pi, 192, 8, [&](const glm::dvec3& r) {
+        double g = 0.0;
+        for (int j = 0; j < 4; ++j)
+            for (int i = 0; i < 4; ++i) {
+                const double c = glm::dot(r, lift(texel * glm::dvec2(i - 1 - f, j - 1 - f)));
+                g += c >= leastCos ? w[static_cast<size_t>(i)] * w[static_cast<size_t>(j)] * shape.relative(c) : 0.0;
+            }
+        const double difference = g / clamped - shape.relative(r.z) / shape.integral();
+        return difference * difference;
+    });
+    return inside + integralBeyond(shape, angle, 2.0) / (shape.integral() * shape.integral());
 }
 
-/// The weights by which a lookup at p, in texels of the shrunk map from the middle of the half, reads that map: the kernel about each of the
-/// four texels of the bilinear lookup.
-struct ShrunkWeights {
-    int left, top, side;
+/// One of the two filtered maps: what a lookup at p reads of a texel at q, both in the plane, a unit of its area. The lookup is bilinear
+/// between four texels, about each of which the kernel lies.
+struct FilteredMap {
+    SampledKernel kernel;
     double texel; // in radii of the disc
-    std::vector<double> weights;
 
-    ShrunkWeights(const SampledKernel& kernel, int shrink, double radius, const glm::dvec2& q)
-        : side(kernel.side() + 1), texel(shrink / radius), weights(static_cast<size_t>(side) * static_cast<size_t>(side), 0.0)
+    FilteredMap(const Lobe& lobe, double reach, int half, int shrink, KernelPlace place)
+        : kernel(sampleKernel(lobe, reach, half, shrink, place)), texel(2.0 * shrink / half)
     {
-        const glm::dvec2 p = q / texel - 0.5, corner = glm::floor(p), f = p - corner;
-        left = static_cast<int>(corner.x) - kernel.reach;
-        top = static_cast<int>(corner.y) - kernel.reach;
+    }
+    double weight(const glm::dvec2& p, const glm::dvec2& q) const
+    {
+        const glm::dvec2 corner = glm::floor(p / texel - 0.5), f = p / texel - 0.5 - corner, offset = glm::floor(q / texel) - corner;
+        double sum = 0.0;
         for (int dy = 0; dy < 2; ++dy)
-            for (int dx = 0; dx < 2; ++dx)
-                for (int j = 0; j < kernel.side(); ++j)
-                    for (int i = 0; i < kernel.side(); ++i)
-                        weights[static_cast<size_t>(j + dy) * static_cast<size_t>(side) + static_cast<size_t>(i + dx)] +=
-                            (dx ? f.x : 1.0 - f.x) * (dy ? f.y : 1.0 - f.y) *
-                            kernel.weights[static_cast<size_t>(j * kernel.side() + i)];
+            for (int dx = 0; dx < 2; ++dx) {
+                const int x = static_cast<int>(offset.x) - dx + kernel.reach, y = static_cast<int>(offset.y) - dy + kernel.reach;
+                if (x >= 0 && y >= 0 && x < kernel.side() && y < kernel.side())
+                    sum += (dx ? f.x : 1.0 - f.x) * (dy ? f.y : 1.0 - f.y) * kernel.weights[static_cast<size_t>(y * kernel.side() + x)];
+            }
+        return sum / (texel * texel);
     }
-    /// Weight per area of the plane.
-    double density(const glm::dvec2& q) const
-    {
-        const int x = static_cast<int>(std::floor(q.x / texel)) - left, y = static_cast<int>(std::floor(q.y / texel)) - top;
-        return x < 0 || y < 0 || x >= side || y >= side ? 0.0
-                                                        : weights[static_cast<size_t>(y * side + x)] / (texel * texel);
-    }
-    double reach() const { return 0.5 * side * texel; }
 };
 
-double blendedError(const Lobe& lobe, double reach, const ParaboloidKnobs& knobs)
+/// The largest over places from the middle of a half to its rim, in several directions: a texel of the most shrunk map is so large that it
+/// matters where on it the source lies.
+double blendedSquareError(const LobeShape& shape, const Lobe& lobe, double reach, const ParaboloidKnobs& knobs)
 {
-    const LobeShape shape(lobe);
     const KernelSizes sizes = kernelSizes(reach, knobs.half, knobs.largestKernel);
-    const SampledKernel small = sampleKernel(lobe, reach, knobs.half, sizes.smallShrink, KernelPlace::Middle);
-    const SampledKernel large = sampleKernel(lobe, reach, knobs.half, sizes.largeShrink, KernelPlace::Rim);
-    const double power = integralBeyond(shape, 0.0, 2.0) / (shape.integral() * shape.integral());
-    constexpr int places = 8; // of equal solid angle, each in another direction from the middle
-    double square = 0.0;
-    for (int i = 0; i < places; ++i) {
-        const double z = (i + 0.5) / places, d = std::sqrt((1.0 - z) / (1.0 + z)), turn = 0.4 + 2.399963 * i;
-        const glm::dvec2 p = d * glm::dvec2(std::cos(turn), std::sin(turn));
-        const ShrunkWeights s(small, sizes.smallShrink, 0.5 * knobs.half, p), l(large, sizes.largeShrink, 0.5 * knobs.half, p);
-        const double share = largeKernelShare(d);
-        // As far as either kernel goes, or the lobe itself down to a thousandth.
-        const double lobeReach = shape.support(1e-3);
-        const double around = std::max({s.reach(), l.reach(), (1.0 + d * d) * std::tan(0.5 * lobeReach)});
-        const double step = std::max(s.texel / 3.0, around / 48.0);
-        const int n = static_cast<int>(std::ceil(around / step));
-        double part = 0.0;
-        for (int y = -n; y < n; ++y)
-            for (int x = -n; x < n; ++x) {
-                const glm::dvec2 q = p + step * glm::dvec2(x + 0.5, y + 0.5);
-                const double jacobian = stretch(glm::dot(q, q));
-                const double g = ((1.0 - share) * s.density(q) + share * l.density(q)) / jacobian;
-                part += std::pow(g - shape.relative(cosBetween(p, q)) / shape.integral(), 2) * jacobian;
-            }
-        square += part * step * step / places;
+    const FilteredMap small(lobe, reach, knobs.half, sizes.smallShrink, KernelPlace::Middle);
+    const FilteredMap large(lobe, reach, knobs.half, sizes.largeShrink, KernelPlace::Rim);
+    // How far either kernel goes, in the middle, where it goes farthest; the lobe itself goes beyond its clamp.
+    const double farthest = std::max((small.kernel.reach + 2) * small.texel, (large.kernel.reach + 2) * large.texel);
+    const double angle = std::min(pi, std::max(2.0 * std::atan(farthest), 1.5 * reach));
+    constexpr std::array places{0.95, 0.5, 0.2, 0.02}; // z
+    constexpr size_t turns = 5;
+    double worst = 0.0;
+    for (size_t i = 0; i < places.size() * turns; ++i) {
+        const double z = places[i / turns], s = std::sqrt(1.0 - z * z), turn = 0.1 + 0.7 * static_cast<double>(i % turns) / turns;
+        const glm::dvec3 source(s * std::cos(turn), s * std::sin(turn), z);
+        const double square = integralAround(source, angle, 2.0 * pi, 64, 32, [&](const glm::dvec3& r) {
+            const double c = glm::dot(r, source), side = r.z < 0.0 ? -1.0 : 1.0;
+            const glm::dvec2 p = glm::dvec2(r.x, r.y) / (1.0 + side * r.z);
+            const glm::dvec2 q = glm::dvec2(source.x, source.y) / std::max(1e-9, 1.0 + side * source.z);
+            const double share = largeKernelShare(glm::length(p));
+            const double g = ((1.0 - share) * small.weight(p, q) + share * large.weight(p, q)) / stretch(glm::dot(q, q));
+            const double difference = g - shape.relative(c) / shape.integral();
+            return difference * difference;
+        });
+        worst = std::max(worst, square);
     }
-    return std::sqrt(square / power);
+    return worst + integralBeyond(shape, angle, 2.0) / (shape.integral() * shape.integral());
 }
 
 } // namespace
 
 double paraboloidError(const Lobe& lobe, const ParaboloidKnobs& knobs)
 {
-    const double reach = LobeShape(lobe).support(knobs.clamp);
-    return knobs.kernel == ParaboloidKernel::Blended ? blendedError(lobe, reach, knobs) : exactError(lobe, reach, knobs);
+    const LobeShape shape(lobe);
+    const double reach = shape.support(knobs.clamp);
+    const double power = integralBeyond(shape, 0.0, 2.0) / (shape.integral() * shape.integral());
+    const double square = knobs.kernel == ParaboloidKernel::Blended ? blendedSquareError(shape, lobe, reach, knobs)
+                                                                    : std::max(exactSquareError(shape, reach, knobs.largestKernel, 0.0),
+                                                                               exactSquareError(shape, reach, knobs.largestKernel, 0.5));
+    return std::sqrt(square / power);
 }
 
 double paraboloidSeconds(const Lobe& lobe, const ParaboloidKnobs& knobs, int probeWidth, int directions)

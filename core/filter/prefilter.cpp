@@ -15,17 +15,6 @@ namespace mirrorball {
 
 namespace {
 
-constexpr std::array<std::string_view, allMethods.size()> methodNames{"auto", "reference", "spectral", "direct"};
-
-/// Band limits are rounded up to steps when a spectrum is made, so that the next lobe, a little narrower, finds what it needs.
-int roundedUp(int bandLimit)
-{
-    int step = 32;
-    while (step < bandLimit)
-        step = step * 3 / 2 <= bandLimit || step * 3 / 2 % 16 != 0 ? step * 2 : step * 3 / 2;
-    return std::min(step, std::max(bandLimit, largestBandLimit));
-}
-
 /// Seconds on one core of a current server; only their ratios matter, to choose a method (see tests/benchmarks).
 double spectralSeconds(int bandLimit, int width, int texels, int knownBandLimit)
 {
@@ -45,7 +34,8 @@ double directLevel(double tolerance)
     return std::min(1e-3, 1e-7 * tolerance);
 }
 
-EnvironmentMap toMap(const MapLayout& target, const std::vector<glm::dvec3>& values)
+template <typename Value>
+EnvironmentMap toMap(const MapLayout& target, const std::vector<Value>& values)
 {
     EnvironmentMap map(target);
     for (size_t i = 0; i < values.size(); ++i)
@@ -123,25 +113,6 @@ Settled settleBandLimit(FilterSource& source, const PrefilterOptions& options, c
     }
 }
 
-/// rel_rms of `copy`, looked up at the texels of `original`; over a part of them, which is enough for a figure.
-double differenceAtTexels(const EnvironmentMap& original, const EnvironmentMap& copy)
-{
-    const int step = std::max(1, original.image.height / 128);
-    double difference = 0.0, power = 0.0;
-    for (int y = 0; y < original.image.height; y += step)
-        for (int x = 0; x < original.image.width; x += step) {
-            const double solidAngle = texelSolidAngle(original.layout, x, y);
-            if (solidAngle <= 0.0)
-                continue;
-            const float* t = original.image.texel(x, y);
-            const glm::dvec3 value(t[0], t[1], t[2]);
-            const glm::dvec3 error = glm::dvec3(copy.radiance(texelDirection(original.layout, x, y))) - value;
-            difference += solidAngle * glm::dot(error, error);
-            power += solidAngle * glm::dot(value, value);
-        }
-    return power > 0.0 ? std::sqrt(difference / power) : 0.0;
-}
-
 EnvironmentMap runSpectral(FilterSource& source, const PrefilterOptions& options, const JobControl& job, PrefilterOutcome& outcome)
 {
     const int knownBefore = source.knownBandLimit() + source.knownCalmBandLimit();
@@ -158,91 +129,66 @@ EnvironmentMap runSpectral(FilterSource& source, const PrefilterOptions& options
     });
 }
 
+ParaboloidKnobs paraboloidKnobs(const PrefilterOptions& options, int width)
+{
+    return resolved(options.knobs.paraboloid, width / 2);
+}
+
+EnvironmentMap runParaboloid(FilterSource& source, const PrefilterOptions& options, const JobControl& job, PrefilterOutcome& outcome)
+{
+    const ParaboloidHalves halves = timedStage(outcome.stages, "paraboloid halves", [&] {
+        return layOutHalves(*source.latlong(), options.lobe, paraboloidKnobs(options, source.width()), job);
+    });
+    return timedStage(outcome.stages, "paraboloid sums", [&] {
+        return toMap(options.target, source.paraboloidDevice()->sum(halves, lookupDirections(options.target, options.yaw), job));
+    });
+}
+
 } // namespace
 
-std::string_view name(Method method)
+ProbeTraits traits(const FilterSource& source)
 {
-    return methodNames[static_cast<size_t>(method)];
+    return {.width = source.width(),
+            .streamed = source.latlong() == nullptr,
+            .knownBandLimit = std::max(source.knownBandLimit(), source.knownCalmBandLimit()),
+            .hasParaboloidDevice = source.paraboloidDevice() != nullptr};
 }
 
-std::optional<Method> methodFromName(std::string_view word)
+std::string refusal(Method method, const PrefilterOptions& options, const ProbeTraits& probe)
 {
-    for (const Method method : allMethods)
-        if (name(method) == word)
-            return method;
-    return std::nullopt;
-}
-
-int latlongHeight(const MapLayout& layout)
-{
-    switch (layout.kind) {
-    case Parameterization::Latlong: return layout.size;
-    case Parameterization::Cube: return 3 * layout.size;
-    case Parameterization::Sphere: return 2 * layout.size;
-    case Parameterization::Angular: return layout.size;
-    case Parameterization::Paraboloid: return 2 * layout.size;
-    case Parameterization::Octahedral: return 2 * layout.size;
+    const std::string who = "method: '" + std::string(name(method)) + "' ";
+    if (probe.streamed && method != Method::Spectral && method != Method::Auto)
+        return who + "needs the whole probe in memory; use auto or spectral";
+    switch (method) {
+    case Method::Auto:
+    case Method::Reference:
+    case Method::Spectral:
+    case Method::Direct: return "";
+    case Method::Paraboloid:
+        if (!probe.hasParaboloidDevice)
+            return who + "runs on a GPU and none was given; use another method";
+        // A lobe that needs no filtering is looked up whatever the method.
+        return options.lobe.isMirror() || isUnresolved(options.lobe, probe.width)
+                   ? ""
+                   : paraboloidRefusal(options.lobe, paraboloidKnobs(options, probe.width));
+    case Method::Hierarchical:
+    case Method::Importance:
+    case Method::Mip:
+    case Method::Sh9: break;
     }
-    return layout.size;
+    return who + "is not built yet; use auto";
 }
 
-FilterSource::FilterSource(EnvironmentMap probe, const JobControl& job)
-{
-    if (probe.layout.kind != Parameterization::Latlong) {
-        EnvironmentMap latlong =
-            reproject(probe, {.target = {.kind = Parameterization::Latlong, .size = latlongHeight(probe.layout)}}, job);
-        m_resamplingError = differenceAtTexels(probe, latlong);
-        probe = std::move(latlong);
-    }
-    m_width = probe.image.width;
-    m_height = probe.image.height;
-    m_latlong = std::make_shared<const EnvironmentMap>(std::move(probe));
-}
-
-FilterSource::FilterSource(Spectrum spectrum) : m_width(spectrum.ringLength), m_height(spectrum.rings)
-{
-    m_spectrum = std::make_shared<const Spectrum>(std::move(spectrum));
-}
-
-const Spectrum& FilterSource::spectrum(int bandLimit, const JobControl& job)
-{
-    if (!m_spectrum || m_spectrum->bandLimit < bandLimit) {
-        if (!m_latlong)
-            throw WorkError("spectrum: the probe was read up to band limit " + std::to_string(m_spectrum->bandLimit) + ", but " +
-                            std::to_string(bandLimit) + " is needed; load it whole");
-        m_spectrum = std::make_shared<const Spectrum>(analyse(*m_latlong, roundedUp(bandLimit), job));
-    }
-    return *m_spectrum;
-}
-
-const Spectrum& FilterSource::calmSpectrum(int bandLimit, const JobControl& job)
-{
-    if (!m_calm) {
-        auto calm = std::make_shared<EnvironmentMap>(*m_latlong);
-        m_bright = takeBrightTexels(*calm);
-        m_calm = std::move(calm);
-    }
-    if (!m_calmSpectrum || m_calmSpectrum->bandLimit < bandLimit)
-        m_calmSpectrum = std::make_shared<const Spectrum>(analyse(*m_calm, roundedUp(bandLimit), job));
-    return *m_calmSpectrum;
-}
-
-std::span<const SpherePoint> FilterSource::points(const MapLayout& target, const JobControl& job)
-{
-    if (!m_points || m_pointsLayout != target) {
-        m_points = std::make_shared<const std::vector<SpherePoint>>(spherePoints(target, job));
-        m_pointsLayout = target;
-    }
-    return *m_points;
-}
-
-PrefilterPlan planPrefilter(const PrefilterOptions& options, int width, bool streamed, int knownBandLimit)
+PrefilterPlan planPrefilter(const PrefilterOptions& options, const ProbeTraits& probe)
 {
     validate(options.target);
     if (!(options.tolerance > 0.0 && options.tolerance <= 1.0))
         throw InvalidArgument("tolerance: must lie in (0, 1]");
     if (!std::isfinite(options.yaw))
         throw InvalidArgument("yaw: must be a finite angle");
+    if (const std::string why = refusal(options.method, options, probe); !why.empty())
+        throw InvalidArgument(why);
+    const int width = probe.width;
 
     std::ostringstream why;
     why.precision(3);
@@ -262,7 +208,7 @@ PrefilterPlan planPrefilter(const PrefilterOptions& options, int width, bool str
     const PrefilterPlan spectral{.method = Method::Spectral,
                                  .bandLimit = band.bandLimit,
                                  .predictedError = std::max(band.predictedError, 0.4 * options.tolerance),
-                                 .predictedSeconds = spectralSeconds(usualLimit, width, texels, knownBandLimit)};
+                                 .predictedSeconds = spectralSeconds(usualLimit, width, texels, probe.knownBandLimit)};
     const PrefilterPlan direct{.method = Method::Direct,
                                .predictedError = directTruncation(options.lobe, {.level = level}),
                                .predictedSeconds = directSeconds(options.lobe, width, texels, level)};
@@ -280,27 +226,34 @@ PrefilterPlan planPrefilter(const PrefilterOptions& options, int width, bool str
         plan = direct;
         why << "asked for";
         break;
+    case Method::Paraboloid:
+        plan = {.method = Method::Paraboloid,
+                .predictedError = paraboloidError(options.lobe, paraboloidKnobs(options, width)),
+                .predictedSeconds = paraboloidSeconds(options.lobe, paraboloidKnobs(options, width), width, texels)};
+        why << "asked for";
+        break;
+    case Method::Hierarchical:
+    case Method::Importance:
+    case Method::Mip:
+    case Method::Sh9:
     case Method::Auto:
         plan = spectral;
-        if (!streamed && direct.predictedError <= options.tolerance && direct.predictedSeconds < spectral.predictedSeconds)
+        if (!probe.streamed && direct.predictedError <= options.tolerance && direct.predictedSeconds < spectral.predictedSeconds)
             plan = direct;
-        if (streamed)
+        if (probe.streamed)
             why << "the probe is read row by row";
         else
             why << "predicted " << spectral.predictedSeconds * 1e3 << " ms spectral against " << direct.predictedSeconds * 1e3
                 << " ms direct";
         break;
     }
-    if (streamed && plan.method != Method::Spectral)
-        throw InvalidArgument("method: '" + std::string(name(plan.method)) + "' needs the whole probe in memory; use auto or spectral");
     plan.why = why.str();
     return plan;
 }
 
 PrefilterOutcome prefilter(FilterSource& source, const PrefilterOptions& options, const JobControl& job)
 {
-    const PrefilterPlan plan = planPrefilter(options, source.width(), source.latlong() == nullptr,
-                                             std::max(source.knownBandLimit(), source.knownCalmBandLimit()));
+    const PrefilterPlan plan = planPrefilter(options, traits(source));
     PrefilterOutcome outcome{.method = plan.method, .filtered = plan.filtered, .predictedError = plan.predictedError, .why = plan.why};
     if (!plan.filtered) {
         if (!source.latlong())
@@ -320,6 +273,13 @@ PrefilterOutcome prefilter(FilterSource& source, const PrefilterOptions& options
                                                    {.level = directLevel(options.tolerance)}, job));
         });
         break;
+    case Method::Paraboloid:
+        outcome.map = runParaboloid(source, options, job, outcome);
+        break;
+    case Method::Hierarchical:
+    case Method::Importance:
+    case Method::Mip:
+    case Method::Sh9:
     case Method::Reference:
     case Method::Auto:
         outcome.map = timedStage(outcome.stages, "reference sum", [&] {

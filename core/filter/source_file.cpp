@@ -24,7 +24,7 @@ int streamedBandLimit(const ImageFileInfo& info, const ReadProbeOptions& options
             return -1;
         if (filter.lobe.isMirror() || isUnresolved(filter.lobe, info.width))
             return -1;
-        bandLimit = std::max(bandLimit, planPrefilter(filter, info.width, true).bandLimit);
+        bandLimit = std::max(bandLimit, planPrefilter(filter, {.width = info.width, .streamed = true}).bandLimit);
     }
     return bandLimit;
 }

@@ -45,14 +45,32 @@ inline std::optional<glm::mat3> conversionFrom(const std::string& path, const Ch
     }
 }
 
-/// Text from a file or another library as the part of a one-line message: its first line without the full stop, readable characters.
+/// Bytes of the UTF-8 character that begins at text[i]; 0 where none does. (Overlong forms and surrogates are let through: terminals
+/// and JSON readers cope with those, but not with stray bytes.)
+inline size_t utf8Length(const std::string& text, size_t i)
+{
+    const auto byte = [&](size_t at) { return at < text.size() ? static_cast<unsigned char>(text[at]) : 0u; };
+    const unsigned lead = byte(i);
+    const size_t length = lead < 0x80 ? 1 : lead >> 5 == 0x6 ? 2 : lead >> 4 == 0xe ? 3 : lead >> 3 == 0x1e ? 4 : 0;
+    for (size_t k = 1; k < length; ++k)
+        if (byte(i + k) >> 6 != 0x2)
+            return 0;
+    return length;
+}
+
+/// Text from a file or another library as the part of a one-line message: its first line without the full stop, readable characters
+/// only, in valid UTF-8.
 inline std::string oneLine(const std::string& text)
 {
     std::string line = text.substr(0, std::min(text.find('\n'), size_t{300}));
     while (!line.empty() && (line.back() == '.' || line.back() == ' ' || line.back() == '\r'))
         line.pop_back();
-    std::replace_if(
-        line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+    for (size_t i = 0; i < line.size();) {
+        const size_t length = utf8Length(line, i);
+        if (length == 0 || static_cast<unsigned char>(line[i]) < 0x20 || line[i] == 0x7f)
+            line[i] = '?';
+        i += std::max<size_t>(length, 1);
+    }
     return line;
 }
 

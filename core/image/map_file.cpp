@@ -26,8 +26,12 @@ std::filesystem::path withLevel(const std::filesystem::path& path, size_t level)
     return result;
 }
 
+struct Edges {
+    int width = 0, height = 0;
+};
+
 /// Whether each level has half the edges of the one before, rounded down, which a mip-mapped file takes for granted.
-bool halveExactly(const std::vector<Image>& levels)
+bool halveExactly(const std::vector<Edges>& levels)
 {
     for (size_t i = 1; i < levels.size(); ++i)
         if (levels[i].width != std::max(1, levels[i - 1].width / 2) || levels[i].height != std::max(1, levels[i - 1].height / 2))
@@ -35,20 +39,46 @@ bool halveExactly(const std::vector<Image>& levels)
     return true;
 }
 
+/// The files of one chain of images: one where it holds them all, else one a level.
+std::vector<std::filesystem::path> levelFiles(const std::filesystem::path& out, const std::vector<Edges>& levels)
+{
+    if (levels.size() == 1 || (holdsMips(out) && halveExactly(levels)))
+        return {out};
+    std::vector<std::filesystem::path> files;
+    for (size_t i = 0; i < levels.size(); ++i)
+        files.push_back(withLevel(out, i));
+    return files;
+}
+
 std::vector<std::filesystem::path> writeLevels(const std::filesystem::path& out, const std::vector<Image>& levels, const WriteOptions& options)
 {
-    if (levels.size() == 1) {
-        writeImage(out, levels.front(), options);
-        return {out};
-    }
-    if (holdsMips(out) && halveExactly(levels)) {
+    std::vector<Edges> edges;
+    for (const Image& level : levels)
+        edges.push_back({level.width, level.height});
+    std::vector<std::filesystem::path> files = levelFiles(out, edges);
+    if (files.size() < levels.size())
         writeMips(out, levels, options);
-        return {out};
-    }
+    else
+        for (size_t i = 0; i < levels.size(); ++i)
+            writeImage(files[i], levels[i], options);
+    return files;
+}
+
+/// NAME with its `%s` replaced by the word of each face; empty when it has none.
+std::vector<std::filesystem::path> faceFiles(const std::filesystem::path& out, Parameterization kind)
+{
+    const std::string file = out.filename().string();
+    const size_t mark = file.find("%s");
+    if (mark == std::string::npos)
+        return {};
+    if (kind != Parameterization::Cube)
+        throw InvalidArgument("output: '%s' stands for the six faces of a cube, but this map is a " + std::string(name(kind)) +
+                              " map; give a plain name");
     std::vector<std::filesystem::path> files;
-    for (size_t i = 0; i < levels.size(); ++i) {
-        files.push_back(withLevel(out, i));
-        writeImage(files.back(), levels[i], options);
+    for (const std::string_view word : faceNames) {
+        std::string faceFile = file;
+        faceFile.replace(mark, 2, word);
+        files.push_back(out.parent_path() / faceFile);
     }
     return files;
 }
@@ -81,6 +111,21 @@ Probe readProbe(const std::string& probe, const ReadProbeOptions& options, const
     return result;
 }
 
+std::vector<std::filesystem::path> mapFiles(const std::filesystem::path& out, const std::vector<MapLayout>& levels)
+{
+    std::vector<Edges> edges;
+    const std::vector<std::filesystem::path> faces = faceFiles(out, levels.front().kind);
+    for (const MapLayout& level : levels)
+        edges.push_back({level.width(), faces.empty() ? level.height() : level.width()});
+    if (faces.empty())
+        return levelFiles(out, edges);
+    std::vector<std::filesystem::path> files;
+    for (const std::filesystem::path& faceFile : faces)
+        for (std::filesystem::path& file : levelFiles(faceFile, edges))
+            files.push_back(std::move(file));
+    return files;
+}
+
 std::vector<std::filesystem::path> writeMap(const std::filesystem::path& out, const std::vector<EnvironmentMap>& levels,
                                             const WriteOptions& options)
 {
@@ -90,25 +135,20 @@ std::vector<std::filesystem::path> writeMap(const std::filesystem::path& out, co
     if (layout.border > 0)
         described.attributes["mirrorball:border"] = std::to_string(layout.border);
 
-    const std::string file = out.filename().string();
-    const size_t mark = file.find("%s");
+    const std::vector<std::filesystem::path> faces = faceFiles(out, layout.kind);
     std::vector<Image> images;
-    if (mark == std::string::npos) {
+    if (faces.empty()) {
         for (const EnvironmentMap& level : levels)
             images.push_back(level.image);
         return writeLevels(out, images, described);
     }
-    if (layout.kind != Parameterization::Cube)
-        throw InvalidArgument("output: '%s' stands for the six faces of a cube, but this map is a " + std::string(name(layout.kind)) + " map; give a plain name");
     std::vector<std::filesystem::path> files;
-    for (int i = 0; i < 6; ++i) {
+    for (size_t i = 0; i < faces.size(); ++i) {
         images.clear();
         for (const EnvironmentMap& level : levels)
-            images.push_back(face(level.image, i));
-        std::string faceFile = file;
-        faceFile.replace(mark, 2, faceNames[static_cast<size_t>(i)]);
-        described.attributes["mirrorball:parameterization"] = "cube face " + std::string(faceNames[static_cast<size_t>(i)]);
-        for (auto& written : writeLevels(out.parent_path() / faceFile, images, described))
+            images.push_back(face(level.image, static_cast<int>(i)));
+        described.attributes["mirrorball:parameterization"] = "cube face " + std::string(faceNames[i]);
+        for (auto& written : writeLevels(faces[i], images, described))
             files.push_back(std::move(written));
     }
     return files;

@@ -32,6 +32,10 @@ struct Probe {
 /// @throws FileError, InvalidArgument
 Probe readProbe(const std::string& probe, const ReadProbeOptions& options, const JobControl& job, std::vector<Stage>& stages);
 
+/// The files that writeMap() makes of levels of these layouts, in its order; nothing is opened.
+/// @throws InvalidArgument for a `%s` in the name of a map that is no cube
+std::vector<std::filesystem::path> mapFiles(const std::filesystem::path& out, const std::vector<MapLayout>& levels);
+
 /// Writes a map, or a chain of levels (each its own map, largest first), to `out`: one file; the levels inside it where the format
 /// holds them (.exr, .tif), else one file a level, NAME.0.EXT, NAME.1.EXT, ...; a `%s` in the name of a cube makes six files, px nx py
 /// ny pz nz. The parameterization and border are stored in the file's attributes where it can hold them, beside those in `options`.

@@ -4,6 +4,9 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
+#include <vector>
+
 namespace mirrorball {
 
 /// Figures that tell what a probe holds. Luminance is Rec.709's; means are weighted by solid angle; texels outside a disc do not count.
@@ -20,5 +23,33 @@ struct ProbeStatistics {
 };
 
 ProbeStatistics statistics(const EnvironmentMap& map);
+
+/// The same for rows that arrive one block after the other, so that a probe of any size streams through. Keeps no more than the brightest
+/// texels (a hundred-thousandth of a 16k probe's memory) and the solid angles of one chart.
+class StatisticsBuilder {
+public:
+    explicit StatisticsBuilder(const MapLayout& layout);
+
+    /// Rows [firstRow, firstRow + rows), 3 floats a texel, finite; from the top, each once.
+    void addRows(int firstRow, int rows, const float* rgb);
+    ProbeStatistics finish();
+
+private:
+    struct Bright {
+        double luminance, energy;
+    };
+    /// Leaves only the brightest `count` in m_bright.
+    void keepBrightest(size_t count);
+
+    MapLayout m_layout;
+    SolidAngles m_solidAngles;
+    size_t m_mostBright;           ///< more than can count in the end
+    double m_threshold;            ///< no texel below it can
+    std::vector<Bright> m_bright{};
+    size_t m_texels = 0;
+    double m_solidAngle = 0.0, m_energy = 0.0;
+    Texel m_brightest{};
+    ProbeStatistics m_statistics{};
+};
 
 } // namespace mirrorball

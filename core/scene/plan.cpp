@@ -115,7 +115,7 @@ private:
         return isBlack(material.diffuse.color) ? "diffuse colour is black" : "the coat mirrors everything: no light gets below it";
     }
 
-    PrefilterPlan predicted(const PrefilterOptions& filter) const { return planPrefilter(filter, 2 * latlongHeight(m_probe), false); }
+    PrefilterPlan predicted(const PrefilterOptions& filter) const { return planPrefilter(filter, {.width = 2 * latlongHeight(m_probe)}); }
 
     /// Adds the stages of one level and remembers what it takes. A map that never was to be filtered has no stage for that.
     void addLevel(MapPlan& map, const PrefilterOptions& filter, const std::string& name, const std::string& note = "",

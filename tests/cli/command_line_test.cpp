@@ -65,6 +65,14 @@ TEST(CommandLine, FiltersAProbeAsTheReferenceSays)
     EXPECT_TRUE(reads && saves);
 }
 
+TEST(CommandLine, NamesTheCommandsWhenItDoesNotKnowOne)
+{
+    const ProgramRun run = mirrorballRuns("fliter builtin:sky");
+    EXPECT_EQ(run.status, 2);
+    EXPECT_EQ(run.err.find("mirrorball: 'fliter' is no command; choose one of info, convert, filter, "), 0u) << run.err;
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1);
+}
+
 TEST(CommandLine, GivesTheSameBytesOnOneAndTwoThreads)
 {
     const TemporaryFolder folder;

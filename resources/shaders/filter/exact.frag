@@ -24,13 +24,16 @@ vec4 sumOver(vec3 r, int left)
     float radius = halves.y * circle.z;
     ivec2 first = max(ivec2(0), ivec2(floor(centre - radius))), last = min(ivec2(halves.x - 1.0), ivec2(floor(centre + radius)));
     vec4 sum = vec4(0.0);
-    for (int y = first.y; y <= last.y; ++y)
+    for (int y = first.y; y <= last.y; ++y) {
+        vec4 rowSum = vec4(0.0); // by rows, so that rounding does not add up over the whole kernel
         for (int x = first.x; x <= last.x; ++x) {
             vec2 q = vec2(float(x) + 0.5 - middle, middle - float(y) - 0.5) / halves.y;
             float chord = distance(r, liftFromPlane(q));
             if (chord <= reach.z)
-                sum += lobeAt(chord) * texelFetch(halvesMap, ivec2(left + x, y), 0);
+                rowSum += lobeAt(chord) * texelFetch(halvesMap, ivec2(left + x, y), 0);
         }
+        sum += rowSum;
+    }
     return sum;
 }
 

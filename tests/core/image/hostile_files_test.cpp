@@ -103,6 +103,12 @@ TEST_F(HostileFiles, QuotesNoControlCharactersFromAFile)
     EXPECT_THAT(text, HasSubstr("\"odd??[31m?\""));
 }
 
+TEST_F(HostileFiles, QuotesOnlyValidUtf8FromAFile)
+{
+    const std::string text = errorOf(std::string("#?RADIANCE\nFORMAT=\xc3\xbc\xff\x80z\xe2\x82\n\n-Y 1 +X 1\n...."));
+    EXPECT_THAT(text, HasSubstr("\"\xc3\xbc??z??\""));
+}
+
 TEST_F(HostileFiles, RefusesTheDamagedFilesOfOpenExr)
 {
     for (const std::string name : {"damaged_1.exr", "damaged_2.exr", "damaged_3.exr"}) {

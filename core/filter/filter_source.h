@@ -1,0 +1,70 @@
+#pragma once
+
+#include "bright_texels.h"
+#include "paraboloid.h"
+#include "ring_grid.h"
+#include "spectrum.h"
+
+#include "../image/environment_map.h"
+#include "../job.h"
+
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace mirrorball {
+
+/// Height of the latlong form that a probe of this layout is resampled to: its smallest texels stay apart.
+int latlongHeight(const MapLayout& layout);
+
+/// A probe made ready for filtering. Holds its latlong form, and its spectrum once a method has asked for it: many lobes share both.
+/// A probe too large to hold is streamed through a SpectrumBuilder instead and has a spectrum only. Cheap to copy; the spectrum is
+/// kept for later calls, so one thread at a time may filter through one object.
+class FilterSource {
+public:
+    /// A probe in memory. Another parameterization than latlong is resampled to one, finely enough to keep its texels apart.
+    explicit FilterSource(EnvironmentMap probe, const JobControl& job = {});
+    /// A probe that was streamed.
+    explicit FilterSource(Spectrum spectrum);
+
+    /// Size of the latlong form that the reference sum runs over.
+    int width() const { return m_width; }
+    int height() const { return m_height; }
+    /// rel_rms of the latlong form, read at the texels of a probe that came in another parameterization; 0 when it came as latlong.
+    double resamplingError() const { return m_resamplingError; }
+    /// Null when the probe was streamed.
+    const EnvironmentMap* latlong() const { return m_latlong.get(); }
+    /// A spectrum known at least to `bandLimit`, computed when there is none yet. @throws WorkError when the probe was streamed with less
+    const Spectrum& spectrum(int bandLimit, const JobControl& job = {});
+    /// Band limit known so far; -1: none.
+    int knownBandLimit() const { return m_spectrum ? m_spectrum->bandLimit : -1; }
+
+    /// The same for the probe without its bright texels. Not for a streamed probe.
+    const Spectrum& calmSpectrum(int bandLimit, const JobControl& job = {});
+    int knownCalmBandLimit() const { return m_calmSpectrum ? m_calmSpectrum->bandLimit : -1; }
+    /// What calmSpectrum() leaves out; filled by its first call.
+    const BrightTexels& brightTexels() const { return m_bright; }
+
+    /// What the paraboloid method runs on; null: it is refused.
+    ParaboloidDevice* paraboloidDevice() const { return m_paraboloidDevice.get(); }
+    void useParaboloidDevice(std::shared_ptr<ParaboloidDevice> device) { m_paraboloidDevice = std::move(device); }
+
+    /// Where the texels of a layout lie on the sphere; kept for the next lobe in the same layout.
+    std::span<const SpherePoint> points(const MapLayout& target, const JobControl& job = {});
+
+private:
+    int m_width = 0;
+    int m_height = 0;
+    double m_resamplingError = 0.0;
+    std::shared_ptr<const EnvironmentMap> m_latlong{};
+    std::shared_ptr<const Spectrum> m_spectrum{};
+    std::shared_ptr<const EnvironmentMap> m_calm{};
+    std::shared_ptr<const Spectrum> m_calmSpectrum{};
+    BrightTexels m_bright{};
+    std::shared_ptr<ParaboloidDevice> m_paraboloidDevice{};
+    MapLayout m_pointsLayout{};
+    std::shared_ptr<const std::vector<SpherePoint>> m_points{};
+};
+
+} // namespace mirrorball

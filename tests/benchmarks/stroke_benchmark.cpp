@@ -1,0 +1,74 @@
+#include "core/spheremap/stroke_canvas.h"
+#include "support/stroke_builders.h"
+
+#include <benchmark/benchmark.h>
+
+/// Times of the stroke engine on two threads: 200 strokes at once, and what one frame of painting on top of them costs.
+namespace mirrorball {
+namespace {
+
+const JobControl twoThreads{.threads = 2};
+
+void strokes200(benchmark::State& state)
+{
+    const std::vector<Stroke> strokes = handDrawnStrokes(200, 1);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(paintStrokes(strokes, static_cast<int>(state.range(0)), twoThreads));
+}
+BENCHMARK(strokes200)->Arg(256)->Arg(1024)->Arg(2048)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+/// The pen moves by 1/50 of the disc a frame over 200 strokes; the argument is the tip's radius in thousandths.
+void penMoves(benchmark::State& state)
+{
+    std::vector<Stroke> strokes = handDrawnStrokes(200, 1);
+    const Brush brush{.mode = static_cast<BrushMode>(state.range(1)), .radius = static_cast<double>(state.range(0)) * 1e-3};
+    StrokeCanvas canvas(1024);
+    canvas.update(strokes, twoThreads);
+    strokes.push_back(dab({-0.6, 0.0}, brush));
+    double t = 0.0;
+    for (auto _ : state) {
+        t += 0.02;
+        if (strokes.back().points.size() > 200)
+            strokes.back().points.resize(1);
+        strokes.back().points.push_back({{0.6 * std::cos(t), 0.6 * std::sin(t)}, 1.0});
+        benchmark::DoNotOptimize(canvas.update(strokes, twoThreads));
+    }
+}
+BENCHMARK(penMoves)->Args({20, 0})->Args({80, 0})->Args({300, 0})->Args({80, 2})->UseRealTime()->Unit(benchmark::kMillisecond);
+
+/// A new stroke, whole, and its undoing.
+void strokeAndUndo(benchmark::State& state)
+{
+    std::vector<Stroke> strokes = handDrawnStrokes(201, 1);
+    const std::vector<Stroke> without(strokes.begin(), strokes.end() - 1);
+    StrokeCanvas canvas(1024);
+    canvas.update(without, twoThreads);
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(canvas.update(strokes, twoThreads));
+        benchmark::DoNotOptimize(canvas.update(without, twoThreads));
+    }
+}
+BENCHMARK(strokeAndUndo)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+/// Undo goes on below the last stroke: the tiles of each that goes are evaluated from the first stroke on.
+void undoFarBack(benchmark::State& state)
+{
+    const std::vector<Stroke> all = handDrawnStrokes(200, 1);
+    std::vector<Stroke> strokes = all;
+    StrokeCanvas canvas(1024);
+    canvas.update(strokes, twoThreads);
+    for (auto _ : state) {
+        if (strokes.size() < 100) {
+            state.PauseTiming();
+            strokes = all;
+            canvas.update(strokes, twoThreads);
+            state.ResumeTiming();
+        }
+        strokes.pop_back();
+        benchmark::DoNotOptimize(canvas.update(strokes, twoThreads));
+    }
+}
+BENCHMARK(undoFarBack)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+} // namespace
+} // namespace mirrorball
