@@ -9,7 +9,6 @@
 #include <glm/glm.hpp>
 
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,9 +19,6 @@
 /// line reads from a file (scene_file.h) and the studio edits. Angles are in degrees here, and only here in core: they stand as they
 /// were typed, so that a file that is loaded and saved stays the same.
 namespace mirrorball {
-
-/// Keys of a file that this version does not know, with their JSON text: kept, so that a newer file survives an older program.
-using UnknownKeys = std::map<std::string, std::string>;
 
 enum class SurfaceLobe { Mirror, Phong, Ggx };
 enum class SphereMapUse { Replace, Multiply, Over };
@@ -185,6 +181,7 @@ struct CameraSettings {
     double pitchDeg = 18.0;
     double distance = 3.4;
     double fieldOfViewDeg = 36.0;
+    glm::dvec3 target{0.0};
     Projection projection = Projection::Perspective;
     UnknownKeys unknown{};
 
@@ -194,7 +191,8 @@ struct CameraSettings {
     {
         visit(Field{"yaw", "longitude of the eye", -36000, 36000, "degrees"}, self.yawDeg);
         visit(Field{"pitch", "latitude of the eye", -90, 90, "degrees"}, self.pitchDeg);
-        visit(Field{"distance", "from the centre of the object, whose radius is 1", 0.01, 1000}, self.distance);
+        visit(Field{"distance", "from the target; the object's radius is 1", 0.01, 1000}, self.distance);
+        visit(Field{"target", "point that the camera orbits and looks at; the object's centre is 0, 0, 0", -1000, 1000}, self.target);
         visit(Field{"fov", "angle of view from bottom to top", 1, 170, "degrees"}, self.fieldOfViewDeg);
         visit(Field{"projection", "perspective, or orthographic at the size the object has in perspective"}, self.projection);
     }
