@@ -89,10 +89,10 @@ private:
 struct ParaboloidBlur::Resources {
     OffscreenContext context; // first, so that it outlives what lives in it
     GlObject emptyVertexArray = makeVertexArray();
-    ShaderProgram shrink{"filter/cover.vert", "filter/shrink.frag"};
-    ShaderProgram convolve{"filter/cover.vert", "filter/convolve.frag"};
-    ShaderProgram blend{"filter/cover.vert", "filter/blend.frag"};
-    ShaderProgram exact{"filter/cover.vert", "filter/exact.frag"};
+    ShaderProgram shrink{ShaderStages{"filter/cover.vert", "filter/shrink.frag"}};
+    ShaderProgram convolve{ShaderStages{"filter/cover.vert", "filter/convolve.frag"}};
+    ShaderProgram blend{ShaderStages{"filter/cover.vert", "filter/blend.frag"}};
+    ShaderProgram exact{ShaderStages{"filter/cover.vert", "filter/exact.frag"}};
 
     ~Resources() { context.makeCurrent(); }
 
