@@ -2,6 +2,7 @@
 #include "interrupt.h"
 
 #include "core/error.h"
+#include "core/preview/paraboloid_blur.h"
 #include "core/report/lobe_words.h"
 #include "core/report/make_report.h"
 #include "core/report/report_files.h"
@@ -41,6 +42,16 @@ std::vector<Method> parseMethods(const std::string& words)
     return methods;
 }
 
+/// What the device runs on; without a GPU context, why there is none: its measurements will fail with the same words.
+std::string deviceName(ParaboloidDevice& device)
+{
+    try {
+        return device.description();
+    } catch (const WorkError& error) {
+        return error.what();
+    }
+}
+
 /// The program's own words, as they would be typed again.
 std::string typed(int argc, const char* const* argv)
 {
@@ -74,6 +85,10 @@ void run(const Options& o, const CLI::App& command)
         unlessGiven("--growth-to", options.growthTo, 0);
     }
     validate(options);
+    if (std::find(options.methods.begin(), options.methods.end(), Method::Paraboloid) != options.methods.end()) {
+        options.device = std::make_shared<preview::ParaboloidBlur>();
+        options.deviceName = deviceName(*options.device);
+    }
 
     const Interrupt interrupt;
     JobControl job = jobWithProgress("report", o.threads);

@@ -1,5 +1,6 @@
 #include "method_settings.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
@@ -7,6 +8,7 @@
 #include <functional>
 #include <set>
 #include <sstream>
+#include <type_traits>
 
 namespace mirrorball {
 
@@ -42,16 +44,40 @@ std::vector<MethodSetting> mipSweep()
     return settings;
 }
 
+MethodSetting paraboloidSetting(ParaboloidKernel kernel, double clamp, int largest)
+{
+    return {.method = Method::Paraboloid,
+            .knobs = {.paraboloid = {.kernel = kernel, .clamp = clamp, .largestKernel = largest}},
+            .label = std::string(words(kernel)[static_cast<size_t>(kernel)]) + " clamp " + shortNumber(clamp) + " kernel " + std::to_string(largest)};
+}
+
+/// As published (000 section 3.2.5), wider, and with the exact kernel at three sizes.
 std::vector<MethodSetting> paraboloidSweep(Sweep sweep)
 {
-    std::vector<MethodSetting> settings;
-    for (const double clamp : {0.1, 0.01})
-        for (const int kernel : {7, 15, 31})
-            if (sweep == Sweep::Usual || (clamp == 0.1 && kernel == 7))
-                settings.push_back({.method = Method::Paraboloid,
-                                    .knobs = {.paraboloid = {.clamp = clamp, .largestKernel = kernel}},
-                                    .label = "clamp " + shortNumber(clamp) + " kernel " + std::to_string(kernel)});
+    std::vector<MethodSetting> settings{paraboloidSetting(ParaboloidKernel::Blended, 0.1, 7), paraboloidSetting(ParaboloidKernel::Exact, 1e-3, 17)};
+    if (sweep == Sweep::Usual)
+        settings = {settings[0], paraboloidSetting(ParaboloidKernel::Blended, 0.01, 15), paraboloidSetting(ParaboloidKernel::Exact, 1e-3, 9), settings[1],
+                    paraboloidSetting(ParaboloidKernel::Exact, 1e-4, 33)};
     return settings;
+}
+
+/// Every knob as the command line spells it.
+std::vector<std::string> knobWords(const MethodKnobs& knobs)
+{
+    std::vector<std::string> spelled;
+    MethodKnobs::visitFields(knobs, [&](const Field& field, const auto& value) {
+        std::string text = " --" + std::string(field.name) + " ";
+        std::replace(text.begin(), text.end(), '_', '-');
+        using Value = std::remove_cvref_t<decltype(value)>;
+        if constexpr (std::is_enum_v<Value>)
+            text += words(value)[static_cast<size_t>(value)];
+        else if constexpr (std::is_same_v<Value, std::optional<double>>)
+            text += value ? shortNumber(*value, 17) : "none";
+        else
+            text += shortNumber(static_cast<double>(value), 17);
+        spelled.push_back(std::move(text));
+    });
+    return spelled;
 }
 
 } // namespace
@@ -121,7 +147,6 @@ std::string filterCommand(const std::string& probe, const PrefilterOptions& opti
 {
     std::ostringstream command;
     command.precision(17);
-    const MethodKnobs plain{};
     command << "mirrorball filter " << shellWord(probe) << " -o map.exr --lobe ";
     switch (options.lobe.kind) {
     case LobeKind::Phong: command << "phong --exponent " << shortNumber(options.lobe.exponent, 17); break;
@@ -133,19 +158,13 @@ std::string filterCommand(const std::string& probe, const PrefilterOptions& opti
     if (options.target.border > 0)
         command << " --border " << options.target.border;
     command << " --method " << name(options.method);
-    switch (options.method) {
-    case Method::Importance: command << " --samples " << options.knobs.samples; break;
-    case Method::Mip:
-        if (options.knobs.lambda)
-            command << " --lambda " << shortNumber(*options.knobs.lambda, 17);
-        if (options.knobs.mipFiltering != plain.mipFiltering)
-            command << " --mip-filtering " << words(MipFiltering{})[static_cast<size_t>(options.knobs.mipFiltering)];
-        break;
-    case Method::Paraboloid:
-    case Method::Reference:
-    case Method::Sh9: break;
-    default: command << " --tolerance " << shortNumber(options.tolerance);
-    }
+    const std::vector<std::string> usual = knobWords({}), chosen = knobWords(options.knobs);
+    for (size_t i = 0; i < chosen.size(); ++i)
+        if (chosen[i] != usual[i])
+            command << chosen[i];
+    if (std::array withoutTolerance{Method::Importance, Method::Mip, Method::Paraboloid, Method::Reference, Method::Sh9};
+        std::find(withoutTolerance.begin(), withoutTolerance.end(), options.method) == withoutTolerance.end())
+        command << " --tolerance " << shortNumber(options.tolerance);
     return command.str();
 }
 
