@@ -85,12 +85,12 @@ void run(const Options& o, const CLI::App& command)
         unlessGiven("--growth-to", options.growthTo, 0);
     }
     validate(options);
+
+    const Interrupt interrupt; // before the device, whose driver starts threads
     if (std::find(options.methods.begin(), options.methods.end(), Method::Paraboloid) != options.methods.end()) {
         options.device = std::make_shared<preview::ParaboloidBlur>();
         options.deviceName = deviceName(*options.device);
     }
-
-    const Interrupt interrupt;
     JobControl job = jobWithProgress("report", o.threads);
     job.stop = interrupt.token();
     const Report report = makeReport(options, job);

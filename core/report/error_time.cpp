@@ -85,7 +85,7 @@ public:
             }
             run(options, m, result.map);
             if (plan.predictedSeconds > 0.0)
-                calibration = m.times.median() / plan.predictedSeconds;
+                calibration = m.times.shortest() / plan.predictedSeconds;
             judge(m, result.map);
         } catch (const Cancelled&) {
             throw;

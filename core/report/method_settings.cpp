@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -72,9 +73,9 @@ std::vector<std::string> knobWords(const MethodKnobs& knobs)
         if constexpr (std::is_enum_v<Value>)
             text += words(value)[static_cast<size_t>(value)];
         else if constexpr (std::is_same_v<Value, std::optional<double>>)
-            text += value ? shortNumber(*value, 17) : "none";
+            text += value ? exactNumber(*value) : "none";
         else
-            text += shortNumber(static_cast<double>(value), 17);
+            text += exactNumber(static_cast<double>(value));
         spelled.push_back(std::move(text));
     });
     return spelled;
@@ -110,6 +111,12 @@ std::string shellWord(const std::string& text)
     for (const char c : text)
         quoted += c == '\'' ? "'\\''" : std::string(1, c);
     return quoted + "'";
+}
+
+std::string exactNumber(double value)
+{
+    std::array<char, 32> text{};
+    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
 std::string shortNumber(double value, int digits)
@@ -149,9 +156,9 @@ std::string filterCommand(const std::string& probe, const PrefilterOptions& opti
     command.precision(17);
     command << "mirrorball filter " << shellWord(probe) << " -o map.exr --lobe ";
     switch (options.lobe.kind) {
-    case LobeKind::Phong: command << "phong --exponent " << shortNumber(options.lobe.exponent, 17); break;
+    case LobeKind::Phong: command << "phong --exponent " << exactNumber(options.lobe.exponent); break;
     case LobeKind::Diffuse: command << "diffuse"; break;
-    case LobeKind::Ggx: command << "ggx --alpha " << shortNumber(options.lobe.alpha, 17); break;
+    case LobeKind::Ggx: command << "ggx --alpha " << exactNumber(options.lobe.alpha); break;
     case LobeKind::Tabulated: return {};
     }
     command << " --to " << name(options.target.kind) << " --size " << options.target.size;

@@ -33,6 +33,9 @@ std::string filterCommand(const std::string& probe, const PrefilterOptions& opti
 /// A word for the shell: in single quotes unless it is plain.
 std::string shellWord(const std::string& text);
 
+/// A number in as many digits as it takes to be read back the same: "0.1", "50".
+std::string exactNumber(double value);
+
 /// A figure in few digits, as words want it: "1e-3", "0.25", "1.5e7".
 std::string shortNumber(double value, int digits = 3);
 

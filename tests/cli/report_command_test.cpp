@@ -45,7 +45,7 @@ TEST(ReportCommand, WritesPageJsonAndTables)
     const TemporaryFolder folder;
     writeImage(folder / "noise probe.exr", test::noiseProbe(32, 3).image);
     const ProgramRun run = mirrorballRuns("report " + quoted(folder / "noise probe.exr") + " builtin:studio -o " + quoted(folder / "out") +
-                                          " --quick --size 8 --lobes phong:20,diffuse --methods spectral,auto,mip,reference --directions 16");
+                                          " --quick --size 8 --lobes phong:20,diffuse --methods spectral,auto,mip,reference --directions 16 --longest 60");
     ASSERT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.err, "");
     EXPECT_EQ(test::lines(run.out), 4u) << run.out;
@@ -69,7 +69,7 @@ TEST(ReportCommand, TheCommandItRecordsMakesTheMapItMeasured)
 {
     const TemporaryFolder folder;
     writeImage(folder / "probe.exr", test::noiseProbe(32, 3).image);
-    ASSERT_EQ(mirrorballRuns("report " + quoted(folder / "probe.exr") + " -o " + quoted(folder / "out") + " --quick --size 8 --lobes ggx:0.5 --methods spectral").status, 0);
+    ASSERT_EQ(mirrorballRuns("report " + quoted(folder / "probe.exr") + " -o " + quoted(folder / "out") + " --quick --size 8 --lobes ggx:0.5 --methods spectral --longest 60").status, 0);
     std::string command = parsed(folder / "out" / "report.json").at("cases").at(0).at("measurements").at(0).at("command");
     ASSERT_TRUE(command.starts_with("mirrorball filter "));
     command = command.substr(std::string("mirrorball ").size());

@@ -70,7 +70,7 @@ TEST(ReportPage, DrawsItsPlotsWithoutErrorsAndAsksTheNetworkForNothing)
     const TemporaryFolder folder;
     writeImage(folder / "noise.exr", test::noiseProbe(32, 3).image);
     ASSERT_EQ(mirrorballRuns("report '" + (folder / "noise.exr").string() + "' -o '" + (folder / "out").string() +
-                             "' --quick --size 8 --lobes phong:20,diffuse --growth-to 256 --stability --directions 16 --methods auto,spectral,direct,reference")
+                             "' --quick --size 8 --lobes phong:20,diffuse --growth-to 256 --longest 60 --stability --directions 16 --methods auto,spectral,direct,reference")
                   .status,
               0);
     // What a reader's eye would do: is there ink on every canvas? The page itself is left as it is, up to this script at its end.

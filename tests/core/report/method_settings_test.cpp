@@ -58,7 +58,8 @@ TEST(MethodSettings, SpellNumbersShort)
     for (const auto& [value, text] : cases)
         EXPECT_EQ(shortNumber(value), text);
     EXPECT_EQ(shortNumber(16384, 6), "16384");
-    EXPECT_EQ(shortNumber(1.0 / 3.0, 17), "0.33333333333333331"); // all of a double
+    EXPECT_EQ(exactNumber(0.1), "0.1");
+    EXPECT_EQ(std::stod(exactNumber(1.0 / 3.0)), 1.0 / 3.0);
 }
 
 TEST(MethodSettings, SpellTheCommandThatMakesTheMap)
@@ -68,6 +69,12 @@ TEST(MethodSettings, SpellTheCommandThatMakesTheMap)
               "mirrorball filter 'a b.hdr' -o map.exr --lobe phong --exponent 50 --to cube --size 64 --method importance --samples 256");
     EXPECT_EQ(filterCommand("builtin:sky", {.lobe = ggxLobe(0.3), .target = cube, .method = Method::Spectral, .tolerance = 1e-4}),
               "mirrorball filter builtin:sky -o map.exr --lobe ggx --alpha 0.3 --to cube --size 64 --method spectral --tolerance 1e-4");
+    EXPECT_EQ(filterCommand("p.hdr", {.lobe = diffuseLobe(),
+                                      .target = cube,
+                                      .method = Method::Paraboloid,
+                                      .knobs = {.paraboloid = {.kernel = ParaboloidKernel::Blended, .clamp = 0.1, .largestKernel = 7}}}),
+              "mirrorball filter p.hdr -o map.exr --lobe diffuse --to cube --size 64 --method paraboloid --paraboloid blended --paraboloid-clamp 0.1 "
+              "--paraboloid-kernel 7");
     EXPECT_EQ(shellWord("it's"), "'it'\\''s'");
 }
 

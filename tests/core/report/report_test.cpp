@@ -24,7 +24,7 @@ const MapLayout cube8{Parameterization::Cube, 8, 0};
 
 ErrorTimeOptions smallOptions()
 {
-    return {.target = cube8, .sweep = Sweep::Few, .repeats = 2, .longest = 1.0, .directions = 10000};
+    return {.target = cube8, .sweep = Sweep::Few, .repeats = 2, .longest = 60.0, .directions = 10000};
 }
 
 const Measurement* find(const ReportCase& c, Method method, double tolerance = -1.0)
