@@ -45,11 +45,6 @@ OrderedJson sceneToJson(const Scene& scene)
     return json;
 }
 
-bool isBuiltinGeometry(const std::string& geometry)
-{
-    return geometry == "teapot" || geometry == "torus" || geometry == "sphere";
-}
-
 /// Collects the fields of a settings struct and of those inside it.
 class Lister {
 public:

@@ -8,6 +8,7 @@
 #include "gradient.h"
 #include "hatching.h"
 #include "image_layer.h"
+#include "paint_layer.h"
 #include "phong_lights.h"
 #include "probe_layer.h"
 #include "silhouette.h"
@@ -34,7 +35,7 @@ struct UnknownLayer {
 /// What a layer is: one of the kinds, each a plain struct of parameters with visitFields (fields.h) and a static `kind`.
 /// To add a kind: its struct and its `prepare` in a file of its own, and its name here.
 using LayerContent = std::variant<FillLayer, GradientLayer, WindowLayer, ColdWarmLayer, SilhouetteLayer, HatchingLayer, ToonLayer, ColorgramLayer,
-                                  PhongLightsLayer, ProbeLayer, ImageLayer, BlurLayer, TwistLayer, RotateLayer, HueSaturationLayer,
+                                  PhongLightsLayer, ProbeLayer, ImageLayer, PaintLayer, BlurLayer, TwistLayer, RotateLayer, HueSaturationLayer,
                                   CurvesLayer, PosterizeLayer, InvertLayer, UnknownLayer>;
 
 /// All kinds but the unknown one, in the order of LayerContent.
