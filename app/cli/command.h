@@ -19,6 +19,7 @@ void addConvertCommand(CLI::App& program);
 void addFilterCommand(CLI::App& program);
 void addRenderCommand(CLI::App& program);
 void addExportCommand(CLI::App& program);
+void addPaintCommand(CLI::App& program);
 void addPresetsCommand(CLI::App& program);
 
 /// Parses a KIND word. @throws InvalidArgument naming the option and the known words

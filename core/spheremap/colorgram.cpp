@@ -89,8 +89,9 @@ SpanGenerator gratingColorgram(const ColorgramLayer& layer)
                 const float turn = twist * at.rho[i], c = std::cos(turn), sn = std::sin(turn);
                 g = glm::vec2(c * g.x - sn * g.y, sn * g.x + c * g.y);
                 const float gn = g.x * n.x + g.y * n.y;
-                const glm::vec3 t(g.x - gn * n.x, g.y - gn * n.y, -gn * n.z);
-                s = std::fabs(glm::dot(h, t)) / std::max(glm::length(t), 1e-4f);
+                const float z = std::max(n.z, 0.05f); // at the rim itself a tangent could vanish
+                const glm::vec3 t(g.x - gn * n.x, g.y - gn * n.y, -gn * z);
+                s = std::fabs(glm::dot(h, t)) / glm::length(t);
             }
             s *= pitch;
             const float lit = smooth((glm::dot(l, n) + 0.15f) / 0.3f); // no light reaches what faces away
