@@ -19,6 +19,7 @@ void addConvertCommand(CLI::App& program);
 void addFilterCommand(CLI::App& program);
 void addRenderCommand(CLI::App& program);
 void addExportCommand(CLI::App& program);
+void addPaintCommand(CLI::App& program);
 void addPresetsCommand(CLI::App& program);
 /// Takes the program's words too, which the report records.
 void addReportCommand(CLI::App& program, int argc, const char* const* argv);

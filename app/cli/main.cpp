@@ -45,6 +45,7 @@ int main(int argc, char** argv)
     cli::addFilterCommand(program);
     cli::addRenderCommand(program);
     cli::addExportCommand(program);
+    cli::addPaintCommand(program);
     cli::addPresetsCommand(program);
     cli::addReportCommand(program, argc, argv);
     try {

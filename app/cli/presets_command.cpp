@@ -1,10 +1,15 @@
 #include "command.h"
 
 #include "core/image/builtin_probes.h"
+#include "core/image/map_file.h"
 #include "core/scene/material_presets.h"
+#include "core/spheremap/contact_sheet.h"
+#include "core/spheremap/evaluate.h"
+#include "core/spheremap/presets.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -23,12 +28,38 @@ std::vector<Preset> allPresets()
         presets.push_back({"builtin:" + std::string(probe.name), "probe", std::string(probe.description)});
     for (const MaterialPreset& material : materialPresets())
         presets.push_back({std::string(material.name), "material", std::string(material.description)});
+    for (const SphereMapPreset& map : sphereMapPresets())
+        presets.push_back({map.name, "sphere-map", map.description});
     return presets;
 }
 
-void run(bool json)
+/// Every sphere map as a ball, in the order of the list, on a dark ground.
+Image sphereMapSheet(int size, const JobControl& job)
 {
-    if (json) {
+    std::vector<Image> balls;
+    const int margin = std::max(size / 32, 1);
+    for (const SphereMapPreset& map : sphereMapPresets()) {
+        const Image disc = cutToDisc(evaluate(map.document, {.size = size - 2 * margin}, job));
+        Image& cell = balls.emplace_back(size, size, 4);
+        for (int y = 0; y < disc.height; ++y)
+            std::copy_n(disc.row(y), 4 * static_cast<size_t>(disc.width), cell.texel(margin, margin + y));
+    }
+    return contactSheet(balls, sheetLayout(balls.size()).columns, 0.05f);
+}
+
+struct Options {
+    bool json = false;
+    std::string sheet;
+    int size = 256;
+};
+
+void run(const Options& o)
+{
+    if (!o.sheet.empty()) {
+        writePictures(o.sheet, {sphereMapSheet(o.size, jobWithProgress("presets", 0))});
+        return;
+    }
+    if (o.json) {
         nlohmann::json list = nlohmann::json::array();
         for (const Preset& p : allPresets())
             list.push_back({{"name", p.name}, {"kind", p.kind}, {"description", p.description}});
@@ -43,10 +74,12 @@ void run(bool json)
 
 void addPresetsCommand(CLI::App& program)
 {
-    const auto json = std::make_shared<bool>(false);
-    CLI::App* command = program.add_subcommand("presets", "List the built-in probes and materials");
-    command->add_flag("--json", *json, "as JSON");
-    command->callback([json] { run(*json); });
+    const auto o = std::make_shared<Options>();
+    CLI::App* command = program.add_subcommand("presets", "List the built-in probes, materials and sphere maps");
+    command->add_flag("--json", o->json, "as JSON");
+    command->add_option("--sheet", o->sheet, "instead of the list, write a picture of all sphere maps to this file");
+    command->add_option("--size", o->size, "sheet: edge of one ball, in pixels")->check(CLI::Range(16, 2048));
+    command->callback([o] { run(*o); });
 }
 
 } // namespace mirrorball::cli

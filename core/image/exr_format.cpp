@@ -293,14 +293,52 @@ std::optional<glm::mat3> conversion(const std::string& path, const Imf::Header& 
     return conversionFrom(path, {point(c.red), point(c.green), point(c.blue), point(c.white)});
 }
 
+bool isFlat(const Imf::Header& header)
+{
+    const std::string type = header.hasType() ? header.type() : Imf::SCANLINEIMAGE;
+    return type == Imf::SCANLINEIMAGE || type == Imf::TILEDIMAGE;
+}
+
+struct Pass {
+    int part = 0;
+    ColourChannels channels{};
+};
+
+/// Whether the last word of a dotted name is `word`.
+bool endsInWord(const std::string& name, const std::string& word)
+{
+    return name == word || name.ends_with("." + word);
+}
+
+/// The first pass of that name in any part. Source: Blender's multilayer files, LAYER.PASS.CHANNEL.
+std::optional<Pass> findPass(const Imf::MultiPartInputFile& file, const std::string& pass)
+{
+    for (int part = 0; part < file.parts(); ++part) {
+        const Imf::Header& header = file.header(part);
+        if (!isFlat(header))
+            continue;
+        std::vector<std::string> layers = layersByPreference(header.channels());
+        if (!header.hasName() || !endsInWord(header.name(), pass))
+            std::erase_if(layers, [&](const std::string& layer) { return layer.empty() || !endsInWord(layer.substr(0, layer.size() - 1), pass); });
+        for (const std::string& layer : layers) {
+            const ColourChannels found{{findChannel(header.channels(), layer, "r", "red"), findChannel(header.channels(), layer, "g", "green"),
+                                        findChannel(header.channels(), layer, "b", "blue")}};
+            if (std::count(found.rgb.begin(), found.rgb.end(), std::string()) == 0)
+                return Pass{part, found};
+        }
+    }
+    return std::nullopt;
+}
+
 class ExrReader final : public ImageReader {
 public:
-    ExrReader(const std::filesystem::path& path, int level)
+    /// @param pass  where it is known; empty: chosen
+    ExrReader(const std::filesystem::path& path, int level, const std::optional<Pass>& pass = {})
     try : m_file(path.c_str(), Imf::globalThreadCount(), false) {
-        const int part = choosePart(path.string(), m_file);
+        const int part = pass ? pass->part : choosePart(path.string(), m_file);
         const Imf::Header& header = m_file.header(part);
         checkPlausible(path, header);
-        const ColourChannels channels = *colourChannels(header.channels());
+        const ColourChannels channels = pass ? pass->channels : *colourChannels(header.channels());
         checkSampling(path.string(), header, channels);
         m_toRec709 = conversion(path.string(), header);
         describe(path, header, channels);
@@ -488,6 +526,18 @@ std::unique_ptr<ImageReader> open(const std::filesystem::path& path, int level)
 {
     startThreads();
     return std::make_unique<ExrReader>(path, level);
+}
+
+std::unique_ptr<ImageReader> openPass(const std::filesystem::path& path, const std::string& pass)
+{
+    startThreads();
+    std::optional<Pass> found;
+    try {
+        found = findPass(Imf::MultiPartInputFile(path.c_str(), Imf::globalThreadCount(), false), pass);
+    } catch (const std::exception& error) {
+        throw damaged(path, error);
+    }
+    return found ? std::make_unique<ExrReader>(path, 0, found) : nullptr;
 }
 
 void write(AtomicFile& file, const Image& image, const WriteOptions& options)

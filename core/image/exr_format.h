@@ -19,6 +19,10 @@ bool hasSignature(std::string_view firstBytes);
 /// @throws FileError
 std::unique_ptr<ImageReader> open(const std::filesystem::path& path, int level);
 
+/// Opens a pass by name: of the channels `LAYER.PASS.R` and so on (or `PASS.R`), or of the part named so. Null when there is none.
+/// @throws FileError
+std::unique_ptr<ImageReader> openPass(const std::filesystem::path& path, const std::string& pass);
+
 /// Scanlines, ZIP-compressed unless that saves nothing. One channel is written as Y, four as R, G, B, A. The attribute "envmap" (latlong or
 /// cube) becomes OpenEXR's own; others are stored as strings. @throws WorkError
 void write(AtomicFile& file, const Image& image, const WriteOptions& options);

@@ -148,6 +148,16 @@ std::string encodePng(const Image& display)
     return openimageio::encodePng(display);
 }
 
+std::optional<Image> readImagePass(const std::filesystem::path& path, const std::string& pass, const JobControl& job)
+{
+    if (!exr::hasSignature(firstBytes(path)))
+        return std::nullopt;
+    const std::unique_ptr<ImageReader> reader = exr::openPass(path, pass);
+    if (!reader)
+        return std::nullopt;
+    return readAll(*reader, job);
+}
+
 Image readLevel(const std::filesystem::path& path, int level) { return readAll(*openLevel(path, level), {}); }
 
 bool holdsMips(const std::filesystem::path& path)

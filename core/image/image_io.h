@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,10 @@ std::unique_ptr<ImageReader> openImage(const std::filesystem::path& path);
 
 /// The whole image as linear RGB. @throws FileError
 Image readImage(const std::filesystem::path& path, const JobControl& job = {});
+
+/// A pass of a layered OpenEXR file (Blender's matcaps have `diffuse` and `specular`), as linear RGB. Nothing where the file has no pass of that
+/// name, which no other format has. @throws FileError
+std::optional<Image> readImagePass(const std::filesystem::path& path, const std::string& pass, const JobControl& job = {});
 
 enum class SampleType { Float, Half };
 

@@ -1,12 +1,14 @@
 #include "map_file.h"
 
 #include "builtin_probes.h"
+#include "color.h"
 #include "layout_detection.h"
 
 #include "../error.h"
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 namespace mirrorball {
 
@@ -152,6 +154,22 @@ std::vector<std::filesystem::path> writeMap(const std::filesystem::path& out, co
             files.push_back(std::move(written));
     }
     return files;
+}
+
+std::vector<std::filesystem::path> writePictures(const std::filesystem::path& out, const std::vector<Image>& levels,
+                                                 const WriteOptions& options)
+{
+    std::string extension = out.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    constexpr std::array floats{".exr", ".hdr", ".pic", ".rgbe", ".tif", ".tiff", ".tx", ".pfm"};
+    if (std::find(floats.begin(), floats.end(), extension) != floats.end())
+        return writeLevels(out, levels, options);
+    std::vector<Image> shown;
+    for (const Image& level : levels)
+        shown.push_back(toDisplay(level, 0.0, ToneCurve::None));
+    WriteOptions display = options;
+    display.encoding = Encoding::Display;
+    return writeLevels(out, shown, display);
 }
 
 } // namespace mirrorball

@@ -1,13 +1,137 @@
 #include "adjust.h"
 
+#include "fast_math.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
 namespace mirrorball {
+
+namespace {
+
+using namespace std::string_view_literals;
+constexpr std::array channelWords{"all"sv, "red"sv, "green"sv, "blue"sv};
+
+inline float rooted(float x) { return std::sqrt(std::max(x, 0.0f)); }
+
+/// A monotone cubic through points, as a table over [0, 1].
+class CurveTable {
+public:
+    explicit CurveTable(std::vector<CurvePoint> points)
+    {
+        std::stable_sort(points.begin(), points.end(), [](const CurvePoint& a, const CurvePoint& b) { return a.x < b.x; });
+        const size_t n = points.size();
+        std::vector<double> slope(n - 1), tangent(n);
+        for (size_t k = 0; k + 1 < n; ++k)
+            slope[k] = (points[k + 1].y - points[k].y) / std::max(points[k + 1].x - points[k].x, 1e-6);
+        tangent[0] = slope[0];
+        tangent[n - 1] = slope[n - 2];
+        for (size_t k = 1; k + 1 < n; ++k)
+            tangent[k] = slope[k - 1] * slope[k] <= 0.0 ? 0.0 : 0.5 * (slope[k - 1] + slope[k]);
+        for (size_t k = 0; k + 1 < n; ++k) { // tangents within the circle of radius 3 keep the cubic monotone
+            const double a = slope[k] == 0.0 ? 0.0 : tangent[k] / slope[k], b = slope[k] == 0.0 ? 0.0 : tangent[k + 1] / slope[k];
+            const double length = std::hypot(a, b);
+            if (slope[k] == 0.0) {
+                tangent[k] = tangent[k + 1] = 0.0;
+            } else if (length > 3.0) {
+                tangent[k] *= 3.0 / length;
+                tangent[k + 1] *= 3.0 / length;
+            }
+        }
+        size_t k = 0;
+        for (int i = 0; i <= intervals; ++i) {
+            const double x = static_cast<double>(i) / intervals;
+            while (k + 2 < n && x > points[k + 1].x)
+                ++k;
+            const double way = std::max(points[k + 1].x - points[k].x, 1e-6), t = std::clamp((x - points[k].x) / way, 0.0, 1.0);
+            const double t2 = t * t, t3 = t2 * t;
+            m_entries[static_cast<size_t>(i)] =
+                static_cast<float>((2 * t3 - 3 * t2 + 1) * points[k].y + (t3 - 2 * t2 + t) * way * tangent[k] +
+                                   (3 * t2 - 2 * t3) * points[k + 1].y + (t3 - t2) * way * tangent[k + 1]);
+        }
+    }
+    float at(float x) const
+    {
+        if (x >= 1.0f)
+            return x * m_entries[intervals];
+        const float p = x * static_cast<float>(intervals);
+        const int i = static_cast<int>(p);
+        const float low = m_entries[static_cast<size_t>(i)];
+        return low + (p - static_cast<float>(i)) * (m_entries[static_cast<size_t>(i) + 1] - low);
+    }
+
+private:
+    static constexpr int intervals = 1024;
+    std::array<float, intervals + 1> m_entries{};
+};
+
+} // namespace
+
+std::span<const std::string_view> words(AdjustedChannels) { return channelWords; }
+
+/// With C = V - smallest, a hue H in [0, 6) and f(n) = V - C max(0, min(k, 4 - k, 1)), k = (n + H) mod 6: R = f(5), G = f(3), B = f(1).
+SpanAdjustment prepare(const HueSaturationLayer& layer, const Level&)
+{
+    const auto turn = static_cast<float>(layer.hueDeg / 60.0), saturation = static_cast<float>(layer.saturation);
+    const auto factor = static_cast<float>(layer.value);
+    return [turn, saturation, factor](const DiscSpan& at, ColorSpan& c) {
+        for (int i = 0; i < at.count; ++i) {
+            const float r = std::max(c.r[i], 0.0f), g = std::max(c.g[i], 0.0f), b = std::max(c.b[i], 0.0f);
+            const float v = std::max(r, std::max(g, b)), chroma = v - std::min(r, std::min(g, b));
+            const float inverse = 1.0f / std::max(chroma, 1e-20f);
+            const float h = v == r ? (g - b) * inverse : v == g ? 2.0f + (b - r) * inverse : 4.0f + (r - g) * inverse;
+            const float value = v * factor, wide = std::min(chroma * saturation, v) * factor;
+            const auto channel = [&](float n) {
+                float k = n + h + turn;
+                k -= 6.0f * fast::floor(k * (1.0f / 6.0f));
+                return value - wide * std::max(0.0f, std::min(std::min(k, 4.0f - k), 1.0f));
+            };
+            c.r[i] = channel(5.0f);
+            c.g[i] = channel(3.0f);
+            c.b[i] = channel(1.0f);
+        }
+    };
+}
+
+SpanAdjustment prepare(const CurvesLayer& layer, const Level&)
+{
+    const auto table = std::make_shared<const CurveTable>(layer.points);
+    return [table, which = layer.channels](const DiscSpan& at, ColorSpan& below) {
+        const std::array<float*, 3> channels{below.r, below.g, below.b};
+        for (size_t c = 0; c < 3; ++c) {
+            if (which != AdjustedChannels::All && static_cast<size_t>(which) != c + 1)
+                continue;
+            for (int i = 0; i < at.count; ++i) {
+                const float y = table->at(rooted(channels[c][i]));
+                channels[c][i] = y * y;
+            }
+        }
+    };
+}
+
+SpanAdjustment prepare(const PosterizeLayer& layer, const Level&)
+{
+    const auto steps = static_cast<float>(layer.tones - 1);
+    const float slope = 1.0f / std::max(static_cast<float>(layer.softness), 1e-3f);
+    return [steps, slope](const DiscSpan& at, ColorSpan& below) {
+        for (float* channel : {below.r, below.g, below.b})
+            for (int i = 0; i < at.count; ++i) {
+                const float x = rooted(channel[i]) * steps, low = fast::floor(x);
+                const float y = (low + smooth((x - low - 0.5f) * slope + 0.5f)) / steps;
+                channel[i] = y * y;
+            }
+    };
+}
 
 SpanAdjustment prepare(const InvertLayer&, const Level&)
 {
     return [](const DiscSpan& at, ColorSpan& below) {
         for (float* channel : {below.r, below.g, below.b})
-            for (int i = 0; i < at.count; ++i)
-                channel[i] = std::max(1.0f - channel[i], 0.0f);
+            for (int i = 0; i < at.count; ++i) {
+                const float y = std::max(1.0f - rooted(channel[i]), 0.0f);
+                channel[i] = y * y;
+            }
     };
 }
 

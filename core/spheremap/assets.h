@@ -17,16 +17,12 @@ public:
     std::shared_ptr<const T> get(const std::string& key, const std::function<T()>& make)
     {
         const std::lock_guard lock(m_mutex);
-        std::shared_ptr<const void>& slot = m_assets[key];
-        if (!slot) {
-            try {
-                slot = std::make_shared<const T>(make());
-            } catch (...) {
-                m_assets.erase(key);
-                throw;
-            }
-        }
-        return std::static_pointer_cast<const T>(slot);
+        const auto found = m_assets.find(key);
+        if (found != m_assets.end())
+            return std::static_pointer_cast<const T>(found->second);
+        const auto made = std::make_shared<const T>(make());
+        m_assets[key] = made;
+        return made;
     }
     /// Forgets everything, as after a file has changed.
     void clear()
@@ -36,7 +32,7 @@ public:
     }
 
 private:
-    std::mutex m_mutex;
+    std::recursive_mutex m_mutex; ///< an asset may be made from another
     std::map<std::string, std::shared_ptr<const void>> m_assets;
 };
 

@@ -2,9 +2,19 @@
 
 #include "adjust.h"
 #include "blend.h"
+#include "blur.h"
+#include "cold_warm.h"
+#include "colorgram.h"
 #include "gradient.h"
+#include "hatching.h"
+#include "image_layer.h"
 #include "paint_layer.h"
+#include "phong_lights.h"
+#include "probe_layer.h"
 #include "silhouette.h"
+#include "toon.h"
+#include "turn.h"
+#include "window.h"
 
 #include <optional>
 #include <span>
@@ -24,7 +34,9 @@ struct UnknownLayer {
 
 /// What a layer is: one of the kinds, each a plain struct of parameters with visitFields (fields.h) and a static `kind`.
 /// To add a kind: its struct and its `prepare` in a file of its own, and its name here.
-using LayerContent = std::variant<FillLayer, GradientLayer, SilhouetteLayer, InvertLayer, PaintLayer, UnknownLayer>;
+using LayerContent = std::variant<FillLayer, GradientLayer, WindowLayer, ColdWarmLayer, SilhouetteLayer, HatchingLayer, ToonLayer, ColorgramLayer,
+                                  PhongLightsLayer, ProbeLayer, ImageLayer, PaintLayer, BlurLayer, TwistLayer, RotateLayer, HueSaturationLayer,
+                                  CurvesLayer, PosterizeLayer, InvertLayer, UnknownLayer>;
 
 /// All kinds but the unknown one, in the order of LayerContent.
 std::span<const LayerKind> layerKinds();

@@ -47,7 +47,7 @@ void moveContent(LayerContent& content, const std::filesystem::path& from, const
 {
     std::visit(
         [&](auto& layer) {
-            if constexpr (requires { layer.source; })
+            if constexpr (requires { std::string_view(layer.source); })
                 layer.source = rebased(layer.source, from, to);
         },
         content);
