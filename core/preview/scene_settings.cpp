@@ -33,7 +33,7 @@ int tessellation(int height)
 
 PaintSettings paintSettings(const mirrorball::SphereMapSettings& map)
 {
-    if (map.source.empty())
+    if (map.isNone())
         return {};
     return {.use = static_cast<PaintUse>(static_cast<int>(map.use) + 1),
             .opacity = static_cast<float>(map.opacity),

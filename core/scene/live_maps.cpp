@@ -175,7 +175,7 @@ std::vector<SphereMapChain> LiveMaps::sphereMaps(const Scene& scene, const Plan&
     for (const SphereMapPlan& wanted : plan.sphereMaps) {
         std::error_code ignored;
         KeptSphereMap map{.plan = wanted};
-        if (isSphereMapFile(wanted.source)) {
+        if (!wanted.document && isSphereMapFile(wanted.source)) {
             map.path = resolved(scene, wanted.source);
             map.time = std::filesystem::last_write_time(map.path, ignored);
         }
@@ -185,8 +185,7 @@ std::vector<SphereMapChain> LiveMaps::sphereMaps(const Scene& scene, const Plan&
         if (!map.texels)
             map.texels = timedStage(record.stages, "sphere map " + wanted.source, [&] {
                 try {
-                    return std::make_shared<const SphereMapTexels>(
-                        readSphereMap(scene, wanted.field, wanted.source, wanted.size, wanted.levels, job));
+                    return std::make_shared<const SphereMapTexels>(buildSphereMap(scene, wanted, job));
                 } catch (const InvalidArgument& error) {
                     m_problem += (m_problem.empty() ? "" : "; ") + std::string(error.what());
                     Image magenta(1, 1, 4);

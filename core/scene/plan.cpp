@@ -147,7 +147,7 @@ private:
     bool readsMaterial() const
     {
         const SphereMapSettings& map = m_scene.material.sphereMap;
-        const bool isHidden = !map.source.empty() && (map.use == SphereMapUse::Replace || map.use == SphereMapUse::Multiply);
+        const bool isHidden = !map.isNone() && (map.use == SphereMapUse::Replace || map.use == SphereMapUse::Multiply);
         return showsMaterial() && !isHidden && !isWindow();
     }
     std::string whyNoMaterial() const
@@ -196,23 +196,26 @@ private:
         need("draw", text(m_scene.view.geometry, ", ", m_scene.view.width, " x ", m_scene.view.height));
     }
 
-    void planSphereMap(const std::string& name, const std::string& field, const std::string& source, SphereMapLevels levels)
+    void planSphereMap(const std::string& name, const std::string& field, const std::string& source, SphereMapLevels levels,
+                       const EmbeddedSphereMap& document = {})
     {
         const SphereMapSettings& map = m_scene.material.sphereMap;
-        if (!showsMaterial() || source.empty()) {
-            leaveOut(name, source.empty() ? "none is named" : whyNoMaterial());
+        const bool isNone = source.empty() && !document;
+        if (!showsMaterial() || isNone) {
+            leaveOut(name, isNone ? "none is named" : whyNoMaterial());
             return;
         }
-        need(name, text(source, ", ", map.size, " x ", map.size, ", ", words(levels)[static_cast<size_t>(levels)], " levels"));
-        m_plan.sphereMaps.push_back({field, source, map.size, levels});
+        need(name, text(document ? "the scene's own" : source, ", ", map.size, " x ", map.size, ", ", words(levels)[static_cast<size_t>(levels)], " levels"));
+        m_plan.sphereMaps.push_back({field, source, document, map.size, levels});
     }
 
     void planSphereMaps()
     {
         const SphereMapSettings& map = m_scene.material.sphereMap;
         const WindowSettings& window = m_scene.view.window;
-        planSphereMap("sphere map", "material.sphere_map.source", map.source, isWindow() ? SphereMapLevels::Plain : map.levels);
-        if (map.source.empty() || !showsMaterial())
+        planSphereMap("sphere map", "material.sphere_map.source", map.source, isWindow() ? SphereMapLevels::Plain : map.levels,
+                      map.document);
+        if (map.isNone() || !showsMaterial())
             return;
         if (isWindow()) {
             planSphereMap("sphere map, middle", "view.window.middle", window.middle, SphereMapLevels::Plain);

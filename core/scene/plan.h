@@ -45,6 +45,7 @@ struct PlanRequest {
 struct SphereMapPlan {
     std::string field{};  ///< for messages: "material.sphere_map.source"
     std::string source{};
+    EmbeddedSphereMap document{}; ///< in place of the source
     int size = 512;
     SphereMapLevels levels = SphereMapLevels::Authored;
     bool operator==(const SphereMapPlan&) const = default;

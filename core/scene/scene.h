@@ -5,6 +5,7 @@
 #include "../image/color.h"
 #include "../shading/fresnel.h"
 #include "../sphere/parameterization.h"
+#include "../spheremap/embedded_sphere_map.h"
 
 #include <glm/glm.hpp>
 
@@ -168,6 +169,7 @@ struct FleckSettings {
 /// A painted sphere map and how it meets the reflection. Transparent parts of the map and an opacity below 1 let show what lies below.
 struct SphereMapSettings {
     std::string source{};
+    EmbeddedSphereMap document{};
     SphereMapUse use = SphereMapUse::Replace;
     double opacity = 1.0;
     glm::dvec3 color{0.8};
@@ -178,11 +180,13 @@ struct SphereMapSettings {
     FleckSettings flecks{};
     UnknownKeys unknown{};
 
+    bool isNone() const { return source.empty() && !document; }
     bool operator==(const SphereMapSettings&) const = default;
     template <typename Self, typename Visit>
     static void visitFields(Self& self, Visit&& visit)
     {
         visit(Field{"source", "painted sphere map: a .spheremap file, a picture of one, or a preset; empty: none"}, self.source);
+        visit(Field{"document", "a sphere map that is part of the scene, in place of the source; null: none"}, self.document);
         visit(Field{"use", "replace: shown alone, over the colour below; multiply: times that colour; over: over the reflecting material; "
                            "tint: times the reflecting material"},
               self.use);

@@ -90,12 +90,18 @@ std::vector<EnvironmentMap> buildMap(const MapPlan& plan, SceneProbe& probe, dou
     return levels;
 }
 
+SphereMapTexels buildSphereMap(const Scene& scene, const SphereMapPlan& plan, const JobControl& job)
+{
+    return plan.document ? sphereMapTexels(*plan.document.document, plan.size, plan.levels, job)
+                         : readSphereMap(scene, plan.field, plan.source, plan.size, plan.levels, job);
+}
+
 std::vector<SphereMapChain> buildSphereMaps(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record)
 {
     std::vector<SphereMapChain> maps;
     for (const SphereMapPlan& map : plan.sphereMaps)
         maps.push_back(timedStage(record.stages, "sphere map " + map.source, [&] {
-            return std::make_shared<const SphereMapTexels>(readSphereMap(scene, map.field, map.source, map.size, map.levels, job));
+            return std::make_shared<const SphereMapTexels>(buildSphereMap(scene, map, job));
         }));
     return maps;
 }

@@ -53,6 +53,8 @@ struct SceneMaps {
     std::vector<SphereMapChain> sphereMaps{}; ///< those of the plan
 };
 
+SphereMapTexels buildSphereMap(const Scene& scene, const SphereMapPlan& plan, const JobControl& job);
+
 /// The sphere maps alone. @throws as readSphereMap()
 std::vector<SphereMapChain> buildSphereMaps(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record);
 

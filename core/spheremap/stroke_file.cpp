@@ -10,18 +10,20 @@ namespace {
 constexpr std::string_view what = "list of strokes"; // for messages
 } // namespace
 
+std::vector<Stroke> strokesFromJson(const Json& json)
+{
+    checkVersion(json, strokeFileVersion, what);
+    if (!json.contains("strokes"))
+        throw InvalidArgument("strokes: are missing; a file of strokes is {\"version\": 1, \"strokes\": [...]}");
+    std::vector<Stroke> strokes;
+    Reader::read("strokes", Field{.name = "strokes", .help = "", .low = 0, .high = mostStrokes}, json["strokes"], strokes);
+    validate(strokes);
+    return strokes;
+}
+
 std::vector<Stroke> loadStrokes(const std::filesystem::path& path)
 {
-    return namingFile(path, [&] {
-        const Json json = parse(readText(path, what), what);
-        checkVersion(json, strokeFileVersion, what);
-        if (!json.contains("strokes"))
-            throw InvalidArgument("strokes: are missing; a file of strokes is {\"version\": 1, \"strokes\": [...]}");
-        std::vector<Stroke> strokes;
-        Reader::read("strokes", Field{.name = "strokes", .help = "", .low = 0, .high = mostStrokes}, json["strokes"], strokes);
-        validate(strokes);
-        return strokes;
-    });
+    return namingFile(path, [&] { return strokesFromJson(parse(readText(path, what), what)); });
 }
 
 void saveStrokes(std::span<const Stroke> strokes, const std::filesystem::path& path)

@@ -12,4 +12,7 @@ namespace mirrorball {
 void readJson(const std::string& path, const nlohmann::json& json, Stroke& stroke);
 nlohmann::ordered_json writeJson(const Stroke& stroke);
 
+/// A file of strokes: {"version": 1, "strokes": [...]}. @throws InvalidArgument
+std::vector<Stroke> strokesFromJson(const nlohmann::json& json);
+
 } // namespace mirrorball

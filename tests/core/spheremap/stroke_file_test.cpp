@@ -1,6 +1,7 @@
 #include "core/spheremap/stroke_file.h"
 
 #include "core/error.h"
+#include "core/spheremap/sphere_map_file.h"
 #include "support/stroke_builders.h"
 #include "support/temporary_folder.h"
 
@@ -65,6 +66,15 @@ TEST_F(StrokeFile, ReadsPointsAsTextOrAsAListWithPressureOneWhereItIsMissing)
     EXPECT_EQ(points("\"  0.25   -0.5\\n0.75,1e-3 1 1,\""), expected);
     EXPECT_EQ(points("[[0.25, -0.5, 0.75], [1e-3, 1]]"), expected);
     EXPECT_TRUE(points("\"\"").empty());
+}
+
+TEST_F(StrokeFile, IsASphereMapOfOnePaintLayer)
+{
+    const std::vector<Stroke> strokes = handDrawnStrokes(5, 6);
+    saveStrokes(strokes, m_folder / "a.strokes");
+    const SphereMapDocument document = loadSphereMap(m_folder / "a.strokes");
+    ASSERT_EQ(document.layers.size(), 1u);
+    EXPECT_EQ(std::get<PaintLayer>(document.layers[0].content).strokes, strokes);
 }
 
 TEST_F(StrokeFile, WhatIsWrongIsNamedInOneLine)
