@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "core/image/image_io.h"
+#include "core/preview/display_transform.h"
 #include "core/preview/mesh_file.h"
 #include "core/preview/offscreen_context.h"
 #include "core/preview/renderer.h"
@@ -51,6 +52,8 @@ constexpr std::array fieldOptions{
     FieldOption{"--exposure", "view.exposure"},
     FieldOption{"--tone", "view.tone"},
     FieldOption{"--background", "view.background.kind"},
+    FieldOption{"--sphere-map", "material.sphere_map.source"},
+    FieldOption{"--use", "material.sphere_map.use"},
 };
 
 struct Options {
@@ -107,7 +110,7 @@ void setCamera(Scene& scene, const std::string& text)
 void setGeometry(Scene& scene, const std::string& word)
 {
     if (!isBuiltinGeometry(word) && word.find_first_of("./\\") == std::string::npos)
-        throw InvalidArgument("--geometry: '" + word + "' is neither teapot, torus, sphere or box nor a mesh file");
+        throw InvalidArgument("--geometry: '" + word + "' is neither teapot, torus, sphere, box or window nor a mesh file");
     scene.view.geometry = isBuiltinGeometry(word) ? word : std::filesystem::absolute(word).string();
 }
 
@@ -182,10 +185,13 @@ void run(const Options& o)
         printStages(plan.stages);
 
     WorkRecord record;
+    std::shared_ptr<const preview::DisplayTransform> display;
+    if (const auto choice = preview::displayChoice(scene); choice && !radiance)
+        display = timedStage(record.stages, "read display configuration", [&] { return preview::displayTransform(*choice); });
     std::shared_ptr<const preview::Mesh> mesh;
     if (const auto file = preview::meshFile(scene))
         mesh = timedStage(record.stages, "read mesh", [&] { return std::make_shared<const preview::Mesh>(preview::readMesh(*file, job)); });
-    const preview::RenderSettings settings = preview::renderSettings(scene, plan, std::move(mesh));
+    const preview::RenderSettings settings = preview::renderSettings(scene, plan, std::move(mesh), display);
     SceneProbe probe = openProbe(scene, plan, job, record);
     const preview::RenderMaps maps = preview::renderMaps(buildMaps(scene, plan, probe, job, record));
     Image picture = timedStage(record.stages, "draw", [&] {
@@ -227,7 +233,7 @@ void addRenderCommand(CLI::App& program)
     command->add_option("-o,--output", o->out, "picture: .png (tone-mapped, sRGB) or .exr (linear radiance)")->required();
     command->add_option("--probe", o->probe, "image file, or builtin:NAME");
     command->add_option("--material", o->material, "preset (see mirrorball presets) or material file");
-    command->add_option("--geometry", o->geometry, "teapot, torus, sphere, box or a mesh file (.obj .ply .stl .gltf ...)");
+    command->add_option("--geometry", o->geometry, "teapot, torus, sphere, box, window, or a mesh file (.obj .ply .stl .gltf ...)");
     command->add_option("--size", o->size, "WIDTHxHEIGHT in pixels");
     command->add_option("--camera", o->camera, "YAW,PITCH[,DISTANCE]: degrees; the object's radius is 1");
     const std::vector<FieldEntry> entries = sceneFields();
