@@ -21,6 +21,7 @@ struct PrefilterOptions {
     double tolerance = 1e-5; ///< rel_rms, (0, 1]
     double yaw = 0.0;        ///< radians about +Y, see direction.h
     MethodKnobs knobs{};     ///< of the method, where it has some
+    bool operator==(const PrefilterOptions&) const = default;
 };
 
 /// What was done, and how well.

@@ -42,6 +42,7 @@ RenderSettings renderSettings(const Scene& scene, const Plan& plan)
                        .pitch = toRadians(view.camera.pitchDeg),
                        .distance = static_cast<float>(view.camera.distance),
                        .fieldOfView = toRadians(view.camera.fieldOfViewDeg),
+                       .target = view.camera.target,
                        .projection = view.camera.projection == mirrorball::Projection::Orthographic ? Projection::Orthographic
                                                                                                     : Projection::Perspective};
     settings.material = {.specular = plan.material.specular,

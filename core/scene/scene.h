@@ -185,6 +185,7 @@ struct CameraSettings {
     double pitchDeg = 18.0;
     double distance = 3.4;
     double fieldOfViewDeg = 36.0;
+    glm::dvec3 target{0.0};
     Projection projection = Projection::Perspective;
     UnknownKeys unknown{};
 
@@ -194,7 +195,8 @@ struct CameraSettings {
     {
         visit(Field{"yaw", "longitude of the eye", -36000, 36000, "degrees"}, self.yawDeg);
         visit(Field{"pitch", "latitude of the eye", -90, 90, "degrees"}, self.pitchDeg);
-        visit(Field{"distance", "from the centre of the object, whose radius is 1", 0.01, 1000}, self.distance);
+        visit(Field{"distance", "from the target; the object's radius is 1", 0.01, 1000}, self.distance);
+        visit(Field{"target", "point that the camera orbits and looks at; the object's centre is 0, 0, 0", -1000, 1000}, self.target);
         visit(Field{"fov", "angle of view from bottom to top", 1, 170, "degrees"}, self.fieldOfViewDeg);
         visit(Field{"projection", "perspective, or orthographic at the size the object has in perspective"}, self.projection);
     }

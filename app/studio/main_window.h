@@ -1,0 +1,33 @@
+#pragma once
+
+#include "widgets/preview_widget.h"
+#include "widgets/workspace.h"
+
+#include <QDockWidget>
+#include <QMainWindow>
+
+namespace mirrorball::studio {
+
+/// The window of one document: the preview in the middle, docks around it.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    explicit MainWindow(QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    Workspace& workspace() { return m_workspace; }
+    PreviewWidget& preview() { return *m_preview; }
+    /// The dock of that id (docks.h), or null.
+    QDockWidget* dock(const QString& id) const;
+
+private:
+    void addDocks();
+    void addActions();
+    void showTitle();
+
+    Workspace m_workspace; ///< outlives the widgets, which are children
+    PreviewWidget* m_preview;
+};
+
+} // namespace mirrorball::studio

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "document.h"
+#include "job_runner.h"
+
+#include "core/scene/live_maps.h"
+
+#include <QTimer>
+
+#include <memory>
+
+namespace mirrorball::studio {
+
+/// Follows a document: makes its plan and its maps in the background, coarse while a control is dragged and full when it comes to rest.
+/// What widgets show of maps, plan and times comes from made().
+class LiveScene : public QObject {
+    Q_OBJECT
+
+public:
+    explicit LiveScene(Document& document, QObject* parent = nullptr);
+
+    /// The newest result; null before the first. It may be of an older scene than the document's.
+    std::shared_ptr<const MadeScene> made() const { return m_made; }
+    /// Whether made() is of the document's scene, in full.
+    bool isUpToDate() const { return m_isUpToDate; }
+    JobRunner& runner() { return m_runner; }
+    /// Makes everything anew that changed on disk.
+    void refresh();
+    /// Stops the work that is under way; the next edit starts it again.
+    void stop() { m_runner.stop(); }
+
+signals:
+    /// made() changed.
+    void updated();
+    /// The scene could not be made, and why; made() is as before.
+    void failed(const QString& message);
+
+private:
+    void follow(Parts parts);
+    void request();
+
+    Document& m_document;
+    JobRunner m_runner;
+    std::shared_ptr<LiveMaps> m_maps; ///< touched on the worker only
+    std::shared_ptr<const MadeScene> m_made;
+    Scene m_requested{}; ///< what the newest request is of
+    MapDetail m_requestedDetail{};
+    bool m_isUpToDate = false;
+};
+
+} // namespace mirrorball::studio
