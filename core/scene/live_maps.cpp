@@ -105,7 +105,7 @@ void LiveMaps::openStreamed(const Scene& scene, const Plan& plan, const JobContr
         if (m_probe.source && !m_probe.source->latlong()) {
             const std::vector<PrefilterOptions> filters = plan.filters();
             return std::all_of(filters.begin(), filters.end(), [&](const PrefilterOptions& filter) {
-                const PrefilterPlan needed = planPrefilter(filter, m_probe.source->width(), false);
+                const PrefilterPlan needed = planPrefilter(filter, {.width = m_probe.source->width()});
                 return needed.filtered && needed.bandLimit <= m_probe.source->knownBandLimit();
             });
         }
