@@ -31,13 +31,13 @@ const std::array<std::pair<const char*, glm::dvec3>, 6> axes{{{"+X", {1, 0, 0}},
 
 /// What the worker made, with what it was made of.
 struct MapView::Rendered {
-    std::shared_ptr<const EnvironmentMap> map;
-    std::shared_ptr<const MipPyramid> pyramid;
+    std::shared_ptr<const EnvironmentMap> map{};
+    std::shared_ptr<const MipPyramid> pyramid{};
     MapWindow window{};
-    std::shared_ptr<const Image> linear;
+    std::shared_ptr<const Image> linear{};
     MapColoring coloring{};
     MapOverlays overlays{};
-    QImage picture, overlay;
+    QImage picture{}, overlay{};
 };
 
 MapView::MapView(DirectionCursor& cursor, QWidget* parent) : QWidget(parent), m_cursor(cursor), m_runner(this)
@@ -145,9 +145,10 @@ void MapView::fitNow()
     if (m_window.layout.size < 1)
         return;
     const SheetSize sheet = sheetSize(m_window.layout);
-    const double width = std::max(1.0, (width() - 2.0 * margin)) * ratio(), height = std::max(1.0, height() - 2.0 * margin) * ratio();
-    m_window.scale = std::min({width / sheet.width, height / sheet.height, largestZoom * ratio()});
-    m_window.origin = 0.5 * (glm::dvec2(sheet.width, sheet.height) - glm::dvec2(width() * ratio(), height() * ratio()) / m_window.scale);
+    const glm::dvec2 view(width() * ratio(), height() * ratio());
+    const glm::dvec2 room = glm::max(view - 2.0 * margin * ratio(), glm::dvec2(1.0));
+    m_window.scale = std::min({room.x / sheet.width, room.y / sheet.height, largestZoom * ratio()});
+    m_window.origin = 0.5 * (glm::dvec2(sheet.width, sheet.height) - view / m_window.scale);
     emit zoomChanged();
 }
 

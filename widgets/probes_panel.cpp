@@ -4,7 +4,8 @@
 #include "images.h"
 #include "text.h"
 
-#include "core/image/map_picture.h"
+#include "core/error.h"
+#include "core/image/color.h"
 
 #include <QDir>
 #include <QFileDialog>

@@ -1,6 +1,7 @@
 #include "main_window.h"
 
 #include "docks.h"
+#include "widgets/export_dialog.h"
 
 #include <QAction>
 #include <QCoreApplication>
@@ -9,7 +10,7 @@
 
 namespace mirrorball::studio {
 
-MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), m_preview(new PreviewWidget(m_workspace, this))
+MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), m_preview(new PreviewWidget(m_workspace, this)), m_dropTarget(new DropTarget(*this, m_workspace))
 {
     setCentralWidget(m_preview);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
@@ -44,6 +45,15 @@ void MainWindow::addDocks()
 
 void MainWindow::addActions()
 {
+    QMenu* file = menuBar()->addMenu(tr("&File"));
+    QAction* exportMaps = file->addAction(tr("&Export maps..."));
+    exportMaps->setObjectName(QStringLiteral("file.export"));
+    exportMaps->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E));
+    connect(exportMaps, &QAction::triggered, this, [this] {
+        auto* dialog = new ExportDialog(m_workspace, this);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->open();
+    });
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
     QAction* undo = m_workspace.document.undoStack().createUndoAction(this);
     undo->setShortcut(QKeySequence::Undo);

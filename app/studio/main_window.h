@@ -1,5 +1,6 @@
 #pragma once
 
+#include "widgets/drop_target.h"
 #include "widgets/preview_widget.h"
 #include "widgets/workspace.h"
 
@@ -18,6 +19,7 @@ public:
 
     Workspace& workspace() { return m_workspace; }
     PreviewWidget& preview() { return *m_preview; }
+    DropTarget& dropTarget() { return *m_dropTarget; }
     /// The dock of that id (docks.h), or null.
     QDockWidget* dock(const QString& id) const;
 
@@ -28,6 +30,7 @@ private:
 
     Workspace m_workspace; ///< outlives the widgets, which are children
     PreviewWidget* m_preview;
+    DropTarget* m_dropTarget;
 };
 
 } // namespace mirrorball::studio
