@@ -87,7 +87,7 @@ void PreviewWidget::paintGL()
     if (!m_renderer || !made)
         return;
     try {
-        m_renderer->drawDisplay(settings(*made), preview::renderMaps(made->maps), defaultFramebufferObject());
+        m_renderer->drawDisplay(settings(*made), preview::renderMaps(made->maps), {.framebuffer = defaultFramebufferObject()});
         m_workspace.notices.clear(QStringLiteral("preview"));
     } catch (const Error& error) {
         m_workspace.notices.set({.subject = QStringLiteral("preview"), .text = QString::fromUtf8(error.what())});
