@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "core/image/image_io.h"
+#include "core/preview/mesh_file.h"
 #include "core/preview/offscreen_context.h"
 #include "core/preview/renderer.h"
 #include "core/preview/scene_settings.h"
@@ -43,8 +44,10 @@ constexpr std::array fieldOptions{
     FieldOption{"--metal", "material.fresnel.metal", "material.fresnel.kind", "conductor"},
     FieldOption{"--combine", "material.combine"},
     FieldOption{"--lambda", "material.lambda"},
+    FieldOption{"--lod-bias", "material.lod_bias"},
     FieldOption{"--fov", "view.camera.fov"},
     FieldOption{"--projection", "view.camera.projection"},
+    FieldOption{"--shading", "view.shading"},
     FieldOption{"--exposure", "view.exposure"},
     FieldOption{"--tone", "view.tone"},
     FieldOption{"--background", "view.background.kind"},
@@ -101,6 +104,13 @@ void setCamera(Scene& scene, const std::string& text)
         setByOption(scene, "--camera", fields[i], parts[i]);
 }
 
+void setGeometry(Scene& scene, const std::string& word)
+{
+    if (!isBuiltinGeometry(word) && word.find_first_of("./\\") == std::string::npos)
+        throw InvalidArgument("--geometry: '" + word + "' is neither teapot, torus, sphere or box nor a mesh file");
+    scene.view.geometry = isBuiltinGeometry(word) ? word : std::filesystem::absolute(word).string();
+}
+
 Material findMaterial(const std::string& word)
 {
     if (const MaterialPreset* preset = findMaterialPreset(word))
@@ -122,7 +132,7 @@ Scene makeScene(const Options& o)
     if (!o.material.empty())
         scene.material = findMaterial(o.material);
     if (!o.geometry.empty())
-        scene.view.geometry = o.geometry;
+        setGeometry(scene, o.geometry);
     if (!o.size.empty())
         setSize(scene, o.size);
     if (!o.camera.empty())
@@ -168,11 +178,14 @@ void run(const Options& o)
     const Scene scene = makeScene(o);
     const JobControl job = jobWithProgress("render", o.threads);
     const Plan plan = makePlan(scene, probeLayout(scene));
-    const preview::RenderSettings settings = preview::renderSettings(scene, plan);
     if (o.explain)
         printStages(plan.stages);
 
     WorkRecord record;
+    std::shared_ptr<const preview::Mesh> mesh;
+    if (const auto file = preview::meshFile(scene))
+        mesh = timedStage(record.stages, "read mesh", [&] { return std::make_shared<const preview::Mesh>(preview::readMesh(*file, job)); });
+    const preview::RenderSettings settings = preview::renderSettings(scene, plan, std::move(mesh));
     SceneProbe probe = openProbe(scene, plan, job, record);
     const preview::RenderMaps maps = preview::renderMaps(buildMaps(scene, plan, probe, job, record));
     Image picture = timedStage(record.stages, "draw", [&] {
@@ -214,7 +227,7 @@ void addRenderCommand(CLI::App& program)
     command->add_option("-o,--output", o->out, "picture: .png (tone-mapped, sRGB) or .exr (linear radiance)")->required();
     command->add_option("--probe", o->probe, "image file, or builtin:NAME");
     command->add_option("--material", o->material, "preset (see mirrorball presets) or material file");
-    command->add_option("--geometry", o->geometry, "teapot, torus or sphere");
+    command->add_option("--geometry", o->geometry, "teapot, torus, sphere, box or a mesh file (.obj .ply .stl .gltf ...)");
     command->add_option("--size", o->size, "WIDTHxHEIGHT in pixels");
     command->add_option("--camera", o->camera, "YAW,PITCH[,DISTANCE]: degrees; the object's radius is 1");
     const std::vector<FieldEntry> entries = sceneFields();

@@ -18,6 +18,7 @@ constexpr std::array sphereMapUseWords{"replace"sv, "multiply"sv, "over"sv};
 constexpr std::array mapSpaceWords{"world"sv, "eye"sv};
 constexpr std::array projectionWords{"perspective"sv, "orthographic"sv};
 constexpr std::array backdropWords{"environment"sv, "blurred"sv, "color"sv, "none"sv};
+constexpr std::array shadingWords{"material"sv, "wireframe"sv, "normals"sv, "texcoords"sv, "seams"sv, "mips"sv};
 constexpr std::array exportKindWords{"source"sv, "specular"sv, "diffuse"sv, "chain"sv};
 constexpr std::array fresnelKindWords{"none"sv, "dielectric"sv, "conductor"sv};
 constexpr std::array combineWords{"add"sv, "coat"sv};
@@ -111,6 +112,7 @@ std::span<const std::string_view> words(SphereMapUse) { return sphereMapUseWords
 std::span<const std::string_view> words(MapSpace) { return mapSpaceWords; }
 std::span<const std::string_view> words(Projection) { return projectionWords; }
 std::span<const std::string_view> words(Backdrop) { return backdropWords; }
+std::span<const std::string_view> words(Shading) { return shadingWords; }
 std::span<const std::string_view> words(ExportKind) { return exportKindWords; }
 std::span<const std::string_view> words(FresnelKind) { return fresnelKindWords; }
 std::span<const std::string_view> words(Combine) { return combineWords; }
@@ -136,7 +138,7 @@ void validate(const Scene& scene)
     if (scene.probe.source.empty())
         throw InvalidArgument("probe.source: must be an image file or builtin:NAME; it is empty");
     if (scene.view.geometry.empty())
-        throw InvalidArgument("view.geometry: must be teapot, torus, sphere or a mesh file; it is empty");
+        throw InvalidArgument("view.geometry: must be teapot, torus, sphere, box or a mesh file; it is empty");
 }
 
 void validate(const Material& material)
@@ -147,6 +149,12 @@ void validate(const Material& material)
 std::string resolved(const Scene& scene, const std::string& path)
 {
     return path.starts_with("builtin:") ? path : (scene.folder / path).string(); // an absolute path replaces the folder
+}
+
+bool isBuiltinGeometry(std::string_view geometry)
+{
+    constexpr std::array bodies{"teapot"sv, "torus"sv, "sphere"sv, "box"sv};
+    return std::find(bodies.begin(), bodies.end(), geometry) != bodies.end();
 }
 
 Lobe lobe(const SpecularSettings& specular)

@@ -332,11 +332,6 @@ void rebase(std::string& path, const std::filesystem::path& from, const std::fil
     path = moved.empty() ? (from / path).string() : moved.string();
 }
 
-bool isBuiltinGeometry(const std::string& geometry)
-{
-    return geometry == "teapot" || geometry == "torus" || geometry == "sphere";
-}
-
 /// Collects the fields of a settings struct and of those inside it.
 class Lister {
 public:
