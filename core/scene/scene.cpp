@@ -1,8 +1,8 @@
 #include "scene.h"
 
 #include "../error.h"
+#include "../field_checks.h"
 #include "../shading/conductor.h"
-#include "field_checks.h"
 
 #include <algorithm>
 #include <array>
@@ -30,31 +30,6 @@ std::array<std::string_view, count> namesOf(const Values& values)
     std::transform(values.begin(), values.end(), names.begin(), [](E value) { return name(value); });
     return names;
 }
-
-/// Checks every number of a settings struct against its range.
-class RangeChecker {
-public:
-    explicit RangeChecker(std::string path) : m_path(std::move(path)) {}
-
-    template <typename T>
-    void operator()(const Field& field, const T& value) const
-    {
-        const std::string path = fieldPath(m_path, field.name);
-        if constexpr (std::is_same_v<T, double> || std::is_same_v<T, int>)
-            checkRange(path, field, static_cast<double>(value));
-        else if constexpr (std::is_same_v<T, glm::dvec3>)
-            for (int c = 0; c < 3; ++c)
-                checkRange(path, field, value[c]);
-        else if constexpr (hasFields<T>)
-            T::visitFields(value, RangeChecker(path));
-        else if constexpr (std::is_same_v<T, std::vector<ExportTarget>>)
-            for (size_t i = 0; i < value.size(); ++i)
-                ExportTarget::visitFields(value[i], RangeChecker(path + "[" + std::to_string(i) + "]"));
-    }
-
-private:
-    std::string m_path;
-};
 
 void checkBorder(const std::string& path, const MapLayout& layout)
 {

@@ -9,7 +9,6 @@
 #include <glm/glm.hpp>
 
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,9 +19,6 @@
 /// line reads from a file (scene_file.h) and the studio edits. Angles are in degrees here, and only here in core: they stand as they
 /// were typed, so that a file that is loaded and saved stays the same.
 namespace mirrorball {
-
-/// Keys of a file that this version does not know, with their JSON text: kept, so that a newer file survives an older program.
-using UnknownKeys = std::map<std::string, std::string>;
 
 enum class SurfaceLobe { Mirror, Phong, Ggx };
 enum class SphereMapUse { Replace, Multiply, Over };
