@@ -81,7 +81,7 @@ LiveScene::LiveScene(Document& document, QObject* parent)
 
 void LiveScene::follow()
 {
-    const MapDetail detail = m_document.isDragging() ? coarse : MapDetail{};
+    const MapDetail detail = m_document.isDragging() || startsAnew() ? coarse : MapDetail{};
     const bool isFineEnough = m_requestedDetail == detail || m_requestedDetail == MapDetail{};
     if (isFineEnough && mapsOnly(m_requested) == mapsOnly(m_document.scene()) && (m_runner.isBusy() || m_made))
         return;
@@ -93,9 +93,15 @@ void LiveScene::refresh()
     request();
 }
 
+// Another probe takes a while: a coarse picture of it comes first, the full one follows.
+bool LiveScene::startsAnew() const
+{
+    return !m_made || m_made->scene.probe.source != m_document.scene().probe.source;
+}
+
 void LiveScene::request()
 {
-    const bool dragging = m_document.isDragging();
+    const bool dragging = m_document.isDragging() || startsAnew();
     // A coarse result of a moment ago is better than none; a full one would only be in the way.
     const Running running = dragging && m_requestedDetail == coarse ? Running::Finish : Running::Stop;
     m_requested = m_document.scene();
@@ -107,6 +113,8 @@ void LiveScene::request()
             m_made = std::move(made);
             m_isUpToDate = m_made->detail == MapDetail{} && mapsOnly(m_made->scene) == mapsOnly(m_document.scene());
             emit updated();
+            if (m_made->detail == coarse && !m_document.isDragging())
+                follow();
         },
         running);
 }

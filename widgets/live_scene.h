@@ -46,6 +46,7 @@ private:
     struct Maker;
     void follow();
     void request();
+    bool startsAnew() const;
 
     Document& m_document;
     JobRunner m_runner;

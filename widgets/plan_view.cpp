@@ -128,7 +128,7 @@ void PlanView::refresh()
         total += std::max(0.0, row.seconds);
         leftOut += row.isLeftOut;
     }
-    m_total->setText(tr("Last update %1, %n stage(s) left out", nullptr, leftOut).arg(timeText(total)));
+    m_total->setText(tr("Last update: %1. Left out: %2 of %3 stages.").arg(timeText(total)).arg(leftOut).arg(rows.size()));
 }
 
 } // namespace mirrorball::studio

@@ -74,6 +74,7 @@ Recovery::~Recovery()
 {
     m_runner.reset(); // waits for a copy that is being written
     QFile::remove(m_copy);
+    m_lock.reset();
 }
 
 void Recovery::follow()

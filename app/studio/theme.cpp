@@ -31,6 +31,7 @@ QStatusBar::item { border: none; }
 QTabBar::tab { padding: 5px 12px; background: #2b2b2b; border: none; color: #b4b4b4; }
 QTabBar::tab:selected { background: #383838; color: #f0f0f0; border-top: 2px solid #8a8a8a; }
 QTabBar::tab:focus { color: #ffffff; text-decoration: underline; }
+QTreeView::item { padding: 2px 4px; }
 QHeaderView::section { background: #2b2b2b; color: #b4b4b4; border: none; padding: 4px 6px; }
 )";
 
