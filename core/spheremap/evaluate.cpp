@@ -17,18 +17,71 @@ namespace {
 SpanGenerator preparedGenerator(const LayerContent& content, const Level& level, const TexelRect& rect, const Image* raster,
                                 const JobControl& job);
 
-/// Reads a picture over `rect`, multiplied by its opacity, as a generator.
-SpanGenerator rasterGenerator(std::shared_ptr<const Image> picture, const TexelRect& rect)
+/// A rectangle and what it becomes when it is scaled about the centre of the map, a little wider; itself where it does not reach the rim.
+TexelRect unitedWithScaled(const TexelRect& rect, double scale, int size)
 {
-    return [picture = std::move(picture), rect](const DiscSpan& at, ColorSpan& out) {
-        const float* texel = picture->texel(at.column - rect.x0, at.row - rect.y0);
-        for (int i = 0; i < at.count; ++i, texel += 4) {
-            const float inverse = 1.0f / std::max(texel[3], 1e-20f);
-            out.r[i] = texel[0] * inverse;
-            out.g[i] = texel[1] * inverse;
-            out.b[i] = texel[2] * inverse;
-            out.a[i] = texel[3];
-        }
+    const double c = 0.5 * size, x = std::max(c - rect.x0, rect.x1 - c), y = std::max(c - rect.y0, rect.y1 - c);
+    if (rect.empty() || x * x + y * y < (c - 4.0) * (c - 4.0))
+        return rect;
+    const auto low = [&](int v) { return static_cast<int>(std::floor(c + (v - c) * scale)) - 3; };
+    const auto high = [&](int v) { return static_cast<int>(std::ceil(c + (v - c) * scale)) + 3; };
+    return rect.united(TexelRect{low(rect.x0), low(rect.y0), high(rect.x1), high(rect.y1)}).intersected({0, 0, size, size});
+}
+
+/// What outside the disc takes its colour from `rect`, and what `rect` takes its colour from outside itself: no texel of the square is
+/// more than sqrt 2 times as far from the centre as the rim.
+TexelRect outwards(const TexelRect& rect, int size) { return unitedWithScaled(rect, 1.4143, size); }
+TexelRect inwards(const TexelRect& rect, int size) { return unitedWithScaled(rect, 0.7071, size); }
+
+/// Texels multiplied by their opacity to colours that are not. Transparent runs are the common case of a painted layer.
+void unmultiplied(const float* __restrict texels, int count, ColorSpan& __restrict out, int first)
+{
+    float most = 0.0f;
+    for (int i = 0; i < count; ++i)
+        most = std::max(most, texels[4 * i + 3]);
+    if (most == 0.0f) {
+        std::fill_n(out.a + first, count, 0.0f);
+        return;
+    }
+    for (int i = 0; i < count; ++i) {
+        const float alpha = texels[4 * i + 3], inverse = 1.0f / std::max(alpha, 1e-20f);
+        out.r[first + i] = texels[4 * i] * inverse;
+        out.g[first + i] = texels[4 * i + 1] * inverse;
+        out.b[first + i] = texels[4 * i + 2] * inverse;
+        out.a[first + i] = alpha;
+    }
+}
+
+/// Reads a picture over `rect`, multiplied by its opacity, as a generator. Outside the disc the rim goes on, read a little inside it so
+/// that nothing is mixed in that was painted outside.
+SpanGenerator rasterGenerator(std::shared_ptr<const Image> picture, const TexelRect& rect, int size)
+{
+    return [picture = std::move(picture), rect, size](const DiscSpan& at, ColorSpan& out) {
+        const float half = 0.5f * static_cast<float>(size), rim = std::max(half - 1.0f, 0.75f * half);
+        const auto clampedTexel = [&](int x, int y) {
+            return picture->texel(std::clamp(x, rect.x0, rect.x1 - 1) - rect.x0, std::clamp(y, rect.y0, rect.y1 - 1) - rect.y0);
+        };
+        fill(out, at.count, 0.0f, 0.0f, 0.0f);
+        const auto readRim = [&](int i) {
+            const float x = half + rim * at.x[i] - 0.5f, y = half - rim * at.y[i] - 0.5f;
+            const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
+            const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
+            const float *p = clampedTexel(x0, y0), *q = clampedTexel(x0 + 1, y0), *r = clampedTexel(x0, y0 + 1),
+                        *t = clampedTexel(x0 + 1, y0 + 1);
+            float rgba[4];
+            for (int c = 0; c < 4; ++c) {
+                const float top = p[c] + fx * (q[c] - p[c]), low = r[c] + fx * (t[c] - r[c]);
+                rgba[c] = top + fy * (low - top);
+            }
+            unmultiplied(rgba, 1, out, i);
+        };
+        int first = 0, last = at.count; // a row crosses the disc once
+        while (first < last && at.rho[first] >= 1.0f)
+            readRim(first++);
+        while (last > first && at.rho[last - 1] >= 1.0f)
+            readRim(--last);
+        if (first < last)
+            unmultiplied(picture->texel(at.column + first - rect.x0, at.row - rect.y0), last - first, out, first);
     };
 }
 
@@ -36,12 +89,13 @@ SpanGenerator preparedGenerator(const LayerContent& content, const Level& level,
                                 const JobControl& job)
 {
     if (raster)
-        return rasterGenerator(std::shared_ptr<const Image>(std::shared_ptr<void>(), raster), {0, 0, level.size, level.size});
+        return rasterGenerator(std::shared_ptr<const Image>(std::shared_ptr<void>(), raster), {0, 0, level.size, level.size}, level.size);
     return std::visit(
         [&](const auto& layer) -> SpanGenerator {
-            if constexpr (requires { paintedRaster(layer, level, rect, job); })
-                return rasterGenerator(std::make_shared<const Image>(paintedRaster(layer, level, rect, job)), rect);
-            else if constexpr (requires { SpanGenerator(prepare(layer, level)); } &&
+            if constexpr (requires { paintedRaster(layer, level, rect, job); }) {
+                const TexelRect reads = inwards(rect, level.size);
+                return rasterGenerator(std::make_shared<const Image>(paintedRaster(layer, level, reads, job)), reads, level.size);
+            } else if constexpr (requires { SpanGenerator(prepare(layer, level)); } &&
                                std::decay_t<decltype(layer)>::kind.role == LayerRole::Generator)
                 return prepare(layer, level);
             else
@@ -99,7 +153,7 @@ bool takesPart(const Layer& layer, const EvaluateOptions& options)
 std::vector<Pass> passesOf(const SphereMapDocument& document, const EvaluateOptions& options, const Level& level)
 {
     std::vector<Pass> passes(1);
-    for (size_t i = 0; i < document.layers.size(); ++i) {
+    for (size_t i = options.firstLayer; i < std::min(document.layers.size(), options.endLayer); ++i) {
         const Layer& layer = document.layers[i];
         if (!takesPart(layer, options))
             continue;
@@ -230,8 +284,13 @@ void run(const Step& step, const DiscSpan& at, ColorSpan& result)
         return;
     }
     step.generate(at, colors);
-    for (int i = 0; i < at.count; ++i)
+    float most = 0.0f;
+    for (int i = 0; i < at.count; ++i) {
         colors.a[i] *= share[i];
+        most = std::max(most, colors.a[i]);
+    }
+    if (most == 0.0f) // nothing of it here: most of a painted layer, the inside of a ring
+        return;
     blend(step.layer->blend, at.count, colors, result);
 }
 
@@ -281,7 +340,7 @@ public:
                 rect = rect.united(pass->warp.needs(rect));
             pass->rect = rect;
         }
-        Image picture;
+        Image picture = m_options.below ? cut(*m_options.below, {0, 0, m_level.size, m_level.size}, passes.front().rect) : Image();
         for (size_t p = 0; p < passes.size(); ++p) {
             picture = points(passes[p], std::move(picture));
             if (passes[p].warpLayer)
@@ -370,6 +429,8 @@ void checkOptions(const EvaluateOptions& options)
                               std::to_string(options.levelSize));
     if (options.level < 0 || options.level > deepestLevel)
         throw InvalidArgument("level: must be from 0 to " + std::to_string(deepestLevel) + "; it is " + std::to_string(options.level));
+    if (options.below && (options.below->width != options.size || options.below->height != options.size || options.below->channels != 4))
+        throw InvalidArgument("below: must be " + std::to_string(options.size) + " texels square with four channels");
     const TexelRect all{0, 0, options.size, options.size};
     if (options.region && (options.region->empty() || options.region->intersected(all) != *options.region))
         throw InvalidArgument("region: must hold texels, and lie within the map of " + std::to_string(options.size) + " texels");
@@ -393,7 +454,7 @@ TexelRect touchedBy(const SphereMapDocument& document, size_t layer, const Texel
                       .level = options.level,
                       .index = document.index,
                       .assets = &none};
-    TexelRect rect = touched.intersected({0, 0, options.size, options.size});
+    TexelRect rect = outwards(touched.intersected({0, 0, options.size, options.size}), options.size);
     for (size_t i = layer + 1; i < document.layers.size() && !rect.empty(); ++i)
         if (takesPart(document.layers[i], options) && kindOf(document.layers[i].content).role == LayerRole::Warp)
             rect = rect.united(preparedWarp(document.layers[i].content, level).reaches(rect));

@@ -7,6 +7,7 @@
 #include "../image/image.h"
 #include "../job.h"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -30,6 +31,9 @@ struct EvaluateOptions {
     /// The raster of a layer by its index, where it is at hand already (a StrokeCanvas): size x size, RGBA, multiplied by opacity. Null:
     /// it is evaluated.
     std::function<const Image*(size_t layer)> raster{};
+    size_t firstLayer = 0;       ///< those below it are in `below`
+    size_t endLayer = SIZE_MAX;  ///< this one and those above are left out
+    const Image* below = nullptr; ///< the whole map with the layers below firstLayer, as evaluate() gave it; null: nothing
 };
 
 /// The picture of a document: RGBA, linear Rec.709, colours multiplied by their opacity. The disc is inscribed in the square as in

@@ -3,6 +3,7 @@
 #include "adjust.h"
 #include "blend.h"
 #include "gradient.h"
+#include "paint_layer.h"
 #include "silhouette.h"
 
 #include <optional>
@@ -23,7 +24,7 @@ struct UnknownLayer {
 
 /// What a layer is: one of the kinds, each a plain struct of parameters with visitFields (fields.h) and a static `kind`.
 /// To add a kind: its struct and its `prepare` in a file of its own, and its name here.
-using LayerContent = std::variant<FillLayer, GradientLayer, SilhouetteLayer, InvertLayer, UnknownLayer>;
+using LayerContent = std::variant<FillLayer, GradientLayer, SilhouetteLayer, InvertLayer, PaintLayer, UnknownLayer>;
 
 /// All kinds but the unknown one, in the order of LayerContent.
 std::span<const LayerKind> layerKinds();

@@ -1,5 +1,7 @@
 #include "layer_json.h"
 
+#include "stroke_json.h"
+
 namespace mirrorball {
 
 using namespace field_json;

@@ -1,6 +1,7 @@
 #include "sphere_map_file.h"
 
 #include "layer_json.h"
+#include "stroke_json.h"
 
 namespace mirrorball {
 
@@ -12,6 +13,11 @@ constexpr std::string_view what = "sphere map"; // for messages
 
 SphereMapDocument documentFromJson(const Json& json)
 {
+    if (json.contains("strokes") && !json.contains("layers")) { // strokes by themselves
+        SphereMapDocument painting;
+        painting.layers = {{.name = "Paint", .content = PaintLayer{.strokes = strokesFromJson(json)}}};
+        return painting;
+    }
     SphereMapDocument document;
     Reader reader("", json);
     checkVersion(json, sphereMapFileVersion, what);

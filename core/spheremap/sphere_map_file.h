@@ -11,7 +11,7 @@ namespace mirrorball {
 
 inline constexpr int sphereMapFileVersion = 1;
 
-/// @throws FileError
+/// A file of recorded strokes (stroke_file.h) is read as a document of one paint layer. @throws FileError
 SphereMapDocument loadSphereMap(const std::filesystem::path& path);
 /// Writes every field. Paths inside that are relative to document.folder are written relative to the new file's folder. The file appears
 /// whole or not at all. @throws InvalidArgument naming the field that is out of range (nothing is written); WorkError

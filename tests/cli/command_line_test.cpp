@@ -198,13 +198,13 @@ TEST(CommandLine, RendersAMeshFileAndSavesASceneThatFindsItAgain)
 {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "meshes");
-    writeBytes(folder / "meshes/t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    test::writeBytes(folder / "meshes/t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     const std::string size = " --size 32x32 ";
     const auto run = mirrorballRuns("render --geometry " + (folder / "meshes/t.obj").string() + size + "-o " + (folder / "a.png").string() +
                                     " --shading normals --set view.background.kind=none --save-scene " + (folder / "s.mirrorball").string());
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(mirrorballRuns("render " + (folder / "s.mirrorball").string() + " -o " + (folder / "b.png").string()).status, 0);
-    EXPECT_EQ(readBytes(folder / "a.png"), readBytes(folder / "b.png"));
+    EXPECT_EQ(test::readBytes(folder / "a.png"), test::readBytes(folder / "b.png"));
     EXPECT_FAILS(mirrorballRuns("render --geometry teapott -o " + (folder / "c.png").string()), 2, "--geometry: 'teapott' is neither");
     EXPECT_FAILS(mirrorballRuns("render --geometry nothing.obj -o " + (folder / "c.png").string()), 2, "nothing.obj: does not exist");
     EXPECT_FALSE(std::filesystem::exists(folder / "c.png"));

@@ -386,7 +386,7 @@ TEST_F(RendererTest, RadiancePicturesKeepASunOfAMillion)
 // A slanted look along the ring shows footprints many times longer than wide. What is right is the mean of many samples a pixel.
 TEST_F(RendererTest, AnisotropicLookupsAreNearerToTheSupersampledPicture)
 {
-    const auto stripes = [](const glm::dvec3& d) { return glm::vec3(0.5 + 0.5 * std::sin(40.0 * d.x) * std::sin(40.0 * d.y)); };
+    const auto stripes = [](const glm::dvec3& d) { return glm::vec3(float(0.5 + 0.5 * std::sin(40.0 * d.x) * std::sin(40.0 * d.y))); };
     Renderer renderer(TexelFormat::Float);
     for (const MapLayout& layout : {MapLayout{Parameterization::Cube, 128, 0}, MapLayout{Parameterization::Octahedral, 256, 0}}) {
         const RenderMaps maps{std::make_shared<const std::vector<EnvironmentMap>>(buildMipPyramid(environmentFrom(layout, stripes)).levels), {}, {}};
@@ -421,9 +421,9 @@ TEST_F(RendererTest, AnisotropicLookupsAreNearerToTheSupersampledPicture)
         };
         const double one = meanError(1), four = meanError(4), sixteen = meanError(16);
         RecordProperty("errors", std::to_string(one) + " " + std::to_string(four) + " " + std::to_string(sixteen));
-        EXPECT_LT(four, 0.8 * one) << name(layout.kind);
+        // Measured: 0.116, 0.040, 0.034 for the cube, 0.116, 0.045, 0.038 for the octahedron.
+        EXPECT_LT(four, 0.5 * one) << name(layout.kind);
         EXPECT_LE(sixteen, 1.02 * four) << name(layout.kind);
-        printf("%s %g %g %g\n", std::string(name(layout.kind)).c_str(), one, four, sixteen);
     }
 }
 
