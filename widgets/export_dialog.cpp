@@ -10,6 +10,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFontDatabase>
+#include <QGridLayout>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -52,11 +53,16 @@ public:
     }
 };
 
+QString filesText(size_t count)
+{
+    return count == 1 ? ExportDialog::tr("1 file") : ExportDialog::tr("%1 files").arg(count);
+}
+
 QLabel* quietLabel()
 {
     auto* label = new QLabel;
     label->setWordWrap(true);
-    label->setForegroundRole(QPalette::PlaceholderText);
+    label->setProperty("role", QStringLiteral("footnote"));
     return label;
 }
 
@@ -79,7 +85,6 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent)
     m_total->setAccessibleName(tr("Estimate"));
     layout->addWidget(m_total);
     layout->addWidget(makeFolderRow());
-    layout->addWidget(makeCommandRow());
 
     m_progress = new QProgressBar;
     m_progress->setObjectName(QStringLiteral("export.progress"));
@@ -151,6 +156,8 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent)
     const QString scene = document.filePath();
     const QString beside = scene.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::PicturesLocation) + QStringLiteral("/maps")
                                            : QFileInfo(scene).absolutePath() + QStringLiteral("/maps");
+    resize(sizeHint());
+    setMinimumSize(680, 520);
     m_folder->setText(QDir::toNativeSeparators(QSettings().value(QStringLiteral("export/folder"), beside).toString()));
     listTargets();
     selectRow(0);
@@ -315,8 +322,8 @@ QWidget* ExportDialog::makeForm()
 
 QWidget* ExportDialog::makeFolderRow()
 {
-    auto* row = new QWidget;
-    auto* layout = new QHBoxLayout(row);
+    auto* box = new QWidget;
+    auto* layout = new QGridLayout(box);
     layout->setContentsMargins(0, 0, 0, 0);
     m_folder = new QLineEdit;
     m_folder->setObjectName(QStringLiteral("export.folder"));
@@ -328,32 +335,28 @@ QWidget* ExportDialog::makeFolderRow()
     browse->setObjectName(QStringLiteral("export.browse"));
     browse->setToolTip(tr("Chooses the folder"));
     browse->setAutoDefault(false);
-    layout->addWidget(label);
-    layout->addWidget(m_folder, 1);
-    layout->addWidget(browse);
+    layout->addWidget(label, 0, 0, Qt::AlignRight | Qt::AlignVCenter);
+    layout->addWidget(m_folder, 0, 1);
+    layout->addWidget(browse, 0, 2);
     connect(browse, &QPushButton::clicked, this, [this] {
         const QString chosen = QFileDialog::getExistingDirectory(this, tr("Export into"), folder());
         if (!chosen.isEmpty())
             setFolder(chosen);
     });
     connect(m_folder, &QLineEdit::textChanged, this, &ExportDialog::showCommand);
-    return row;
+    addCommandRow(*layout);
+    return box;
 }
 
-QWidget* ExportDialog::makeCommandRow()
+void ExportDialog::addCommandRow(QGridLayout& layout)
 {
-    auto* box = new QWidget;
-    auto* layout = new QVBoxLayout(box);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
-    auto* row = new QHBoxLayout;
     m_command = new QLineEdit;
     m_command->setObjectName(QStringLiteral("export.command"));
     m_command->setReadOnly(true);
     m_command->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     m_command->setAccessibleName(tr("Command line"));
     m_command->setToolTip(tr("Writes the same bytes without the studio"));
-    auto* label = new QLabel(tr("Co&mmand"));
+    auto* label = new QLabel(tr("Co&mmand line"));
     label->setBuddy(m_command);
     m_copy = new QPushButton(tr("Cop&y"));
     m_copy->setObjectName(QStringLiteral("export.copy"));
@@ -363,19 +366,17 @@ QWidget* ExportDialog::makeCommandRow()
     m_save->setObjectName(QStringLiteral("export.save"));
     m_save->setToolTip(tr("Saves the scene, which the command line reads"));
     m_save->setAutoDefault(false);
-    row->addWidget(label);
-    row->addWidget(m_command, 1);
-    row->addWidget(m_save);
-    row->addWidget(m_copy);
+    layout.addWidget(label, 1, 0, Qt::AlignRight | Qt::AlignVCenter);
+    layout.addWidget(m_command, 1, 1);
+    layout.addWidget(m_copy, 1, 2);
     m_commandNote = quietLabel();
-    layout->addLayout(row);
-    layout->addWidget(m_commandNote);
+    layout.addWidget(m_commandNote, 2, 1);
+    layout.addWidget(m_save, 2, 2);
     connect(m_copy, &QPushButton::clicked, this, [this] {
         QGuiApplication::clipboard()->setText(m_command->text());
         say(tr("The command line is on the clipboard."));
     });
     connect(m_save, &QPushButton::clicked, this, &ExportDialog::saveRequested);
-    return box;
 }
 
 void ExportDialog::setFolder(const QString& folder)
@@ -460,9 +461,10 @@ void ExportDialog::listTargets()
             const MapLayout layout = target.layout();
             const QString targetName = QString::fromStdString(target.name);
             auto* item = new QTreeWidgetItem({targetName, kindText(target.kind),
-                                              QStringLiteral("%1 %2 x %3").arg(fieldText(name(layout.kind))).arg(layout.width()).arg(layout.height()), QString()});
+                                              QStringLiteral("%1 %2 × %3").arg(fieldText(name(layout.kind))).arg(layout.width()).arg(layout.height()), QString()});
             item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
             item->setCheckState(NameColumn, m_unchecked.contains(targetName) ? Qt::Unchecked : Qt::Checked);
+            item->setSizeHint(NameColumn, {0, fontMetrics().height() + 10});
             item->setTextAlignment(SizeColumn, Qt::AlignRight | Qt::AlignVCenter);
             m_list->addTopLevelItem(item);
         }
@@ -476,9 +478,9 @@ void ExportDialog::showTarget()
     m_form->setEnabled(target != nullptr);
     m_duplicate->setEnabled(target != nullptr);
     m_remove->setEnabled(target != nullptr);
-    const ExportTarget shown = target ? *target : ExportTarget{};
+    const ExportTarget shown = target ? *target : ExportTarget{.name = "map"};
     const QSignalBlocker blockers[]{QSignalBlocker(m_size), QSignalBlocker(m_border), QSignalBlocker(m_levels)};
-    m_name->setText(QString::fromStdString(shown.name));
+    m_name->setText(target ? QString::fromStdString(shown.name) : QString());
     m_kind->setCurrentIndex(m_kind->findData(static_cast<int>(shown.kind)));
     m_parameterization->setCurrentIndex(m_parameterization->findData(static_cast<int>(shown.parameterization)));
     m_size->setValue(shown.size);
@@ -531,8 +533,9 @@ void ExportDialog::showEstimates(const std::vector<ExportEstimate>& estimates)
         if (found == m_estimates.end())
             continue;
         if (target && found->name == target->name)
-            m_files->setText(tr("%n file(s)", nullptr, static_cast<int>(found->files.size())) + tr(", %n level(s): ", nullptr, found->levels) +
-                             tr("about %1, %2 of texels").arg(toQString(byteText(found->fileBytes)), toQString(byteText(found->texelBytes))));
+            m_files->setText(tr("%1, %2: about %3, of which %4 are texels before compression")
+                                 .arg(filesText(found->files.size()), found->levels == 1 ? tr("one level") : tr("%1 levels").arg(found->levels),
+                                      toQString(byteText(found->fileBytes)), toQString(byteText(found->texelBytes))));
         if (item->checkState(NameColumn) == Qt::Checked) {
             bytes += found->fileBytes;
             seconds += found->seconds;
@@ -544,8 +547,11 @@ void ExportDialog::showEstimates(const std::vector<ExportEstimate>& estimates)
     else if (files == 0)
         m_total->setText(m_estimates.empty() ? tr("No estimate yet.") : tr("No map is checked."));
     else
-        m_total->setText(tr("%n file(s)", nullptr, files) + tr(", about %1 in all; filtering takes about %2")
-                             .arg(toQString(byteText(bytes)), seconds < 0.1 ? tr("no time") : tr("%1 s").arg(seconds, 0, 'f', 1)));
+        m_total->setText(tr("%1, about %2 in all%3")
+                             .arg(filesText(static_cast<size_t>(files)), toQString(byteText(bytes)),
+                                  seconds == 0.0  ? QString()
+                                  : seconds < 0.1 ? tr("; filtered in less than 0.1 s")
+                                                  : tr("; filtered in about %1 s").arg(seconds, 0, 'f', 1)));
     m_export->setEnabled(!m_isExporting && !checkedNames().empty());
 }
 
@@ -607,7 +613,7 @@ void ExportDialog::startExport()
                 const std::uintmax_t size = std::filesystem::file_size(file, error);
                 bytes += error ? 0 : size;
             }
-            say(tr("Wrote %n file(s), ", nullptr, static_cast<int>(files.size())) + toQString(byteText(static_cast<std::int64_t>(bytes))) + u'.');
+            say(tr("Wrote %1, %2.").arg(filesText(static_cast<size_t>(files.size())), toQString(byteText(static_cast<std::int64_t>(bytes)))));
             m_open->show();
             emit exported(files);
         });

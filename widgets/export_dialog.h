@@ -11,6 +11,7 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QFormLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
@@ -59,7 +60,7 @@ private:
     QWidget* makeList();
     QWidget* makeForm();
     QWidget* makeFolderRow();
-    QWidget* makeCommandRow();
+    void addCommandRow(QGridLayout& layout);
     const ExportTarget* selected() const;
     int selectedRow() const;
     void selectRow(int row);

@@ -30,7 +30,7 @@ MapLayout equalTexels(Parameterization kind, const MapLayout& other)
 
 QString layoutText(const MapLayout& layout)
 {
-    return QStringLiteral("%1 %2 x %3").arg(fieldText(name(layout.kind))).arg(layout.width()).arg(layout.height());
+    return QStringLiteral("%1 %2 × %3").arg(fieldText(name(layout.kind))).arg(layout.width()).arg(layout.height());
 }
 
 QString figure(double value)
@@ -74,13 +74,11 @@ MapPanel::MapPanel(Workspace& workspace, QWidget* parent)
     m_readout->setAccessibleName(tr("Texel under the cursor"));
     m_readout->setTextFormat(Qt::PlainText);
     m_readout->setWordWrap(true);
-    QFont digits = m_readout->font();
-    digits.setStyleStrategy(QFont::PreferDefault);
     m_readout->setMinimumHeight(2 * m_readout->fontMetrics().lineSpacing());
     m_readout->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_facts->setTextFormat(Qt::PlainText);
     m_facts->setWordWrap(true);
-    m_facts->setForegroundRole(QPalette::PlaceholderText);
+    m_facts->setProperty("role", QStringLiteral("footnote"));
     layout->addWidget(m_readout);
     layout->addWidget(m_facts);
     layout->addWidget(makeViewRow());
@@ -227,7 +225,7 @@ QWidget* MapPanel::makeViewRow()
     m_grid->setCheckable(true);
     m_seams = makeButton(QStringLiteral("seams"), tr("Seams"), tr("Where faces, halves and edges of the map meet"));
     m_seams->setCheckable(true);
-    auto* fit = makeButton(QStringLiteral("fit"), tr("Fit"), tr("Shows the whole map (0 in the map)"));
+    auto* fit = makeButton(QStringLiteral("frame"), tr("Fit"), tr("Shows the whole map (0 in the map)"));
 
     auto* first = new QHBoxLayout;
     first->addWidget(m_colors, 1);
@@ -325,7 +323,6 @@ void MapPanel::readScene()
 {
     const MapSettings& map = m_workspace.document.scene().map;
     const QSignalBlocker blockers[]{QSignalBlocker(m_kind), QSignalBlocker(m_size), QSignalBlocker(m_border)};
-    const bool hasOtherKind = m_kind->currentData().toInt() != static_cast<int>(map.parameterization);
     m_kind->setCurrentIndex(m_kind->findData(static_cast<int>(map.parameterization)));
     m_size->setValue(map.size);
     m_border->setRange(0, std::max(0, (map.size - 1) / 2));
@@ -333,7 +330,7 @@ void MapPanel::readScene()
     const bool hasBorder = map.parameterization == Parameterization::Paraboloid;
     m_border->setVisible(hasBorder);
     m_borderLabel->setVisible(hasBorder);
-    if (hasOtherKind) // at once: the maps themselves follow when they are made
+    if (m_map && m_view->window().layout.kind != map.parameterization) // at once: the maps themselves follow when they are made
         showMaps();
 }
 

@@ -100,6 +100,10 @@ void MapView::setOverlays(const MapOverlays& overlays)
 
 void MapView::setCaption(const QString& caption)
 {
+    if (caption.isEmpty() != m_caption.isEmpty() && m_isFitted) {
+        m_caption = caption; // it has a line of its own above the map
+        fit();
+    }
     m_caption = caption;
     update();
 }
@@ -146,9 +150,10 @@ void MapView::fitNow()
         return;
     const SheetSize sheet = sheetSize(m_window.layout);
     const glm::dvec2 view(width() * ratio(), height() * ratio());
-    const glm::dvec2 room = glm::max(view - 2.0 * margin * ratio(), glm::dvec2(1.0));
+    const glm::dvec2 above(0.0, m_caption.isEmpty() ? 0.0 : ratio() * (fontMetrics().height() + 4.0));
+    const glm::dvec2 room = glm::max(view - above - 2.0 * margin * ratio(), glm::dvec2(1.0));
     m_window.scale = std::min({room.x / sheet.width, room.y / sheet.height, largestZoom * ratio()});
-    m_window.origin = 0.5 * (glm::dvec2(sheet.width, sheet.height) - view / m_window.scale);
+    m_window.origin = 0.5 * (glm::dvec2(sheet.width, sheet.height) - (view + above) / m_window.scale);
     emit zoomChanged();
 }
 

@@ -29,7 +29,7 @@ namespace mirrorball::studio {
 
 namespace {
 
-constexpr QSize pictureSize(144, 72);
+constexpr QSize pictureSize(128, 64);
 constexpr int pad = 6;
 
 /// A probe as a card: its picture, its name, and what it is.
@@ -142,6 +142,7 @@ ProbesPanel::ProbesPanel(Workspace& workspace, QWidget* parent)
     m_filter.setSourceModel(&workspace.library);
     m_list->setObjectName(QStringLiteral("probes.list"));
     m_list->setAccessibleName(tr("Probes"));
+    m_list->setToolTip(tr("Click a probe, or press Enter on it, to light the scene with it"));
     m_list->setModel(&m_filter);
     m_list->setItemDelegate(new ProbeDelegate(m_watcher, this));
     m_list->setViewMode(QListView::IconMode);
@@ -218,7 +219,6 @@ QWidget* ProbesPanel::makeGroupRow()
     m_find->setAccessibleName(tr("Find a probe"));
     m_find->setPlaceholderText(tr("Find"));
     m_find->setToolTip(tr("Lists only probes whose names hold these letters"));
-    m_find->setClearButtonEnabled(true);
     m_find->setMinimumWidth(60);
     auto* add = new QToolButton;
     add->setObjectName(QStringLiteral("probes.add"));
@@ -292,10 +292,10 @@ QWidget* ProbesPanel::makeDetails()
         readAs(kind < 0 ? std::nullopt : std::optional(static_cast<Parameterization>(kind)));
     });
     layout->addWidget(m_name);
-    layout->addWidget(m_progress);
-    layout->addWidget(m_facts);
     layout->addWidget(m_guessText);
     layout->addWidget(m_guesses);
+    layout->addWidget(m_facts);
+    layout->addWidget(m_progress);
     auto* form = new OptionsForm(m_workspace.document);
     form->layout()->addRow(tr("Read as"), m_readAs);
     form->addFields("probe", [](auto& scene) -> auto& { return scene.probe; },
@@ -417,7 +417,7 @@ void ProbesPanel::showSurvey(const ProbeSurvey& survey, const std::vector<std::p
         {tr("sun"), tr("the brightest 0.01 % hold %1 % of the energy").arg(100.0 * s.sunShare, 0, 'f', 1)},
         {tr("texels"), toQString(describe(probe.repaired))}};
     if (s.beyondHalf > 0)
-        rows.push_back({tr("half float"), tr("%n value(s) beyond 65504", nullptr, static_cast<int>(s.beyondHalf))});
+        rows.push_back({tr("half float"), s.beyondHalf == 1 ? tr("1 value beyond 65504") : tr("%1 values beyond 65504").arg(s.beyondHalf)});
     m_facts->setText(table(rows));
     m_guessText->setText(m_isCertain ? QString() : tr("The shape fits several kinds. The right one has a level horizon and straight verticals:"));
     m_guessText->setVisible(!m_isCertain);
@@ -430,7 +430,7 @@ void ProbesPanel::showSurvey(const ProbeSurvey& survey, const std::vector<std::p
         button->setAccessibleName(tr("Read as %1").arg(fieldText(name(kind))));
         button->setToolTip(tr("Reads the file as this kind of map"));
         button->setIcon(QIcon(QPixmap::fromImage(picture)));
-        button->setIconSize({84, 42});
+        button->setIconSize({80, 40});
         button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
         button->setFocusPolicy(Qt::StrongFocus);
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);

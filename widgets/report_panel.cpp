@@ -1,6 +1,7 @@
 #include "report_panel.h"
 
 #include "color_scale_bar.h"
+#include "options_form.h"
 #include "text.h"
 
 #include <QClipboard>
@@ -63,7 +64,7 @@ bool isSameWork(const Scene& a, const Scene& b)
 } // namespace
 
 ReportPanel::ReportPanel(Workspace& workspace, QWidget* parent)
-    : QWidget(parent), m_workspace(workspace), m_runner(this), m_errorRunner(this), m_chart(new MethodChart), m_table(new QTreeWidget),
+    : QWidget(parent), m_workspace(workspace), m_runner(this), m_errorRunner(this), m_splitter(new QSplitter), m_chart(new MethodChart), m_table(new QTreeWidget),
       m_status(new QLabel), m_facts(new QLabel), m_progress(new QProgressBar), m_again(new QPushButton(tr("Measure &again"))),
       m_stop(new QPushButton(tr("&Stop"))), m_copy(new QPushButton(tr("&Copy command"))), m_use(new QPushButton(tr("&Use it anyway")))
 {
@@ -102,12 +103,24 @@ ReportPanel::ReportPanel(Workspace& workspace, QWidget* parent)
     m_use->setToolTip(tr("Filters the scene by this method though it takes long"));
     m_use->hide();
 
-    auto* splitter = new QSplitter(Qt::Vertical);
-    splitter->setChildrenCollapsible(false);
-    splitter->addWidget(m_chart);
-    splitter->addWidget(m_table);
-    splitter->setStretchFactor(0, 3);
-    splitter->setStretchFactor(1, 2);
+    for (QPushButton* button : {m_again, m_stop, m_copy, m_use})
+        button->setAccessibleName(button->text().remove(u'&'));
+    m_table->setMinimumHeight(60);
+
+    m_splitter->setOrientation(Qt::Vertical);
+    m_splitter->setChildrenCollapsible(false);
+    m_splitter->addWidget(m_chart);
+    m_splitter->addWidget(m_table);
+    m_splitter->setStretchFactor(0, 3);
+    m_splitter->setStretchFactor(1, 2);
+    auto* form = new OptionsForm(workspace.document);
+    const auto isMethod = [](Method method) { return [method](const Scene& scene) { return scene.filter.method == method; }; };
+    form->addFields("filter", [](auto& scene) -> auto& { return scene.filter; },
+                    {{"tolerance", {.sliderLow = 1e-7, .sliderHigh = 1e-1, .scale = Scale::Logarithmic}},
+                     {"samples", {.isShown = isMethod(Method::Importance)}},
+                     {"mip_filtering", {.label = tr("Mip filtering"), .isShown = isMethod(Method::Mip)}},
+                     {"paraboloid_clamp", {.label = tr("Clamp"), .isShown = isMethod(Method::Paraboloid)}},
+                     {"paraboloid_kernel", {.label = tr("Largest kernel"), .isShown = isMethod(Method::Paraboloid)}}});
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_copy);
     buttons->addWidget(m_use);
@@ -119,8 +132,9 @@ ReportPanel::ReportPanel(Workspace& workspace, QWidget* parent)
     layout->setSpacing(6);
     layout->addWidget(m_status);
     layout->addWidget(m_progress);
-    layout->addWidget(splitter, 1);
+    layout->addWidget(m_splitter, 1);
     layout->addWidget(m_facts);
+    layout->addWidget(form);
     layout->addLayout(buttons);
 
     connect(m_chart, &MethodChart::picked, this, &ReportPanel::pick);
@@ -142,6 +156,11 @@ ReportPanel::ReportPanel(Workspace& workspace, QWidget* parent)
     connect(&m_errorRunner, &JobRunner::failed, m_facts, &QLabel::setText);
     m_stop->hide();
     m_status->setText(tr("Methods are measured once the material has come to rest."));
+}
+
+void ReportPanel::resizeEvent(QResizeEvent*)
+{
+    m_splitter->setOrientation(width() > 700 ? Qt::Horizontal : Qt::Vertical);
 }
 
 void ReportPanel::showEvent(QShowEvent*)
@@ -170,7 +189,7 @@ void ReportPanel::stop()
     if (!m_isMeasuring)
         return;
     m_runner.stop();
-    finish(tr("Stopped after %n point(s).", nullptr, static_cast<int>(m_points.size())));
+    finish(tr("Stopped after %1 points.").arg(m_points.size()));
 }
 
 void ReportPanel::finish(const QString& status)
@@ -225,9 +244,10 @@ void ReportPanel::measureNext(size_t setting)
     if (setting >= m_race->settings().size()) {
         const auto measured = std::count_if(m_points.begin(), m_points.end(), [](const RacePoint& p) { return p.state == MeasurementState::Measured; });
         const MapLayout& target = m_race->options().target;
-        finish(tr("%1 into a %2 of %3 texels: %n setting(s) measured.", nullptr, static_cast<int>(measured))
+        finish(tr("%1 into a %2 of size %3: %4 settings measured.")
                    .arg(toQString(mirrorball::describe(m_race->lobe())), fieldText(name(target.kind)))
-                   .arg(target.size));
+                   .arg(target.size)
+                   .arg(measured));
         return;
     }
     m_status->setText(tr("Measuring %1 ...").arg(toQString(name(m_race->settings()[setting].method))));

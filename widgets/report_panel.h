@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QSplitter>
 #include <QTreeWidget>
 #include <QWidget>
 
@@ -49,6 +50,7 @@ public slots:
 
 protected:
     void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void follow();
@@ -63,6 +65,7 @@ private:
     Workspace& m_workspace;
     JobRunner m_runner;      ///< measures, one setting after the other
     JobRunner m_errorRunner; ///< the signed error of what was picked
+    QSplitter* m_splitter;
     MethodChart* m_chart;
     QTreeWidget* m_table;
     QLabel *m_status, *m_facts;

@@ -2,7 +2,8 @@
 
 #include "widget_driver.h"
 
-#include "app/studio/main_window.h"
+#include "studio_window.h"
+
 #include "core/image/builtin_probes.h"
 #include "core/image/image_io.h"
 #include "support/temporary_folder.h"
@@ -126,14 +127,19 @@ void ProbesPanelTest::takesAFileThatIsDropped()
 {
     const TemporaryFolder folder;
     const QString file = writeProbe(folder, "room.exr");
-    MainWindow window;
+    StudioWindow window;
     window.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&window));
-    QVERIFY(dropFiles(window, {file}));
-    QCOMPARE(QString::fromStdString(window.workspace().document.scene().probe.source), file);
-    QVERIFY(window.workspace().library.rowOf(file) >= 0);
-    window.workspace().document.undoStack().undo();
-    QCOMPARE(window.workspace().document.scene().probe.source, std::string("builtin:studio"));
+    QVERIFY(dropFiles(*window, {file}));
+    QCOMPARE(QString::fromStdString(window.document().scene().probe.source), file);
+    QVERIFY(window->workspace().library.rowOf(file) >= 0);
+    window.waitForPicture();
+    keepScreenshot(*window, QStringLiteral("window"));
+    window->resize(1920, 1150);
+    window.waitForPicture();
+    QTest::qWait(1500);
+    keepScreenshot(*window, QStringLiteral("window-large"));
+    window.document().undoStack().undo();
+    QCOMPARE(window.document().scene().probe.source, std::string("builtin:studio"));
 }
 
 void ProbesPanelTest::takesAFolderThatIsDroppedAndFollowsIt()
@@ -262,7 +268,8 @@ void ProbesPanelTest::saysWhyAListIsEmpty()
 void ProbesPanelTest::namesAllControls()
 {
     ShownPanel shown;
-    QCOMPARE(unexplained(*shown.panel), QStringList());
+    const QStringList names = unexplained(*shown.panel);
+    QVERIFY2(names.isEmpty(), qPrintable(names.join(u\'\n\')));
 }
 
 } // namespace mirrorball::test

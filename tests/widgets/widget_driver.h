@@ -34,12 +34,12 @@ inline QStringList unexplained(const QWidget& root)
 {
     QStringList names;
     for (const QWidget* widget : root.findChildren<QWidget*>()) {
-        if (widget->focusPolicy() == Qt::NoFocus || !widget->focusProxy() == false || widget->objectName().startsWith(QStringLiteral("qt_")))
+        if (widget->focusPolicy() == Qt::NoFocus || widget->focusProxy() != nullptr || widget->objectName().startsWith(QStringLiteral("qt_")))
             continue;
         const QVariant text = widget->property("text");
         const bool isNamed = !widget->accessibleName().isEmpty() || (text.isValid() && !text.toString().isEmpty());
         const bool isInner = widget->inherits("QAbstractScrollArea") ? false
-                                                                     : widget->parentWidget() && (widget->parentWidget()->inherits("QAbstractSpinBox") ||
+                                                                     : widget->parentWidget() && (widget->parentWidget()->inherits("QAbstractSpinBox") || widget->parentWidget()->inherits("QComboBoxPrivateContainer") ||
                                                                                                   widget->parentWidget()->inherits("QComboBox"));
         const bool isFrame = widget->inherits("QScrollArea") || widget->inherits("QSplitterHandle") || widget->inherits("QScrollBar");
         if (!isNamed && !isInner && !isFrame)
