@@ -1,14 +1,33 @@
 #include "docks.h"
 
+#include "widgets/map_panel.h"
+#include "widgets/material_panel.h"
+#include "widgets/plan_view.h"
+#include "widgets/probes_panel.h"
+#include "widgets/report_panel.h"
+#include "widgets/view_panel.h"
+
 #include <QLabel>
 
 namespace mirrorball::studio {
 
 namespace {
 
+template <typename Panel>
+QWidget* make(Workspace& workspace)
+{
+    return new Panel(workspace);
+}
+
 QWidget* placeholder(Workspace&)
 {
     return new QLabel;
+}
+
+template <typename Panel>
+QWidget* make(Workspace& workspace)
+{
+    return new Panel(workspace);
 }
 
 } // namespace
@@ -16,12 +35,20 @@ QWidget* placeholder(Workspace&)
 const std::vector<DockEntry>& dockEntries()
 {
     static const std::vector<DockEntry> entries{
-        {"probes", QT_TRANSLATE_NOOP("Docks", "Probes"), "probes", Qt::LeftDockWidgetArea, placeholder},
-        {"material", QT_TRANSLATE_NOOP("Docks", "Material"), "material", Qt::RightDockWidgetArea, placeholder},
-        {"map", QT_TRANSLATE_NOOP("Docks", "Map"), "map", Qt::LeftDockWidgetArea, placeholder},
-        {"plan", QT_TRANSLATE_NOOP("Docks", "Plan"), "plan", Qt::RightDockWidgetArea, placeholder},
+        {"probes", QT_TRANSLATE_NOOP("Docks", "Probes"), "probes", Qt::LeftDockWidgetArea, make<ProbesPanel>},
+        {"material", QT_TRANSLATE_NOOP("Docks", "Material"), "material", Qt::RightDockWidgetArea, make<MaterialPanel>},
+        {"view", QT_TRANSLATE_NOOP("Docks", "View"), "view", Qt::RightDockWidgetArea, make<ViewPanel>},
+        {"map", QT_TRANSLATE_NOOP("Docks", "Map"), "map", Qt::LeftDockWidgetArea, make<MapPanel>},
+        {"plan", QT_TRANSLATE_NOOP("Docks", "Plan"), "plan", Qt::BottomDockWidgetArea, make<PlanView>},
+        {"report", QT_TRANSLATE_NOOP("Docks", "Report"), "report", Qt::BottomDockWidgetArea, make<ReportPanel>},
     };
     return entries;
+}
+
+const std::vector<DockTabs>& dockTabs()
+{
+    static const std::vector<DockTabs> tabs{{"material", "view"}, {"plan", "report"}};
+    return tabs;
 }
 
 } // namespace mirrorball::studio

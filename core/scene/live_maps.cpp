@@ -17,7 +17,8 @@ void apply(const MapDetail& detail, std::optional<MapPlan>& map)
     if (!map)
         return;
     for (PrefilterOptions& filter : map->filters) {
-        filter.tolerance = detail.tolerance;
+        if (detail != MapDetail{})
+            filter.tolerance = std::max(filter.tolerance, detail.tolerance);
         if (!map->pyramid && map->filters.size() == 1 && filter.target.size > detail.largestSize) {
             filter.target.border = filter.target.border * detail.largestSize / filter.target.size;
             filter.target.size = detail.largestSize;
