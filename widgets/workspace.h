@@ -4,6 +4,7 @@
 #include "document.h"
 #include "live_scene.h"
 #include "notices.h"
+#include "sphere_map_editor.h"
 
 namespace mirrorball::studio {
 
@@ -11,6 +12,7 @@ namespace mirrorball::studio {
 struct Workspace {
     Document document{};
     LiveScene live{document};
+    SphereMapEditor sphereMap{document};
     DirectionCursor cursor{};
     Notices notices{};
 };
