@@ -136,10 +136,7 @@ void SettingsForm::addText(const Field& field, const FieldStyle& style, const st
 void SettingsForm::addChoice(const Field& field, const FieldStyle& style, std::span<const std::string_view> names,
                              const std::function<void(const int&)>& set, const std::function<int(const std::any&)>& get)
 {
-    auto* control = new QComboBox(this);
-    control->setFocusPolicy(Qt::StrongFocus);
-    control->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    control->setMinimumContentsLength(6);
+    auto* control = new QuietCombo(this);
     for (const std::string_view word : names)
         control->addItem(labelText(word));
     connect(control, &QComboBox::activated, this, [this, set](int index) {

@@ -301,11 +301,10 @@ QWidget* SphereMapPanel::makeLayersPage()
     auto* remove = button("delete", tr("Delete layer"), tr("Delete the chosen layer (Delete)"));
     connect(remove, &QToolButton::clicked, &m_editor, &SphereMapEditor::removeChosen);
 
-    m_blend = new QComboBox;
+    m_blend = new QuietCombo;
     m_blend->setObjectName(QStringLiteral("blend"));
     m_blend->setAccessibleName(tr("Blend mode"));
     m_blend->setToolTip(tr("How the layer meets what lies below"));
-    m_blend->setFocusPolicy(Qt::StrongFocus);
     for (const std::string_view word : words(BlendMode{}))
         m_blend->addItem(labelText(word).replace(u'-', u' '));
     connect(m_blend, &QComboBox::activated, this, [this](int index) {
