@@ -133,7 +133,7 @@ QVariant LayerModel::data(const QModelIndex& at, int role) const
     case Detail: {
         QStringList parts{kind};
         if (const auto* paint = std::get_if<PaintLayer>(&layer.content))
-            parts[0] += tr(", %n stroke(s)", nullptr, static_cast<int>(paint->strokes.size()));
+            parts[0] += paint->strokes.size() == 1 ? tr(", 1 stroke") : tr(", %1 strokes").arg(paint->strokes.size());
         if (layer.blend != BlendMode::Normal)
             parts << labelText(words(layer.blend)[static_cast<size_t>(layer.blend)]);
         if (layer.opacity < 1.0)

@@ -1,5 +1,7 @@
 #include "sphere_map_editor.h"
 
+#include "core/spheremap/sphere_map_file.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -172,6 +174,14 @@ void SphereMapEditor::setTool(PaintTool tool)
     if (tool == m_tool)
         return;
     m_tool = tool;
+    emit toolChanged();
+}
+
+void SphereMapEditor::setPaintsOnModel(bool on)
+{
+    if (on == m_paintsOnModel)
+        return;
+    m_paintsOnModel = on;
     emit toolChanged();
 }
 

@@ -60,6 +60,10 @@ public:
     PaintTool tool() const { return m_tool; }
     void setTool(PaintTool tool);
 
+    /// Whether the pen paints on the model in the preview; otherwise it turns it.
+    bool paintsOnModel() const { return m_paintsOnModel; }
+    void setPaintsOnModel(bool on);
+
     /// Whether a stroke can begin: a paint layer is chosen and shown. Otherwise paintingProblem() says what to do.
     bool canPaint() const { return paintingProblem().isEmpty(); }
     QString paintingProblem() const;
@@ -105,6 +109,7 @@ private:
     Brush m_brush{};
     Symmetry m_symmetry{};
     PaintTool m_tool = PaintTool::Paint;
+    bool m_paintsOnModel = false;
     std::optional<StrokeRecorder> m_recorder;
     size_t m_recorderLayer = 0;
     Image m_picture{};

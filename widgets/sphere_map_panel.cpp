@@ -50,9 +50,15 @@ const FieldStyles brushStyles{
     {"spacing", {.sliderLow = 0.02, .sliderHigh = 4.0, .scale = Scale::Logarithmic}},
 };
 
-const FieldStyles layerStyles{
+const FieldStyles& layerStyles()
+{
+    static const FieldStyles styles{
+    {"unit", {.label = SphereMapPanel::tr("Widths in")}},
+    {"reference", {.label = SphereMapPanel::tr("Drawn at")}},
     {"exponent", {.sliderLow = 1.0, .sliderHigh = 2000.0, .scale = Scale::Logarithmic}},
-};
+    };
+    return styles;
+}
 
 QScrollArea* scrolled(QWidget* inside)
 {
@@ -195,7 +201,14 @@ QToolBar* SphereMapPanel::makeTools()
     addTool("eraser", tr("Erase"), tr("Erase what was painted on this layer"), PaintTool::Erase);
     addTool("smudge", tr("Smudge"), tr("Push what was painted on this layer"), PaintTool::Smudge);
     addTool("eyedropper", tr("Pick a colour"), tr("Pick a colour from the map; Alt does it with every tool"), PaintTool::PickColor);
-    const auto showTool = [this] {
+    bar->addSeparator();
+    QAction* onModel = bar->addAction(iconOf("paint-model"), tr("Paint on the model"));
+    onModel->setObjectName(QStringLiteral("paintOnModel"));
+    onModel->setToolTip(tr("Paint on the model in the preview; Alt and left drag then turns it"));
+    onModel->setCheckable(true);
+    connect(onModel, &QAction::toggled, &m_editor, &SphereMapEditor::setPaintsOnModel);
+    const auto showTool = [this, onModel] {
+        onModel->setChecked(m_editor.paintsOnModel());
         for (QAction* action : m_tools->actions())
             action->setChecked(action->data().toInt() == static_cast<int>(m_editor.tool()));
     };
@@ -350,8 +363,8 @@ QWidget* SphereMapPanel::makeLayersPage()
     auto* splitter = new QSplitter(Qt::Vertical);
     splitter->addWidget(top);
     splitter->addWidget(scrolled(parameters));
-    splitter->setStretchFactor(0, 1);
-    splitter->setStretchFactor(1, 1);
+    splitter->setStretchFactor(0, 2);
+    splitter->setStretchFactor(1, 3);
     splitter->setChildrenCollapsible(false);
     m_layerControls = {m_blend, m_opacity, duplicate, up, down, remove};
     return splitter;
@@ -439,7 +452,7 @@ void SphereMapPanel::buildLayerForm(const Layer& layer)
                                     change(*same);
                             });
                         },
-                        layerStyles);
+                        layerStyles());
                 else
                     m_layerForm->show(content);
                 m_layerForm->QWidget::show();

@@ -8,6 +8,7 @@
 
 #include <QActionGroup>
 #include <QComboBox>
+#include <QLabel>
 #include <QMenu>
 #include <QStackedWidget>
 #include <QTabWidget>

@@ -39,7 +39,7 @@ const std::vector<DockEntry>& dockEntries()
 
 const std::vector<DockTabs>& dockTabs()
 {
-    static const std::vector<DockTabs> tabs{{"material", "view", "sphere-map"}};
+    static const std::vector<DockTabs> tabs{{"material", "view"}, {"material", "sphere-map"}};
     return tabs;
 }
 
