@@ -66,6 +66,26 @@ void Document::edit(const QString& label, const QString& mergeKey, const std::fu
     m_undoStack.push(new EditScene(label, key, m_scene, after, [this](const Scene& scene) { apply(scene); }));
 }
 
+void Document::editReversibly(const QString& label, std::function<void(Scene&)> redo, std::function<void(Scene&)> undo)
+{
+    Scene after = m_scene;
+    redo(after);
+    try {
+        validate(after);
+    } catch (const InvalidArgument& error) {
+        emit refused(QString::fromUtf8(error.what()));
+        return;
+    }
+    finishEdit();
+    const auto change = [this](const std::function<void(Scene&)>& step) {
+        Scene changed = m_scene;
+        step(changed);
+        apply(changed);
+    };
+    m_undoStack.push(new ReversibleEdit(label, [change, redo = std::move(redo)] { change(redo); },
+                                        [change, undo = std::move(undo)] { change(undo); }));
+}
+
 void Document::finishEdit()
 {
     if (m_mergeKey.isEmpty())

@@ -37,6 +37,9 @@ public:
     /// Changes the scene by one undo step. Edits of the same non-empty key merge into one step until finishEdit(): a drag.
     /// An edit that makes the scene invalid is left undone and reported by refused().
     void edit(const QString& label, const QString& mergeKey, const std::function<void(Scene&)>& change);
+    /// The same for a change that knows how to take itself back, and is small beside the scene: a stroke on a painted map. The undo step keeps
+    /// the two functions and no scene; `undo` gets the scene that `redo` left.
+    void editReversibly(const QString& label, std::function<void(Scene&)> redo, std::function<void(Scene&)> undo);
     /// The end of a drag.
     void finishEdit();
     /// Between the first edit with a key and finishEdit(): results may be coarse, the next value is near.

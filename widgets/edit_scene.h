@@ -28,4 +28,19 @@ private:
     Apply m_apply;
 };
 
+/// An edit that knows how to take itself back: it keeps no scene.
+class ReversibleEdit : public QUndoCommand {
+public:
+    ReversibleEdit(const QString& label, std::function<void()> redo, std::function<void()> undo)
+        : QUndoCommand(label), m_redo(std::move(redo)), m_undo(std::move(undo))
+    {
+    }
+    void undo() override { m_undo(); }
+    void redo() override { m_redo(); }
+
+private:
+    std::function<void()> m_redo;
+    std::function<void()> m_undo;
+};
+
 } // namespace mirrorball::studio

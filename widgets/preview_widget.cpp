@@ -236,7 +236,8 @@ void PreviewWidget::mouseMoveEvent(QMouseEvent* event)
         drag(moved);
         return;
     }
-    setCursor(isOnWipe(m_last) ? Qt::SplitHCursor : Qt::ArrowCursor);
+    const bool paints = m_workspace.sphereMap.paintsOnModel() && m_workspace.sphereMap.map();
+    setCursor(isOnWipe(m_last) ? Qt::SplitHCursor : paints ? Qt::CrossCursor : Qt::ArrowCursor);
     if (!m_pointing.isActive())
         m_pointing.start();
 }
@@ -326,22 +327,31 @@ void PreviewWidget::leaveEvent(QEvent*)
     m_workspace.cursor.set(std::nullopt);
 }
 
-// Where the reflection under the mouse comes from: the map shows it. The picture itself needs no mark there.
-void PreviewWidget::point()
+std::optional<preview::SurfaceHit> PreviewWidget::pick(const QPointF& position)
 {
     const auto made = m_workspace.live.made();
-    if (!made || !m_renderer || m_drag != Drag::None || !underMouse())
-        return;
+    if (!made || !m_renderer)
+        return std::nullopt;
     const double ratio = devicePixelRatioF();
-    std::optional<glm::dvec3> direction;
+    std::optional<preview::SurfaceHit> hit;
     makeCurrent();
     try {
-        if (const auto hit = m_renderer->pick(settings(*made), static_cast<int>(m_last.x() * ratio), static_cast<int>(m_last.y() * ratio)))
-            direction = glm::dvec3(hit->lookup);
+        hit = m_renderer->pick(settings(*made), static_cast<int>(position.x() * ratio), static_cast<int>(position.y() * ratio));
     } catch (const Error&) {
         // the next picture says what is wrong
     }
     doneCurrent();
+    return hit;
+}
+
+// Where the reflection under the mouse comes from: the map shows it. The picture itself needs no mark there.
+void PreviewWidget::point()
+{
+    if (m_drag != Drag::None || !underMouse() || m_workspace.sphereMap.isPainting())
+        return;
+    std::optional<glm::dvec3> direction;
+    if (const auto hit = pick(m_last))
+        direction = glm::dvec3(hit->lookup);
     m_isPointing = true;
     m_workspace.cursor.set(direction);
     m_isPointing = direction.has_value();

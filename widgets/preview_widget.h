@@ -29,6 +29,9 @@ public:
     QSize sizeHint() const override { return {960, 540}; }
     QSize minimumSizeHint() const override { return {160, 120}; }
 
+    /// What the picture shows at a place of the widget; nothing beside the model.
+    std::optional<preview::SurfaceHit> pick(const QPointF& position);
+
     bool hasSnapshot() const { return m_snapshot != nullptr; }
     Comparison comparison() const { return m_comparison; }
     /// Where the wipe's line stands, as a fraction of the width.

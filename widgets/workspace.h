@@ -6,6 +6,7 @@
 #include "method_error.h"
 #include "notices.h"
 #include "probe_library.h"
+#include "sphere_map_editor.h"
 
 namespace mirrorball::studio {
 
@@ -13,6 +14,7 @@ namespace mirrorball::studio {
 struct Workspace {
     Document document{};
     LiveScene live{document};
+    SphereMapEditor sphereMap{document};
     DirectionCursor cursor{};
     MethodError methodError{};
     ProbeLibrary library{};

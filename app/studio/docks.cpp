@@ -5,6 +5,7 @@
 #include "widgets/plan_view.h"
 #include "widgets/probes_panel.h"
 #include "widgets/report_panel.h"
+#include "widgets/sphere_map_panel.h"
 #include "widgets/view_panel.h"
 
 #include <QLabel>
@@ -39,6 +40,7 @@ const std::vector<DockEntry>& dockEntries()
         {"material", QT_TRANSLATE_NOOP("Docks", "Material"), "material", Qt::RightDockWidgetArea, make<MaterialPanel>},
         {"view", QT_TRANSLATE_NOOP("Docks", "View"), "view", Qt::RightDockWidgetArea, make<ViewPanel>},
         {"map", QT_TRANSLATE_NOOP("Docks", "Map"), "map", Qt::LeftDockWidgetArea, make<MapPanel>},
+        {"sphere-map", QT_TRANSLATE_NOOP("Docks", "Sphere map"), "sphere-map", Qt::RightDockWidgetArea, make<SphereMapPanel>},
         {"plan", QT_TRANSLATE_NOOP("Docks", "Plan"), "plan", Qt::BottomDockWidgetArea, make<PlanView>},
         {"report", QT_TRANSLATE_NOOP("Docks", "Report"), "report", Qt::BottomDockWidgetArea, make<ReportPanel>},
     };
@@ -47,7 +49,7 @@ const std::vector<DockEntry>& dockEntries()
 
 const std::vector<DockTabs>& dockTabs()
 {
-    static const std::vector<DockTabs> tabs{{"material", "view"}, {"plan", "report"}};
+    static const std::vector<DockTabs> tabs{{"material", "view"}, {"material", "sphere-map"}, {"plan", "report"}};
     return tabs;
 }
 

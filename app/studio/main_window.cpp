@@ -5,6 +5,7 @@
 #include "theme.h"
 
 #include "widgets/export_dialog.h"
+#include "widgets/model_painter.h"
 #include "widgets/notice_panel.h"
 #include "widgets/plan_view.h"
 #include "widgets/text.h"
@@ -63,6 +64,7 @@ MainWindow::MainWindow(const QString& recoveryFolder, QWidget* parent)
     column->addWidget(new NoticePanel(m_workspace->notices, middle));
     column->addWidget(m_preview, 1);
     setCentralWidget(middle);
+    new ModelPainter(*m_preview, *m_workspace); // the preview's child
 
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks | GroupedDragging);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);

@@ -1,0 +1,350 @@
+#include "sphere_map_panel_test.h"
+
+#include "studio_window.h"
+
+#include "widgets/model_painter.h"
+#include "widgets/sphere_map_panel.h"
+#include "widgets/text.h"
+
+#include "core/spheremap/sphere_map_file.h"
+
+#include <QDir>
+#include <QDockWidget>
+#include <QMimeData>
+#include <QPointingDevice>
+#include <QSignalSpy>
+#include <QTabletEvent>
+
+#include <cmath>
+#include <fstream>
+
+using namespace mirrorball::studio;
+
+namespace mirrorball::test {
+
+static const RegisterTests<SphereMapPanelTest> registered;
+
+namespace {
+
+/// A window with the dock in front and a map of a ground and a paint layer.
+class Painting {
+public:
+    explicit Painting(bool withMap = true)
+    {
+        m_window.show();
+        QDockWidget* dock = m_window->dock(QStringLiteral("sphere-map"));
+        dock->setFloating(true);
+        dock->resize(380, 900);
+        dock->show();
+        dock->raise();
+        m_panel = dock->findChild<SphereMapPanel*>();
+        if (withMap)
+            QTest::mouseClick(m_panel->findChild<QWidget*>(QStringLiteral("newSphereMap")), Qt::LeftButton);
+        waitForPicture();
+        QTest::qWait(50);
+    }
+
+    StudioWindow& window() { return m_window; }
+    SphereMapPanel& panel() { return *m_panel; }
+    SphereMapCanvas& canvas() { return m_panel->canvas(); }
+    SphereMapEditor& editor() { return m_window->workspace().sphereMap; }
+    Document& document() { return m_window.document(); }
+    int steps() { return document().undoStack().index(); }
+    const std::vector<Stroke>& strokes(size_t layer = 1) { return std::get<PaintLayer>(editor().map()->layers[layer].content).strokes; }
+
+    void waitForPicture() { QTRY_VERIFY_WITH_TIMEOUT(editor().isUpToDate(), 30000); }
+    QPoint at(double x, double y) { return canvas().placeOf({x, y}).toPoint(); }
+    void drag(const QPoint& from, const QPoint& to, Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers keys = {})
+    {
+        drag(&canvas(), from, to, button, keys);
+    }
+    static void drag(QWidget* widget, const QPoint& from, const QPoint& to, Qt::MouseButton button = Qt::LeftButton,
+                     Qt::KeyboardModifiers keys = {})
+    {
+        QTest::mousePress(widget, button, keys, from);
+        for (int i = 1; i <= 6; ++i) { // QTest::mouseMove moves without a button
+            const QPointF place = QPointF(from) + QPointF(to - from) * (i / 6.0);
+            QMouseEvent move(QEvent::MouseMove, place, widget->mapToGlobal(place), Qt::NoButton, button, keys);
+            QCoreApplication::sendEvent(widget, &move);
+        }
+        QTest::mouseRelease(widget, button, keys, to);
+    }
+    void pen(QEvent::Type type, const QPointF& place, double pressure, QPointingDevice::PointerType end)
+    {
+        static const QPointingDevice tip(QStringLiteral("pen"), 77, QInputDevice::DeviceType::Stylus, QPointingDevice::PointerType::Pen,
+                                         QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 2);
+        static const QPointingDevice eraser(QStringLiteral("eraser"), 78, QInputDevice::DeviceType::Stylus,
+                                            QPointingDevice::PointerType::Eraser,
+                                            QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 2);
+        const auto button = type == QEvent::TabletMove ? Qt::NoButton : Qt::LeftButton;
+        QTabletEvent event(type, end == QPointingDevice::PointerType::Eraser ? &eraser : &tip, place, canvas().mapToGlobal(place), pressure, 0,
+                           0, 0, 0, 0, {}, button, type == QEvent::TabletRelease ? Qt::NoButton : Qt::LeftButton);
+        QCoreApplication::sendEvent(&canvas(), &event);
+    }
+
+private:
+    StudioWindow m_window;
+    SphereMapPanel* m_panel = nullptr;
+};
+
+} // namespace
+
+void SphereMapPanelTest::offersAWayToStartWithoutAMap()
+{
+    Painting painting(false);
+    QVERIFY(painting.panel().findChild<QWidget*>(QStringLiteral("newSphereMap"))->isVisible());
+    QVERIFY(!painting.canvas().isVisible());
+    QTest::mouseClick(painting.panel().findChild<QWidget*>(QStringLiteral("newSphereMap")), Qt::LeftButton);
+    QVERIFY(painting.canvas().isVisible());
+    QCOMPARE(painting.editor().map()->layers.size(), size_t{2});
+    painting.document().undoStack().undo();
+    QVERIFY(!painting.canvas().isVisible());
+}
+
+void SphereMapPanelTest::drawsAStrokeByMouseAsOneUndoStep()
+{
+    Painting painting;
+    const int before = painting.steps();
+    painting.drag(painting.at(-0.5, 0.0), painting.at(0.5, 0.2));
+    QCOMPARE(painting.steps(), before + 1);
+    QCOMPARE(painting.strokes().size(), size_t{1});
+    const Stroke& stroke = painting.strokes()[0];
+    const double texel = 1.5 / 100; // places are whole pixels of the widget
+    QVERIFY(glm::distance(stroke.points.front().q, glm::dvec2(-0.5, 0.0)) < texel);
+    QVERIFY(glm::distance(stroke.points.back().q, glm::dvec2(0.5, 0.2)) < texel);
+    painting.drag(painting.at(0.0, -0.5), painting.at(0.3, -0.5));
+    QCOMPARE(painting.strokes().size(), size_t{2});
+    painting.document().undoStack().undo();
+    QCOMPARE(painting.strokes().size(), size_t{1});
+    painting.document().undoStack().redo();
+    QCOMPARE(painting.strokes().size(), size_t{2});
+}
+
+void SphereMapPanelTest::showsTheStrokeWhileItIsDrawnAsTheFileWillHoldIt()
+{
+    Painting painting;
+    QTest::mousePress(&painting.canvas(), Qt::LeftButton, {}, painting.at(-0.4, 0.0));
+    const QPointF to = painting.at(0.4, 0.0);
+    QMouseEvent move(QEvent::MouseMove, to, painting.canvas().mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&painting.canvas(), &move);
+    painting.waitForPicture();
+    const Image drawing = painting.editor().picture();
+    QVERIFY(painting.strokes().empty());
+    QVERIFY(drawing != evaluate(*painting.editor().map(), {.size = SphereMapEditor::pictureSize}));
+    QTest::mouseRelease(&painting.canvas(), Qt::LeftButton, {}, painting.at(0.4, 0.0));
+    painting.waitForPicture();
+    QVERIFY(painting.editor().picture() == evaluate(*painting.editor().map(), {.size = SphereMapEditor::pictureSize}));
+    painting.document().undoStack().undo();
+    painting.waitForPicture();
+    QVERIFY(painting.editor().picture() == evaluate(*painting.editor().map(), {.size = SphereMapEditor::pictureSize}));
+}
+
+void SphereMapPanelTest::takesAPensPressureAndItsEraserEnd()
+{
+    Painting painting;
+    using End = QPointingDevice::PointerType;
+    painting.pen(QEvent::TabletPress, painting.at(0.0, 0.0), 0.25, End::Pen);
+    painting.pen(QEvent::TabletMove, painting.at(0.2, 0.0), 0.5, End::Pen);
+    painting.pen(QEvent::TabletMove, painting.at(0.4, 0.0), 0.75, End::Pen);
+    painting.pen(QEvent::TabletRelease, painting.at(0.4, 0.0), 0.0, End::Pen);
+    QCOMPARE(painting.strokes().size(), size_t{1});
+    QCOMPARE(painting.strokes()[0].points.front().pressure, 0.25);
+    QCOMPARE(painting.strokes()[0].points.back().pressure, 0.75);
+    QVERIFY(painting.strokes()[0].brush.mode == BrushMode::Paint);
+    painting.pen(QEvent::TabletPress, painting.at(0.0, 0.0), 1.0, End::Eraser);
+    painting.pen(QEvent::TabletRelease, painting.at(0.0, 0.0), 0.0, End::Eraser);
+    QCOMPARE(painting.strokes().size(), size_t{2});
+    QVERIFY(painting.strokes()[1].brush.mode == BrushMode::Erase);
+}
+
+void SphereMapPanelTest::repeatsStrokesBySymmetry()
+{
+    Painting painting;
+    auto* radial = painting.panel().findChild<QSpinBox*>(QStringLiteral("radial"));
+    QVERIFY(radial);
+    radial->setValue(6);
+    painting.drag(painting.at(0.2, 0.0), painting.at(0.6, 0.0));
+    QCOMPARE(painting.strokes()[0].symmetry.radial, 6);
+}
+
+void SphereMapPanelTest::picksColoursFromTheDisc()
+{
+    Painting painting;
+    Brush brush;
+    brush.color = {0.0, 0.5, 1.0};
+    brush.hardness = 1.0;
+    brush.flow = 1.0;
+    painting.editor().setBrush(brush);
+    painting.drag(painting.at(0.0, 0.0), painting.at(0.1, 0.0));
+    painting.waitForPicture();
+    brush.color = {1.0, 0.0, 0.0};
+    painting.editor().setBrush(brush);
+    const int before = painting.steps();
+    QTest::mouseClick(&painting.canvas(), Qt::LeftButton, Qt::AltModifier, painting.at(0.05, 0.0));
+    QCOMPARE(painting.editor().brush().color, glm::dvec3(0.0, 0.5, 1.0));
+    QCOMPARE(painting.steps(), before); // a brush is no part of the document
+}
+
+void SphereMapPanelTest::changesTheBrushByARightDrag()
+{
+    Painting painting;
+    const Brush before = painting.editor().brush();
+    painting.drag(painting.at(0.0, 0.0), painting.at(0.0, 0.0) + QPoint(60, -50), Qt::RightButton);
+    QVERIFY(painting.editor().brush().radius > 1.4 * before.radius);
+    QVERIFY(painting.editor().brush().hardness > before.hardness);
+    QVERIFY(painting.strokes().empty());
+    QTest::keyClick(&painting.canvas(), Qt::Key_BracketLeft);
+    QVERIFY(painting.editor().brush().radius < 1.6 * before.radius);
+}
+
+void SphereMapPanelTest::refusesToPaintOnAnotherLayerInWords()
+{
+    Painting painting;
+    painting.editor().choose(0);
+    const int before = painting.steps();
+    painting.drag(painting.at(0.0, 0.0), painting.at(0.3, 0.0));
+    QCOMPARE(painting.steps(), before);
+    QVERIFY(!painting.editor().paintingProblem().isEmpty());
+}
+
+void SphereMapPanelTest::givesUpAStrokeByEscape()
+{
+    Painting painting;
+    const int before = painting.steps();
+    QTest::mousePress(&painting.canvas(), Qt::LeftButton, {}, painting.at(0.0, 0.0));
+    QTest::keyClick(&painting.canvas(), Qt::Key_Escape);
+    QTest::mouseRelease(&painting.canvas(), Qt::LeftButton, {}, painting.at(0.0, 0.0));
+    QCOMPARE(painting.steps(), before);
+    QVERIFY(!painting.editor().isPainting());
+}
+
+void SphereMapPanelTest::hidesRenamesReordersAndDeletesLayers()
+{
+    Painting painting;
+    LayerList& list = painting.panel().layers();
+    QAbstractItemModel* model = list.model();
+    QCOMPARE(model->rowCount(), 2);
+    QCOMPARE(model->index(0, 0).data().toString(), QStringLiteral("Paint")); // the top one first
+    QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualRect(model->index(1, 0)).topLeft() + QPoint(12, 18));
+    QVERIFY(!painting.editor().map()->layers[0].visible);
+    painting.document().undoStack().undo();
+    QVERIFY(painting.editor().map()->layers[0].visible);
+    model->setData(model->index(0, 0), QStringLiteral("Shine"), Qt::EditRole);
+    QCOMPARE(painting.editor().map()->layers[1].name, std::string("Shine"));
+    list.setFocus();
+    QTest::keyClick(&list, Qt::Key_Down, Qt::ControlModifier);
+    QCOMPARE(painting.editor().map()->layers[0].name, std::string("Shine"));
+    QCOMPARE(painting.editor().chosen(), 0);
+    QTest::keyClick(&list, Qt::Key_Delete);
+    QCOMPARE(painting.editor().map()->layers.size(), size_t{1});
+    for (int i = 0; i < 3; ++i)
+        painting.document().undoStack().undo();
+    QCOMPARE(painting.editor().map()->layers.size(), size_t{2});
+    QCOMPARE(painting.editor().map()->layers[1].name, std::string("Paint"));
+}
+
+void SphereMapPanelTest::reordersLayersByDropping()
+{
+    Painting painting;
+    painting.editor().addLayer({.name = "Ring", .content = SilhouetteLayer{}});
+    QAbstractItemModel* model = painting.panel().layers().model(); // rows: Ring, Paint, Ground
+    const std::unique_ptr<QMimeData> ring(model->mimeData({model->index(0, 0)}));
+    model->dropMimeData(ring.get(), Qt::MoveAction, 3, 0, {}); // below the last
+    QCOMPARE(painting.editor().map()->layers[0].name, std::string("Ring"));
+    const std::unique_ptr<QMimeData> again(model->mimeData({model->index(2, 0)}));
+    model->dropMimeData(again.get(), Qt::MoveAction, 1, 0, {}); // between Paint and Ground
+    QCOMPARE(painting.editor().map()->layers[1].name, std::string("Ring"));
+    QCOMPARE(painting.editor().map()->layers.size(), size_t{3});
+}
+
+void SphereMapPanelTest::editsParametersOneUndoStepADrag()
+{
+    Painting painting;
+    painting.editor().addLayer({.name = "Ring", .content = SilhouetteLayer{}});
+    auto* width = painting.panel().layerForm().findChild<NumberField*>(QStringLiteral("width"));
+    QVERIFY(width);
+    const int before = painting.steps();
+    for (const double value : {0.2, 0.25, 0.3})
+        emit width->edited(value);
+    emit width->finished();
+    QCOMPARE(painting.steps(), before + 1);
+    QCOMPARE(std::get<SilhouetteLayer>(painting.editor().map()->layers[2].content).width, 0.3);
+    auto* opacity = painting.panel().findChild<NumberField*>(QStringLiteral("opacity"));
+    emit opacity->edited(0.5);
+    emit opacity->finished();
+    QCOMPARE(painting.editor().map()->layers[2].opacity, 0.5);
+    painting.document().undoStack().undo();
+    painting.document().undoStack().undo();
+    QCOMPARE(painting.editor().map()->layers[2].opacity, 1.0);
+    QCOMPARE(std::get<SilhouetteLayer>(painting.editor().map()->layers[2].content).width, SilhouetteLayer{}.width);
+    QCOMPARE(width->value(), SilhouetteLayer{}.width);
+}
+
+void SphereMapPanelTest::editsGradientStops()
+{
+    Painting painting;
+    painting.editor().choose(0);
+    auto* editor = painting.panel().layerForm().findChild<GradientEditor*>();
+    QVERIFY(editor && editor->isVisible());
+    GradientBar& bar = editor->bar();
+    const auto stops = [&] { return std::get<GradientLayer>(painting.editor().map()->layers[0].content).stops; };
+    const int before = painting.steps();
+    QTest::mouseDClick(&bar, Qt::LeftButton, {}, QPoint(bar.width() / 2, 12));
+    QCOMPARE(stops().size(), size_t{3});
+    QVERIFY(std::abs(stops()[2].position - 0.5) < 0.02);
+    Painting::drag(&bar, QPoint(bar.width() / 2, 32), QPoint(bar.width() / 4, 32));
+    QVERIFY(std::abs(stops()[2].position - 0.25) < 0.02);
+    QTest::keyClick(&bar, Qt::Key_Delete);
+    QCOMPARE(stops().size(), size_t{2});
+    QCOMPARE(painting.steps(), before + 3);
+}
+
+void SphereMapPanelTest::showsTheLevels()
+{
+    Painting painting;
+    painting.panel().tabs().setCurrentIndex(2);
+    LevelsView& levels = painting.panel().levels();
+    QTRY_VERIFY_WITH_TIMEOUT(!levels.levels().isEmpty(), 20000);
+    QCOMPARE(levels.levels().size(), 10); // 512 to 1
+    QCOMPARE(levels.levels().last().width(), 1);
+}
+
+void SphereMapPanelTest::opensAndSavesFilesAndTellsWhatIsWrong()
+{
+    const TemporaryFolder folder;
+    Painting painting;
+    painting.drag(painting.at(-0.2, 0.0), painting.at(0.2, 0.0));
+    painting.panel().saveMapAs(fromPath(folder / "a.spheremap"));
+    QCOMPARE(loadSphereMap(folder / "a.spheremap").layers, painting.editor().map()->layers);
+    std::ofstream(folder / "bad.spheremap") << "{\"version\": 1, \"layers\": [7]}";
+    painting.panel().openMap(fromPath(folder / "bad.spheremap"));
+    const auto& notices = painting.window()->workspace().notices.all();
+    QVERIFY(!notices.isEmpty() && notices.last().text.contains(QStringLiteral("bad.spheremap")));
+    QCOMPARE(painting.editor().map()->layers.size(), size_t{2});
+    painting.panel().openMap(fromPath(folder / "a.spheremap"));
+    QCOMPARE(painting.strokes().size(), size_t{1});
+}
+
+void SphereMapPanelTest::paintsOnTheModel()
+{
+    Painting painting;
+    painting.editor().setPaintsOnModel(true);
+    painting.window().waitForPicture();
+    PreviewWidget& preview = painting.window().preview();
+    auto* painter = preview.findChild<ModelPainter*>();
+    QVERIFY(painter);
+    const QPoint middle(preview.width() / 2, preview.height() / 2);
+    const std::optional<glm::dvec2> q = painter->placeAt(middle);
+    QVERIFY(q.has_value());
+    QVERIFY(!painter->placeAt({2, 2}).has_value());
+    const CameraSettings camera = painting.document().scene().view.camera;
+    Painting::drag(&preview, middle, middle + QPoint(12, 0));
+    QCOMPARE(painting.strokes().size(), size_t{1});
+    QVERIFY(glm::distance(painting.strokes()[0].points.front().q, *q) < 1e-4);
+    QVERIFY(painting.document().scene().view.camera == camera);
+    Painting::drag(&preview, middle, middle + QPoint(30, 0), Qt::LeftButton, Qt::AltModifier);
+    QVERIFY(painting.document().scene().view.camera != camera);
+    QCOMPARE(painting.strokes().size(), size_t{1});
+}
+
+} // namespace mirrorball::test

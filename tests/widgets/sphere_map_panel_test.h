@@ -1,0 +1,29 @@
+#pragma once
+
+#include "test_class.h"
+
+namespace mirrorball::test {
+
+class SphereMapPanelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void offersAWayToStartWithoutAMap();
+    void drawsAStrokeByMouseAsOneUndoStep();
+    void showsTheStrokeWhileItIsDrawnAsTheFileWillHoldIt();
+    void takesAPensPressureAndItsEraserEnd();
+    void repeatsStrokesBySymmetry();
+    void picksColoursFromTheDisc();
+    void changesTheBrushByARightDrag();
+    void refusesToPaintOnAnotherLayerInWords();
+    void givesUpAStrokeByEscape();
+    void hidesRenamesReordersAndDeletesLayers();
+    void reordersLayersByDropping();
+    void editsParametersOneUndoStepADrag();
+    void editsGradientStops();
+    void showsTheLevels();
+    void opensAndSavesFilesAndTellsWhatIsWrong();
+    void paintsOnTheModel();
+};
+
+} // namespace mirrorball::test

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/image/color.h"
+#include "core/spheremap/texel_rect.h"
+
+#include <QColor>
+#include <QImage>
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirrorball::studio {
+
+/// Linear RGB as the screen shows it (sRGB), clamped.
+inline QColor screenColor(const glm::dvec3& linear)
+{
+    const auto encode = [](double x) { return encodeSrgb(static_cast<float>(std::clamp(x, 0.0, 1.0))); };
+    return QColor::fromRgbF(encode(linear.r), encode(linear.g), encode(linear.b));
+}
+
+/// The inverse, rounded to what a file needs.
+inline glm::dvec3 linearColor(const QColor& color)
+{
+    const auto decode = [](double x) { return std::round(static_cast<double>(decodeSrgb(static_cast<float>(x))) * 1e5) / 1e5; };
+    return {decode(color.redF()), decode(color.greenF()), decode(color.blueF())};
+}
+
+/// Puts a part of a sphere map, RGBA multiplied by its opacity, onto a picture for the screen (Format_RGBA8888_Premultiplied).
+/// @param at  where the part's upper left texel goes
+void putOnScreen(const Image& part, const TexelRect& at, QImage& picture);
+
+} // namespace mirrorball::studio

@@ -1,0 +1,138 @@
+#pragma once
+
+#include "gradient_editor.h"
+#include "number_field.h"
+#include "options_form.h"
+#include "text.h"
+
+#include "core/spheremap/gradient_table.h"
+
+#include <QFormLayout>
+#include <QVector>
+#include <QWidget>
+
+#include <any>
+#include <functional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace mirrorball::studio {
+
+/// Controls for the fields of one settings struct, whichever it is at the moment: a layer's parameters, a brush. Built from its visitFields as
+/// OptionsForm is, but over a value that is handed in instead of the scene. Each control is named by its field.
+class SettingsForm : public QWidget {
+    Q_OBJECT
+
+public:
+    /// What an edit does: a label for the undo step, a key that merges a drag, and the change itself.
+    template <typename Settings>
+    using Edit = std::function<void(const QString& label, const QString& key, const std::function<void(Settings&)>& change)>;
+
+    explicit SettingsForm(QWidget* parent = nullptr);
+
+    /// Removes all controls and makes those of this struct.
+    template <typename Settings>
+    void build(const Settings& value, const Edit<Settings>& edit, const FieldStyles& styles = {})
+    {
+        clear();
+        const Settings initial;
+        Settings::visitFields(initial, [&](const Field& field, const auto& preset) {
+            using T = std::remove_cvref_t<decltype(preset)>;
+            const auto found = styles.find(field.name);
+            const FieldStyle style = found == styles.end() ? FieldStyle{} : found->second;
+            if (style.isHidden)
+                return;
+            const std::string name(field.name);
+            const QString label = tr("Change %1").arg(labelOf(field, style).toLower());
+            const auto set = [edit, name, label](const T& to) {
+                edit(label, QString::fromStdString(name), [&](Settings& settings) { assign(settings, name, to); });
+            };
+            const auto get = [name](const std::any& settings) { return valueOf<T>(*std::any_cast<const Settings*>(settings), name); };
+            addField(field, style, preset, std::function<void(const T&)>(set), std::function<T(const std::any&)>(get));
+        });
+        show(value);
+    }
+
+    /// Shows a value of the struct that the form was built for.
+    template <typename Settings>
+    void show(const Settings& value)
+    {
+        const std::any settings = &value;
+        for (const auto& row : m_rows)
+            row(settings);
+    }
+
+    /// The control of a field, or null.
+    QWidget* control(const QString& name) const { return findChild<QWidget*>(name); }
+
+signals:
+    /// The user let go of a control: what was edited since is one step.
+    void finished();
+
+private:
+    template <typename T, typename Settings>
+    static void assign(Settings& settings, const std::string& name, const T& to)
+    {
+        Settings::visitFields(settings, [&](const Field& field, auto& value) {
+            if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, T>)
+                if (field.name == name)
+                    value = to;
+        });
+    }
+    template <typename T, typename Settings>
+    static T valueOf(const Settings& settings, const std::string& name)
+    {
+        T result{};
+        Settings::visitFields(settings, [&](const Field& field, const auto& value) {
+            if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, T>)
+                if (field.name == name)
+                    result = value;
+        });
+        return result;
+    }
+
+    template <typename T>
+    void addField(const Field& field, const FieldStyle& style, const T& preset, const std::function<void(const T&)>& set,
+                  const std::function<T(const std::any&)>& get)
+    {
+        if constexpr (std::is_same_v<T, double>) {
+            addNumber(field, style, preset, set, get);
+        } else if constexpr (std::is_same_v<T, int>) {
+            addWhole(field, style, set, get);
+        } else if constexpr (std::is_same_v<T, bool>) {
+            addSwitch(field, style, set, get);
+        } else if constexpr (std::is_same_v<T, glm::dvec3>) {
+            addColor(field, style, set, get);
+        } else if constexpr (std::is_same_v<T, std::string>) {
+            addText(field, style, set, get);
+        } else if constexpr (std::is_same_v<T, std::vector<GradientStop>>) {
+            addGradient(field, style, set, get);
+        } else if constexpr (std::is_enum_v<T>) {
+            addChoice(field, style, words(preset), [set](const int& index) { set(static_cast<T>(index)); },
+                      [get](const std::any& settings) { return static_cast<int>(get(settings)); });
+        }
+    }
+
+    void clear();
+    static QString labelOf(const Field& field, const FieldStyle& style);
+    void addRow(const Field& field, const FieldStyle& style, QWidget* control, std::function<void(const std::any&)> show);
+    void addNumber(const Field&, const FieldStyle&, double preset, const std::function<void(const double&)>& set,
+                   const std::function<double(const std::any&)>& get);
+    void addWhole(const Field&, const FieldStyle&, const std::function<void(const int&)>& set, const std::function<int(const std::any&)>& get);
+    void addSwitch(const Field&, const FieldStyle&, const std::function<void(const bool&)>& set,
+                   const std::function<bool(const std::any&)>& get);
+    void addColor(const Field&, const FieldStyle&, const std::function<void(const glm::dvec3&)>& set,
+                  const std::function<glm::dvec3(const std::any&)>& get);
+    void addText(const Field&, const FieldStyle&, const std::function<void(const std::string&)>& set,
+                 const std::function<std::string(const std::any&)>& get);
+    void addChoice(const Field&, const FieldStyle&, std::span<const std::string_view> names, const std::function<void(const int&)>& set,
+                   const std::function<int(const std::any&)>& get);
+    void addGradient(const Field&, const FieldStyle&, const std::function<void(const std::vector<GradientStop>&)>& set,
+                     const std::function<std::vector<GradientStop>(const std::any&)>& get);
+
+    QFormLayout* m_layout;
+    QVector<std::function<void(const std::any&)>> m_rows;
+};
+
+} // namespace mirrorball::studio

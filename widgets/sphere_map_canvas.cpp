@@ -1,0 +1,369 @@
+#include "sphere_map_canvas.h"
+
+#include "screen_color.h"
+
+#include "core/spheremap/symmetry.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QTabletEvent>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirrorball::studio {
+
+namespace {
+
+constexpr double margin = 10.0;
+
+QPixmap checkerboard()
+{
+    QPixmap tile(16, 16);
+    tile.fill(QColor(72, 72, 72));
+    QPainter painter(&tile);
+    painter.fillRect(0, 0, 8, 8, QColor(88, 88, 88));
+    painter.fillRect(8, 8, 8, 8, QColor(88, 88, 88));
+    return tile;
+}
+
+} // namespace
+
+SphereMapCanvas::SphereMapCanvas(SphereMapEditor& editor, QWidget* parent) : QWidget(parent), m_editor(editor)
+{
+    setObjectName(QStringLiteral("sphereMapCanvas"));
+    setAccessibleName(tr("Sphere map"));
+    setMouseTracking(true);
+    setTabletTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    connect(&m_editor, &SphereMapEditor::pictureChanged, this, &SphereMapCanvas::show);
+    const auto redraw = [this] {
+        updateCursor();
+        update();
+    };
+    connect(&m_editor, &SphereMapEditor::mapChanged, this, redraw);
+    connect(&m_editor, &SphereMapEditor::brushChanged, this, redraw);
+    connect(&m_editor, &SphereMapEditor::toolChanged, this, redraw);
+    connect(&m_editor, &SphereMapEditor::chosenChanged, this, [this, redraw] {
+        m_hint.clear();
+        redraw();
+    });
+    show({0, 0, m_editor.picture().width, m_editor.picture().height});
+    updateCursor();
+}
+
+double SphereMapCanvas::scale() const
+{
+    return std::max(20.0, 0.5 * std::min(width(), height()) - margin) * m_zoom;
+}
+
+glm::dvec2 SphereMapCanvas::discAt(const QPointF& place) const
+{
+    return m_center + glm::dvec2(place.x() - 0.5 * width(), 0.5 * height() - place.y()) / scale();
+}
+
+QPointF SphereMapCanvas::placeOf(const glm::dvec2& q) const
+{
+    const glm::dvec2 d = (q - m_center) * scale();
+    return {0.5 * width() + d.x, 0.5 * height() - d.y};
+}
+
+void SphereMapCanvas::fit()
+{
+    m_zoom = 1.0;
+    m_center = glm::dvec2(0.0);
+    update();
+}
+
+void SphereMapCanvas::show(const TexelRect& touched)
+{
+    const Image& picture = m_editor.picture();
+    if (picture.empty())
+        return;
+    if (m_screen.width() != picture.width)
+        m_screen = QImage(picture.width, picture.height, QImage::Format_RGBA8888_Premultiplied);
+    const bool whole = touched.width() == picture.width;
+    Image part(touched.width(), touched.height(), 4);
+    if (!whole)
+        for (int y = 0; y < part.height; ++y)
+            std::copy_n(picture.texel(touched.x0, touched.y0 + y), static_cast<size_t>(part.width) * 4, part.row(y));
+    putOnScreen(whole ? picture : part, touched, m_screen);
+    const double n = picture.width;
+    const QPointF low = placeOf({touched.x0 / n * 2.0 - 1.0, 1.0 - touched.y0 / n * 2.0});
+    const QPointF high = placeOf({touched.x1 / n * 2.0 - 1.0, 1.0 - touched.y1 / n * 2.0});
+    update(QRectF(low, high).toAlignedRect().adjusted(-2, -2, 2, 2));
+}
+
+void SphereMapCanvas::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    static const QPixmap checks = checkerboard();
+    painter.fillRect(rect(), QColor(38, 38, 38));
+    const QRectF square(placeOf({-1.0, 1.0}), placeOf({1.0, -1.0}));
+    QPainterPath disc;
+    disc.addEllipse(square);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (!m_editor.map()) {
+        painter.setPen(QPen(QColor(90, 90, 90), 1.5, Qt::DashLine));
+        painter.drawPath(disc);
+        painter.setPen(QColor(170, 170, 170));
+        painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
+                         tr("This scene has no sphere map of its own"));
+        return;
+    }
+    // Outside the disc the rim's colour goes on, which a lookup may meet: shown, but faintly.
+    painter.setOpacity(0.22);
+    painter.drawImage(square, m_screen);
+    painter.setOpacity(1.0);
+    painter.save();
+    painter.setClipPath(disc);
+    painter.drawTiledPixmap(square.toAlignedRect().intersected(rect()), checks);
+    painter.drawImage(square, m_screen);
+    painter.restore();
+    painter.setPen(QPen(QColor(0, 0, 0, 140), 1.5));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPath(disc);
+    paintSymmetry(painter);
+    paintBrush(painter);
+    if (!m_hint.isEmpty()) {
+        const QRect box = rect().adjusted(8, 8, -8, -8);
+        const QRect text = painter.boundingRect(box, Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap, m_hint).adjusted(-8, -5, 8, 5);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(QColor(20, 20, 20, 220));
+        painter.drawRoundedRect(text, 4, 4);
+        painter.setPen(QColor(240, 200, 120));
+        painter.drawText(text, Qt::AlignCenter | Qt::TextWordWrap, m_hint);
+    }
+}
+
+/// Thin light and dark, so that it shows on every colour.
+static void outline(QPainter& painter, const QPointF& center, double radius, int strength)
+{
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(QColor(0, 0, 0, strength), 2.6));
+    painter.drawEllipse(center, radius, radius);
+    painter.setPen(QPen(QColor(255, 255, 255, strength), 1.0));
+    painter.drawEllipse(center, radius, radius);
+}
+
+void SphereMapCanvas::paintBrush(QPainter& painter) const
+{
+    if (!m_cursor || m_drag == Drag::Pan || m_editor.tool() == PaintTool::PickColor)
+        return;
+    const Brush& brush = m_editor.brush();
+    const double radius = brush.radius * scale();
+    const QPointF at = m_drag == Drag::Brush ? m_pressed : *m_cursor;
+    const glm::dvec2 q = discAt(at);
+    const auto maps = symmetryMaps(m_editor.symmetry());
+    for (size_t i = 1; i < maps.size(); ++i)
+        outline(painter, placeOf(maps[i] * q), radius, 70);
+    outline(painter, at, std::max(radius, 1.0), 220);
+    if (brush.hardness > 0.0 && brush.hardness < 1.0)
+        outline(painter, at, std::max(radius * brush.hardness, 1.0), m_drag == Drag::Brush ? 200 : 60);
+    if (m_drag == Drag::Brush) {
+        painter.setPen(Qt::white);
+        painter.drawText(QRectF(at.x() - 100, at.y() + radius + 4, 200, 20), Qt::AlignHCenter,
+                         tr("radius %1, hardness %2").arg(brush.radius, 0, 'f', 3).arg(brush.hardness, 0, 'f', 2));
+    }
+}
+
+void SphereMapCanvas::paintSymmetry(QPainter& painter) const
+{
+    const Symmetry& symmetry = m_editor.symmetry();
+    if (symmetry.radial <= 1 && !symmetry.mirror)
+        return;
+    const auto line = [&](double angle, bool through) {
+        const glm::dvec2 d{std::cos(angle), std::sin(angle)};
+        const QPointF from = placeOf(through ? -d : glm::dvec2(0.0)), to = placeOf(d);
+        painter.setPen(QPen(QColor(0, 0, 0, 90), 1.0));
+        painter.drawLine(from + QPointF(1, 1), to + QPointF(1, 1));
+        painter.setPen(QPen(QColor(255, 255, 255, 130), 1.0, Qt::DashLine));
+        painter.drawLine(from, to);
+    };
+    const double axis = symmetry.axisDeg * pi / 180.0;
+    if (symmetry.mirror)
+        for (int k = 0; k < symmetry.radial; ++k)
+            line(axis + pi * k / symmetry.radial, true);
+    else
+        for (int k = 0; k < symmetry.radial; ++k)
+            line(axis + 2.0 * pi * k / symmetry.radial, false);
+}
+
+void SphereMapCanvas::press(const QPointF& place, Qt::MouseButton button, Qt::KeyboardModifiers modifiers, double pressure, PenEnd end)
+{
+    m_last = m_pressed = place;
+    m_hint.clear();
+    if (!m_editor.map() || m_drag != Drag::None)
+        return;
+    if (button == Qt::MiddleButton || (button == Qt::LeftButton && m_spaceIsDown)) {
+        m_drag = Drag::Pan;
+    } else if (button == Qt::RightButton) {
+        m_drag = Drag::Brush;
+        m_brushBefore = m_editor.brush();
+    } else if (button == Qt::LeftButton && (m_editor.tool() == PaintTool::PickColor || modifiers.testFlag(Qt::AltModifier))) {
+        m_drag = Drag::Pick;
+        m_editor.pickColor(discAt(place));
+    } else if (button == Qt::LeftButton) {
+        m_hint = m_editor.paintingProblem();
+        if (m_hint.isEmpty()) {
+            m_drag = Drag::Stroke;
+            m_editor.beginStroke({discAt(place), pressure}, end);
+        }
+    }
+    updateCursor();
+    update();
+}
+
+void SphereMapCanvas::move(const QPointF& place, double pressure)
+{
+    switch (m_drag) {
+    case Drag::None:
+        break;
+    case Drag::Stroke:
+        m_editor.moveStroke({discAt(place), pressure});
+        break;
+    case Drag::Pick:
+        m_editor.pickColor(discAt(place));
+        break;
+    case Drag::Pan:
+        m_center -= glm::dvec2(place.x() - m_last.x(), m_last.y() - place.y()) / scale();
+        m_center = glm::clamp(m_center, -1.5, 1.5);
+        break;
+    case Drag::Brush: {
+        Brush brush = m_brushBefore;
+        const QPointF moved = place - m_pressed;
+        brush.radius = std::clamp(std::round(brush.radius * std::exp(moved.x() / 120.0) * 1e4) / 1e4, smallestRadius, largestRadius);
+        brush.hardness = std::clamp(std::round((brush.hardness - moved.y() / 250.0) * 100.0) / 100.0, 0.0, 1.0);
+        m_editor.setBrush(brush);
+        break;
+    }
+    }
+    m_last = place;
+    m_cursor = place;
+    update();
+}
+
+void SphereMapCanvas::release()
+{
+    if (m_drag == Drag::Stroke)
+        m_editor.endStroke();
+    m_drag = Drag::None;
+    updateCursor();
+    update();
+}
+
+void SphereMapCanvas::mousePressEvent(QMouseEvent* event)
+{
+    if (!m_penIsDown)
+        press(event->position(), event->button(), event->modifiers(), 1.0, PenEnd::Tip);
+}
+
+void SphereMapCanvas::mouseMoveEvent(QMouseEvent* event)
+{
+    if (!m_penIsDown)
+        move(event->position(), 1.0);
+}
+
+void SphereMapCanvas::mouseReleaseEvent(QMouseEvent*)
+{
+    if (!m_penIsDown)
+        release();
+}
+
+void SphereMapCanvas::tabletEvent(QTabletEvent* event)
+{
+    const PenEnd end = event->pointerType() == QPointingDevice::PointerType::Eraser ? PenEnd::Eraser : PenEnd::Tip;
+    switch (event->type()) {
+    case QEvent::TabletPress:
+        m_penIsDown = true;
+        press(event->position(), event->button(), event->modifiers(), event->pressure(), end);
+        break;
+    case QEvent::TabletMove:
+        move(event->position(), event->pressure());
+        break;
+    case QEvent::TabletRelease:
+        release();
+        m_penIsDown = false;
+        break;
+    default:
+        break;
+    }
+    event->accept(); // no mouse events besides
+}
+
+void SphereMapCanvas::wheelEvent(QWheelEvent* event)
+{
+    const glm::dvec2 before = discAt(event->position());
+    m_zoom = std::clamp(m_zoom * std::pow(1.2, event->angleDelta().y() / 120.0), 0.5, 32.0);
+    m_center = glm::clamp(m_center + before - discAt(event->position()), -1.5, 1.5);
+    event->accept();
+    update();
+}
+
+void SphereMapCanvas::keyPressEvent(QKeyEvent* event)
+{
+    const auto scaleBrush = [&](double factor) {
+        Brush brush = m_editor.brush();
+        brush.radius = std::clamp(std::round(brush.radius * factor * 1e4) / 1e4, smallestRadius, largestRadius);
+        m_editor.setBrush(brush);
+    };
+    switch (event->key()) {
+    case Qt::Key_BracketLeft:
+        scaleBrush(1.0 / 1.15);
+        return;
+    case Qt::Key_BracketRight:
+        scaleBrush(1.15);
+        return;
+    case Qt::Key_Space:
+        if (!event->isAutoRepeat())
+            m_spaceIsDown = true;
+        updateCursor();
+        return;
+    case Qt::Key_Home:
+        fit();
+        return;
+    case Qt::Key_Escape:
+        if (m_drag == Drag::Stroke) {
+            m_editor.cancelStroke();
+            m_drag = Drag::None;
+            return;
+        }
+        break;
+    default:
+        break;
+    }
+    QWidget::keyPressEvent(event);
+}
+
+void SphereMapCanvas::keyReleaseEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Space && !event->isAutoRepeat())
+        m_spaceIsDown = false;
+    updateCursor();
+    QWidget::keyReleaseEvent(event);
+}
+
+void SphereMapCanvas::leaveEvent(QEvent*)
+{
+    m_cursor.reset();
+    update();
+}
+
+void SphereMapCanvas::updateCursor()
+{
+    if (m_drag == Drag::Pan || m_spaceIsDown)
+        setCursor(Qt::ClosedHandCursor);
+    else if (!m_editor.map())
+        unsetCursor();
+    else if (m_editor.tool() != PaintTool::PickColor && !m_editor.canPaint())
+        setCursor(Qt::ForbiddenCursor);
+    else
+        setCursor(Qt::CrossCursor);
+}
+
+} // namespace mirrorball::studio

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "sphere_map_editor.h"
+
+#include <QImage>
+#include <QPointF>
+#include <QWidget>
+
+namespace mirrorball::studio {
+
+/// The disc, to paint on with mouse or pen.
+///
+/// Left draws with the chosen tool, a pen with its pressure, its eraser end erases. Alt picks a colour. Right drag changes the brush: across its
+/// radius, up and down its hardness; [ and ] step the radius. The wheel zooms at the cursor, middle or Space and left drag pans, Home fits.
+/// Escape gives up the stroke at hand.
+class SphereMapCanvas : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SphereMapCanvas(SphereMapEditor& editor, QWidget* parent = nullptr);
+
+    QSize sizeHint() const override { return {340, 340}; }
+    QSize minimumSizeHint() const override { return {160, 160}; }
+    bool hasHeightForWidth() const override { return false; }
+
+    /// The place of the disc at a place of the widget, and back.
+    glm::dvec2 discAt(const QPointF& place) const;
+    QPointF placeOf(const glm::dvec2& q) const;
+
+public slots:
+    void fit();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void tabletEvent(QTabletEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    enum class Drag { None, Stroke, Pan, Brush, Pick };
+
+    double scale() const; ///< pixels to a disc radius
+    void show(const TexelRect& touched);
+    void press(const QPointF& place, Qt::MouseButton button, Qt::KeyboardModifiers modifiers, double pressure, PenEnd end);
+    void move(const QPointF& place, double pressure);
+    void release();
+    void paintBrush(QPainter& painter) const;
+    void paintSymmetry(QPainter& painter) const;
+    void updateCursor();
+
+    SphereMapEditor& m_editor;
+    QImage m_screen;
+    double m_zoom = 1.0;
+    glm::dvec2 m_center{0.0}; ///< place of the disc in the middle of the widget
+    Drag m_drag = Drag::None;
+    bool m_spaceIsDown = false;
+    bool m_penIsDown = false; ///< its mouse events are left out
+    QPointF m_last;
+    QPointF m_pressed;
+    Brush m_brushBefore{};
+    std::optional<QPointF> m_cursor;
+    QString m_hint; ///< why a press drew nothing
+};
+
+} // namespace mirrorball::studio

@@ -1,0 +1,120 @@
+#pragma once
+
+#include "document.h"
+#include "job_runner.h"
+
+#include "core/spheremap/sphere_map_cache.h"
+#include "core/spheremap/stroke_recorder.h"
+
+#include <QObject>
+
+#include <memory>
+#include <optional>
+
+namespace mirrorball::studio {
+
+/// What a press of the pen does.
+enum class PaintTool { Paint, Erase, Smudge, PickColor };
+
+/// Which end of a pen touches.
+enum class PenEnd { Tip, Eraser };
+
+/// The sphere map of the document's scene while an artist works on it: which layer is chosen, with what is painted, and the picture, live.
+///
+/// Every change is an edit of the document; a stroke is one undo step that keeps the stroke and no more. The picture is evaluated in the
+/// background, only where a change reached, and follows a stroke while it is drawn. Canvas, panel and preview share one of these.
+class SphereMapEditor : public QObject {
+    Q_OBJECT
+
+public:
+    static constexpr int pictureSize = 1024;
+
+    explicit SphereMapEditor(Document& document, QObject* parent = nullptr);
+    ~SphereMapEditor() override;
+
+    /// The scene's own sphere map; null when it has none.
+    const SphereMapDocument* map() const { return m_map.get(); }
+    /// Gives the scene a sphere map of its own in place of whatever it has.
+    void setMap(const QString& label, const SphereMapDocument& map);
+    /// One undo step. Edits of the same non-empty key merge until finishEdit(): a drag.
+    void edit(const QString& label, const QString& mergeKey, const std::function<void(SphereMapDocument&)>& change);
+    void finishEdit() { m_document.finishEdit(); }
+
+    /// Index of the chosen layer; -1 without layers.
+    int chosen() const { return m_chosen; }
+    void choose(int layer);
+    const Layer* chosenLayer() const;
+    /// Changes the chosen layer.
+    void editLayer(const QString& label, const QString& mergeKey, const std::function<void(Layer&)>& change);
+    /// Puts a layer above the chosen one and chooses it.
+    void addLayer(const Layer& layer);
+    void duplicateChosen();
+    void removeChosen();
+    /// @param to  the index it has afterwards
+    void moveLayer(int from, int to);
+
+    const Brush& brush() const { return m_brush; }
+    void setBrush(const Brush& brush);
+    const Symmetry& symmetry() const { return m_symmetry; }
+    void setSymmetry(const Symmetry& symmetry);
+    PaintTool tool() const { return m_tool; }
+    void setTool(PaintTool tool);
+
+    /// Whether the pen paints on the model in the preview; otherwise it turns it.
+    bool paintsOnModel() const { return m_paintsOnModel; }
+    void setPaintsOnModel(bool on);
+
+    /// Whether a stroke can begin: a paint layer is chosen and shown. Otherwise paintingProblem() says what to do.
+    bool canPaint() const { return paintingProblem().isEmpty(); }
+    QString paintingProblem() const;
+    /// A stroke of the chosen layer. @param leap  see StrokeRecorder
+    void beginStroke(const StrokePoint& point, PenEnd end = PenEnd::Tip, double leap = 8.0);
+    void moveStroke(const StrokePoint& point);
+    /// The pen left the model; the stroke may go on elsewhere.
+    void liftStroke();
+    /// The stroke becomes an undo step.
+    void endStroke();
+    void cancelStroke();
+    bool isPainting() const { return m_recorder.has_value(); }
+    /// The colour that the picture shows at a place of the disc becomes the brush's.
+    void pickColor(const glm::dvec2& q);
+
+    /// The picture, RGBA, linear, colours multiplied by their opacity; empty before the first. It may be of an older state.
+    const Image& picture() const { return m_picture; }
+    bool isUpToDate() const { return !m_runner.isBusy(); }
+
+signals:
+    /// map() changed.
+    void mapChanged();
+    void chosenChanged();
+    void brushChanged();
+    void toolChanged();
+    /// picture() changed within these texels.
+    void pictureChanged(const mirrorball::TexelRect& touched);
+    /// The picture could not be made, and why; empty: it was made.
+    void problemChanged(const QString& problem);
+
+private:
+    void follow();
+    void request();
+
+    struct Patch {
+        TexelRect rect{};
+        Image image{};
+    };
+
+    Document& m_document;
+    std::shared_ptr<const SphereMapDocument> m_map;
+    int m_chosen = -1;
+    Brush m_brush{};
+    Symmetry m_symmetry{};
+    PaintTool m_tool = PaintTool::Paint;
+    bool m_paintsOnModel = false;
+    std::optional<StrokeRecorder> m_recorder;
+    size_t m_recorderLayer = 0;
+    Image m_picture{};
+    std::shared_ptr<SphereMapCache> m_cache; ///< touched on the worker only
+    JobRunner m_runner;                      ///< last: it ends first
+};
+
+} // namespace mirrorball::studio

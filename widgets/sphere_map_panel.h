@@ -1,0 +1,70 @@
+#pragma once
+
+#include "layer_list.h"
+#include "levels_view.h"
+#include "settings_form.h"
+#include "sphere_map_canvas.h"
+#include "workspace.h"
+
+#include <QActionGroup>
+#include <QComboBox>
+#include <QLabel>
+#include <QMenu>
+#include <QStackedWidget>
+#include <QTabWidget>
+#include <QToolBar>
+#include <QToolButton>
+
+namespace mirrorball::studio {
+
+/// The dock "Sphere map": the disc to paint on, layers with their parameters, the brush, the levels.
+class SphereMapPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SphereMapPanel(Workspace& workspace, QWidget* parent = nullptr);
+
+    SphereMapCanvas& canvas() { return *m_canvas; }
+    LayerList& layers() { return *m_layers; }
+    SettingsForm& layerForm() { return *m_layerForm; }
+    SettingsForm& brushForm() { return *m_brushForm; }
+    LevelsView& levels() { return *m_levels; }
+    QTabWidget& tabs() { return *m_tabs; }
+
+    /// Takes a sphere map or a file of strokes into the scene; what is wrong with it is told by a notice.
+    void openMap(const QString& path);
+    void saveMapAs(const QString& path);
+
+private:
+    QWidget* makeStart();
+    QWidget* makeWork();
+    QToolBar* makeTools();
+    QMenu* makeMapMenu();
+    void addPresets(QMenu& menu);
+    QWidget* makeLayersPage();
+    QWidget* makeBrushPage();
+    void showMap();
+    void showLayer();
+    void showBrush();
+    void buildLayerForm(const Layer& layer);
+
+    Workspace& m_workspace;
+    SphereMapEditor& m_editor;
+    QStackedWidget* m_pages;
+    SphereMapCanvas* m_canvas = nullptr;
+    QTabWidget* m_tabs = nullptr;
+    LayerList* m_layers = nullptr;
+    QComboBox* m_blend = nullptr;
+    NumberField* m_opacity = nullptr;
+    SettingsForm* m_layerForm = nullptr;
+    QLabel* m_layerNote = nullptr;
+    size_t m_formKind = SIZE_MAX; ///< of the layer that the form was built for
+    SettingsForm* m_brushForm = nullptr;
+    SettingsForm* m_symmetryForm = nullptr;
+    ColorButton* m_color = nullptr;
+    QActionGroup* m_tools = nullptr;
+    LevelsView* m_levels = nullptr;
+    QVector<QWidget*> m_layerControls{}; ///< need a chosen layer
+};
+
+} // namespace mirrorball::studio
