@@ -34,7 +34,8 @@ double directLevel(double tolerance)
     return std::min(1e-3, 1e-7 * tolerance);
 }
 
-EnvironmentMap toMap(const MapLayout& target, const std::vector<glm::dvec3>& values)
+template <typename Value>
+EnvironmentMap toMap(const MapLayout& target, const std::vector<Value>& values)
 {
     EnvironmentMap map(target);
     for (size_t i = 0; i < values.size(); ++i)
@@ -128,6 +129,21 @@ EnvironmentMap runSpectral(FilterSource& source, const PrefilterOptions& options
     });
 }
 
+ParaboloidKnobs paraboloidKnobs(const PrefilterOptions& options, int width)
+{
+    return resolved(options.knobs.paraboloid, width / 2);
+}
+
+EnvironmentMap runParaboloid(FilterSource& source, const PrefilterOptions& options, const JobControl& job, PrefilterOutcome& outcome)
+{
+    const ParaboloidHalves halves = timedStage(outcome.stages, "paraboloid halves", [&] {
+        return layOutHalves(*source.latlong(), options.lobe, paraboloidKnobs(options, source.width()), job);
+    });
+    return timedStage(outcome.stages, "paraboloid sums", [&] {
+        return toMap(options.target, source.paraboloidDevice()->sum(halves, lookupDirections(options.target, options.yaw), job));
+    });
+}
+
 } // namespace
 
 ProbeTraits traits(const FilterSource& source)
@@ -138,7 +154,7 @@ ProbeTraits traits(const FilterSource& source)
             .hasParaboloidDevice = source.paraboloidDevice() != nullptr};
 }
 
-std::string refusal(Method method, const PrefilterOptions&, const ProbeTraits& probe)
+std::string refusal(Method method, const PrefilterOptions& options, const ProbeTraits& probe)
 {
     const std::string who = "method: '" + std::string(name(method)) + "' ";
     if (probe.streamed && method != Method::Spectral && method != Method::Auto)
@@ -151,7 +167,10 @@ std::string refusal(Method method, const PrefilterOptions&, const ProbeTraits& p
     case Method::Paraboloid:
         if (!probe.hasParaboloidDevice)
             return who + "runs on a GPU and none was given; use another method";
-        return "";
+        // A lobe that needs no filtering is looked up whatever the method.
+        return options.lobe.isMirror() || isUnresolved(options.lobe, probe.width)
+                   ? ""
+                   : paraboloidRefusal(options.lobe, paraboloidKnobs(options, probe.width));
     case Method::Hierarchical:
     case Method::Importance:
     case Method::Mip:
@@ -208,7 +227,9 @@ PrefilterPlan planPrefilter(const PrefilterOptions& options, const ProbeTraits& 
         why << "asked for";
         break;
     case Method::Paraboloid:
-        plan = {.method = Method::Paraboloid};
+        plan = {.method = Method::Paraboloid,
+                .predictedError = paraboloidError(options.lobe, paraboloidKnobs(options, width)),
+                .predictedSeconds = paraboloidSeconds(options.lobe, paraboloidKnobs(options, width), width, texels)};
         why << "asked for";
         break;
     case Method::Hierarchical:
@@ -253,10 +274,7 @@ PrefilterOutcome prefilter(FilterSource& source, const PrefilterOptions& options
         });
         break;
     case Method::Paraboloid:
-        outcome.map = timedStage(outcome.stages, "paraboloid convolution", [&] {
-            return source.paraboloidDevice()->filter(*source.latlong(), options.lobe, options.target, options.yaw, options.knobs.paraboloid,
-                                                     job);
-        });
+        outcome.map = runParaboloid(source, options, job, outcome);
         break;
     case Method::Hierarchical:
     case Method::Importance:

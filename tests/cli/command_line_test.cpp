@@ -95,6 +95,24 @@ TEST(CommandLine, FiltersADiffuseMapOfAConstantToTheConstant)
     }
 }
 
+// The tests' environment has no display: the GPU's method starts its own context.
+TEST(CommandLine, FiltersByParaboloidWithoutADisplay)
+{
+    const TemporaryFolder folder;
+    const std::string filter = "filter builtin:studio --lobe phong --exponent 30 --to cube --size 16 -o ";
+    ASSERT_EQ(mirrorballRuns(filter + quoted(folder / "auto.exr")).status, 0);
+    ASSERT_EQ(mirrorballRuns(filter + quoted(folder / "exact.exr") + " --method paraboloid --stats " + quoted(folder / "s.json")).status, 0);
+    ASSERT_EQ(mirrorballRuns(filter + quoted(folder / "published.exr") + " --method paraboloid --paraboloid blended --paraboloid-border 64").status, 0);
+    const MapLayout cube{Parameterization::Cube, 16, 0};
+    const EnvironmentMap reference(cube, readImage(folder / "auto.exr"));
+    const nlohmann::json stats = nlohmann::json::parse(test::readBytes(folder / "s.json"));
+    EXPECT_EQ(stats.at("method"), "paraboloid");
+    EXPECT_LT(errorMetrics({cube, readImage(folder / "exact.exr")}, reference).relRms, stats.at("predicted_error").get<double>());
+    const double published = errorMetrics({cube, readImage(folder / "published.exr")}, reference).relRms;
+    EXPECT_GT(published, 0.01);
+    EXPECT_LT(published, 0.3);
+}
+
 TEST(CommandLine, AGgxChainKeepsItsLevelsInOneFile)
 {
     const TemporaryFolder folder;
@@ -228,6 +246,14 @@ TEST(CommandLine, RefusesBadArgumentsInOneLine)
     EXPECT_FAILS(mirrorballRuns(filter + "--lobe diffuse --method magic"), 2, "--method");
     EXPECT_FAILS(mirrorballRuns(filter + "--lobe diffuse --tolerance 0"), 2, "--tolerance");
     EXPECT_FAILS(mirrorballRuns(filter + "--lobe diffuse --samples 16"), 2, "--samples");
+    EXPECT_FAILS(mirrorballRuns(filter + "--lobe diffuse --paraboloid-kernel 9"), 2, "--paraboloid-kernel");
+    const std::string paraboloid = filter + "--lobe phong --exponent 50 --method paraboloid ";
+    EXPECT_FAILS(mirrorballRuns(paraboloid + "--paraboloid round"), 2, "blended or exact");
+    EXPECT_FAILS(mirrorballRuns(paraboloid + "--paraboloid-kernel 9.5"), 2, "whole number");
+    EXPECT_FAILS(mirrorballRuns(paraboloid + "--paraboloid-kernel 2"), 2, "paraboloid_kernel");
+    EXPECT_FAILS(mirrorballRuns(paraboloid + "--paraboloid-clamp much"), 2, "--paraboloid-clamp");
+    EXPECT_FAILS(mirrorballRuns(paraboloid + "--paraboloid-half 5000"), 2, "--paraboloid-half");
+    EXPECT_FAILS(mirrorballRuns(filter + "--lobe phong --exponent 20000 --method paraboloid --paraboloid-kernel 255"), 2, "use direct");
     EXPECT_FAILS(mirrorballRuns(filter + "--lobe diffuse --threads -3"), 2, "--threads");
     EXPECT_FAILS(mirrorballRuns("convert builtin:studio -o " + out + " --to ball --size 8"), 2, "--to");
     EXPECT_FAILS(mirrorballRuns("convert builtin:studio -o " + out + " --to cube --size 0"), 2, "size");
