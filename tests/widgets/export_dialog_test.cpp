@@ -232,7 +232,7 @@ void ExportDialogTest::namesAllControls()
 {
     ShownDialog shown;
     const QStringList names = unexplained(*shown.dialog);
-    QVERIFY2(names.isEmpty(), qPrintable(names.join(u\'\n\')));
+    QVERIFY2(names.isEmpty(), qPrintable(names.join(u'\n')));
 }
 
 } // namespace mirrorball::test

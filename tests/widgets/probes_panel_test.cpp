@@ -269,7 +269,7 @@ void ProbesPanelTest::namesAllControls()
 {
     ShownPanel shown;
     const QStringList names = unexplained(*shown.panel);
-    QVERIFY2(names.isEmpty(), qPrintable(names.join(u\'\n\')));
+    QVERIFY2(names.isEmpty(), qPrintable(names.join(u'\n')));
 }
 
 } // namespace mirrorball::test

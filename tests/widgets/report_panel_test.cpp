@@ -137,7 +137,7 @@ void ReportPanelTest::namesAllControls()
 {
     ShownPanel shown;
     const QStringList names = unexplained(*shown.panel);
-    QVERIFY2(names.isEmpty(), qPrintable(names.join(u\'\n\')));
+    QVERIFY2(names.isEmpty(), qPrintable(names.join(u'\n')));
 }
 
 } // namespace mirrorball::test
