@@ -11,7 +11,7 @@ namespace mirrorball::studio {
 namespace {
 
 /// Maps while a control is dragged: soft enough to be made between two frames, and near enough to judge by.
-constexpr MapDetail coarse{.largestSize = 128, .tolerance = 1e-3};
+constexpr MapDetail coarse{.largestSize = 128, .tolerance = 1e-3, .seconds = 0.015};
 
 /// The scene without what maps and plan do not depend on: a camera that moves makes nothing anew.
 Scene mapsOnly(Scene scene)
@@ -81,8 +81,8 @@ LiveScene::LiveScene(Document& document, QObject* parent)
 
 void LiveScene::follow()
 {
-    const MapDetail detail = m_document.isDragging() || startsAnew() ? coarse : MapDetail{};
-    const bool isFineEnough = m_requestedDetail == detail || m_requestedDetail == MapDetail{};
+    const bool wantsFull = !m_document.isDragging() && !startsAnew();
+    const bool isFineEnough = !wantsFull || m_requestedDetail == MapDetail{};
     if (isFineEnough && mapsOnly(m_requested) == mapsOnly(m_document.scene()) && (m_runner.isBusy() || m_made))
         return;
     request();
@@ -101,22 +101,24 @@ bool LiveScene::startsAnew() const
 
 void LiveScene::request()
 {
-    const bool dragging = m_document.isDragging() || startsAnew();
+    const bool wantsCoarse = m_document.isDragging() || startsAnew();
     // A coarse result of a moment ago is better than none; a full one would only be in the way.
-    const Running running = dragging && m_requestedDetail == coarse ? Running::Finish : Running::Stop;
+    const Running running = wantsCoarse && m_requestedDetail == coarse ? Running::Finish : Running::Stop;
     m_requested = m_document.scene();
-    m_requestedDetail = dragging ? coarse : MapDetail{};
+    m_requestedDetail = wantsCoarse ? coarse : MapDetail{};
     m_isUpToDate = false;
     m_runner.start(
         [maker = m_maker, scene = m_requested, detail = m_requestedDetail](const JobControl& job) { return maker->make(scene, detail, job); },
-        [this](std::shared_ptr<const PreparedScene> made) {
-            m_made = std::move(made);
-            m_isUpToDate = m_made->detail == MapDetail{} && mapsOnly(m_made->scene) == mapsOnly(m_document.scene());
-            emit updated();
-            if (m_made->detail == coarse && !m_document.isDragging())
-                follow();
-        },
-        running);
+        [this](std::shared_ptr<const PreparedScene> made) { use(std::move(made)); }, running);
+}
+
+void LiveScene::use(std::shared_ptr<const PreparedScene> made)
+{
+    m_made = std::move(made);
+    m_isUpToDate = m_made->detail == MapDetail{} && mapsOnly(m_made->scene) == mapsOnly(m_document.scene());
+    emit updated();
+    if (m_made->detail == coarse && !m_document.isDragging())
+        follow();
 }
 
 } // namespace mirrorball::studio

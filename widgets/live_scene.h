@@ -46,6 +46,7 @@ private:
     struct Maker;
     void follow();
     void request();
+    void use(std::shared_ptr<const PreparedScene> made);
     bool startsAnew() const;
 
     Document& m_document;

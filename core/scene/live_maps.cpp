@@ -10,19 +10,33 @@ namespace mirrorball {
 
 namespace {
 
+/// No map is made smaller than this to save time.
+constexpr int smallestMap = 32;
+
+void shrink(MapLayout& layout, int size)
+{
+    layout.border = layout.border * size / layout.size;
+    layout.size = size;
+}
+
 /// A map without coarser levels may be made smaller: lookups do not notice but for sharpness. Levels are counted from the largest, so
 /// a pyramid keeps its size.
-void apply(const MapDetail& detail, std::optional<MapPlan>& map)
+/// @param source null where nothing is filtered
+void apply(const MapDetail& detail, const FilterSource* source, std::optional<MapPlan>& map)
 {
     if (!map)
         return;
-    for (PrefilterOptions& filter : map->filters) {
+    for (PrefilterOptions& filter : map->filters)
         filter.tolerance = detail.tolerance;
-        if (!map->pyramid && map->filters.size() == 1 && filter.target.size > detail.largestSize) {
-            filter.target.border = filter.target.border * detail.largestSize / filter.target.size;
-            filter.target.size = detail.largestSize;
-        }
-    }
+    if (map->pyramid || map->filters.size() != 1)
+        return;
+    PrefilterOptions& filter = map->filters.front();
+    if (filter.target.size > detail.largestSize)
+        shrink(filter.target, detail.largestSize);
+    if (!source)
+        return;
+    while (filter.target.size > smallestMap && planPrefilter(filter, traits(*source)).predictedSeconds > detail.seconds)
+        shrink(filter.target, filter.target.size / 2);
 }
 
 } // namespace
@@ -152,7 +166,7 @@ MadeScene LiveMaps::update(const Scene& scene, const MapDetail& detail, const Jo
     SceneProbe plain{.environment = m_environment};
     SceneProbe& probe = m_isStreamed || made.plan.filtersAny() ? m_probe : plain;
     for (std::optional<MapPlan>* map : {&made.plan.specular, &made.plan.diffuse})
-        apply(detail, *map);
+        apply(detail, probe.source ? &*probe.source : nullptr, *map);
 
     made.maps = {.specular = levels(m_specular, made.plan.specular, probe, scene.probe.exposure, job, made.record),
                  .diffuse = levels(m_diffuse, made.plan.diffuse, probe, scene.probe.exposure, job, made.record),

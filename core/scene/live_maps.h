@@ -3,6 +3,7 @@
 #include "scene_maps.h"
 
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@ namespace mirrorball {
 struct MapDetail {
     int largestSize = 16384;  ///< texels: maps without coarser levels are made no larger
     double tolerance = 1e-5;  ///< rel_rms of the filters, (0, 1]
+    double seconds = std::numeric_limits<double>::infinity(); ///< maps are made smaller where a filter is predicted to take longer
     bool operator==(const MapDetail&) const = default;
 };
 
