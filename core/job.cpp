@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <memory>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -22,6 +23,17 @@ void JobControl::checkStop() const
 {
     if (stop.stop_requested())
         throw Cancelled();
+}
+
+JobControl partOf(const JobControl& job, float from, float to)
+{
+    JobControl part{.stop = job.stop, .progress = {}, .threads = job.threads};
+    if (job.progress)
+        part.progress = [progress = job.progress, from, to, reached = std::make_shared<float>(0.0f)](float fraction) {
+            *reached = std::max(*reached, fraction);
+            progress(from + (to - from) * *reached);
+        };
+    return part;
 }
 
 void parallelRows(int rows, const JobControl& job, const std::function<void(int, int)>& body, int grain)

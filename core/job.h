@@ -18,6 +18,10 @@ struct JobControl {
     void checkStop() const;
 };
 
+/// The job of a part of the work: same stop and threads, and its progress, [0, 1], fills [from, to] of the whole's without ever going back,
+/// however often the part starts to count anew.
+JobControl partOf(const JobControl& job, float from, float to);
+
 /// The one loop driver: calls `body(first, last)` for disjoint row ranges that cover [0, rows), on job.threadCount() threads.
 /// Ranges are handed out in chunks of `grain` rows, so rows may cost differently. The first exception of a body is rethrown here
 /// after all workers have stopped; a stop request ends in Cancelled. Progress counts finished rows.

@@ -29,7 +29,7 @@ Parts differing(const Scene& a, const Scene& b)
     Parts parts;
     parts.setFlag(Part::Probe, a.probe != b.probe);
     parts.setFlag(Part::Map, a.map != b.map);
-    parts.setFlag(Part::Material, a.material != b.material);
+    parts.setFlag(Part::Material, a.material != b.material || a.filter != b.filter);
     parts.setFlag(Part::View, a.view != b.view);
     parts.setFlag(Part::Exports, a.exports != b.exports);
     parts.setFlag(Part::Folder, a.folder != b.folder);

@@ -20,6 +20,8 @@ void addFilterCommand(CLI::App& program);
 void addRenderCommand(CLI::App& program);
 void addExportCommand(CLI::App& program);
 void addPresetsCommand(CLI::App& program);
+/// Takes the program's words too, which the report records.
+void addReportCommand(CLI::App& program, int argc, const char* const* argv);
 
 /// Parses a KIND word. @throws InvalidArgument naming the option and the known words
 Parameterization parseKind(const std::string& option, const std::string& word);

@@ -46,6 +46,7 @@ int main(int argc, char** argv)
     cli::addRenderCommand(program);
     cli::addExportCommand(program);
     cli::addPresetsCommand(program);
+    cli::addReportCommand(program, argc, argv);
     try {
         checkCommand(program, argc, argv);
         program.parse(argc, argv);

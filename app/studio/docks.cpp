@@ -1,7 +1,10 @@
 #include "docks.h"
 
+#include "widgets/map_panel.h"
 #include "widgets/material_panel.h"
 #include "widgets/plan_view.h"
+#include "widgets/probes_panel.h"
+#include "widgets/report_panel.h"
 #include "widgets/view_panel.h"
 
 #include <QLabel>
@@ -21,23 +24,30 @@ QWidget* placeholder(Workspace&)
     return new QLabel;
 }
 
+template <typename Panel>
+QWidget* make(Workspace& workspace)
+{
+    return new Panel(workspace);
+}
+
 } // namespace
 
 const std::vector<DockEntry>& dockEntries()
 {
     static const std::vector<DockEntry> entries{
-        {"probes", QT_TRANSLATE_NOOP("Docks", "Probes"), "probes", Qt::LeftDockWidgetArea, placeholder},
+        {"probes", QT_TRANSLATE_NOOP("Docks", "Probes"), "probes", Qt::LeftDockWidgetArea, make<ProbesPanel>},
         {"material", QT_TRANSLATE_NOOP("Docks", "Material"), "material", Qt::RightDockWidgetArea, make<MaterialPanel>},
         {"view", QT_TRANSLATE_NOOP("Docks", "View"), "view", Qt::RightDockWidgetArea, make<ViewPanel>},
-        {"map", QT_TRANSLATE_NOOP("Docks", "Map"), "map", Qt::LeftDockWidgetArea, placeholder},
+        {"map", QT_TRANSLATE_NOOP("Docks", "Map"), "map", Qt::LeftDockWidgetArea, make<MapPanel>},
         {"plan", QT_TRANSLATE_NOOP("Docks", "Plan"), "plan", Qt::BottomDockWidgetArea, make<PlanView>},
+        {"report", QT_TRANSLATE_NOOP("Docks", "Report"), "report", Qt::BottomDockWidgetArea, make<ReportPanel>},
     };
     return entries;
 }
 
 const std::vector<DockTabs>& dockTabs()
 {
-    static const std::vector<DockTabs> tabs{{"material", "view"}};
+    static const std::vector<DockTabs> tabs{{"material", "view"}, {"plan", "report"}};
     return tabs;
 }
 

@@ -4,6 +4,7 @@
 #include "docks.h"
 #include "theme.h"
 
+#include "widgets/export_dialog.h"
 #include "widgets/notice_panel.h"
 #include "widgets/plan_view.h"
 #include "widgets/text.h"
@@ -35,8 +36,21 @@ constexpr int layoutVersion = 1; ///< counts up when docks change so much that a
 MainWindow::MainWindow(const QString& recoveryFolder, QWidget* parent)
     : QMainWindow(parent), m_workspace(std::make_unique<Workspace>()), m_preview(new PreviewWidget(*m_workspace)),
       m_files(new FileActions(*this, *m_workspace)), m_views(new ViewActions(*m_preview, *m_workspace, this)),
-      m_recovery(new Recovery(m_workspace->document, recoveryFolder, this))
+      m_recovery(new Recovery(m_workspace->document, recoveryFolder, this)), m_dropTarget(new DropTarget(*this, *m_workspace))
 {
+    m_dropTarget->addOpener([this](const QString& path) {
+        if (!FileActions::isSceneFile(path))
+            return false;
+        m_files->openScene(path);
+        return true;
+    });
+    m_dropTarget->addOpener([this](const QString& path) {
+        if (!preview::isMeshFile(toPath(path)))
+            return false;
+        useMesh(m_workspace->document, path);
+        return true;
+    });
+
     auto* middle = new QWidget(this);
     auto* column = new QVBoxLayout(middle);
     column->setContentsMargins(0, 0, 0, 0);
@@ -96,6 +110,10 @@ void MainWindow::addMenus()
     QMenu* file = menuBar()->addMenu(tr("&File"));
     m_files->addTo(*file);
     file->addSeparator();
+    QAction* exportMaps = file->addAction(icon("export"), tr("&Export maps…"), this, &MainWindow::openExport);
+    exportMaps->setObjectName(QStringLiteral("file.export"));
+    exportMaps->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_E));
+    exportMaps->setToolTip(tr("Write the maps of the scene, or copy the command line that does"));
     QAction* picture = file->addAction(icon("picture"), tr("Save &picture…"), this, &MainWindow::askAndSavePicture);
     picture->setObjectName(QStringLiteral("file.picture"));
     picture->setShortcut(QKeySequence(Qt::Key_F12));
@@ -306,19 +324,15 @@ void MainWindow::openPalette()
 
 void MainWindow::openFiles(const QStringList& paths)
 {
-    for (const QString& path : paths) {
-        if (FileActions::isSceneFile(path)) {
-            m_files->openScene(path);
-        } else if (preview::isMeshFile(toPath(path))) {
-            useMesh(m_workspace->document, path);
-        } else {
-            const QString absolute = QFileInfo(path).absoluteFilePath();
-            m_workspace->document.edit(tr("Open probe"), {}, [&](Scene& scene) {
-                scene.probe.source = absolute.toStdString();
-                scene.probe.parameterization.reset();
-            });
-        }
-    }
+    m_dropTarget->open(paths);
+}
+
+void MainWindow::openExport()
+{
+    auto* dialog = new ExportDialog(*m_workspace, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &ExportDialog::saveRequested, m_files, &FileActions::save);
+    dialog->open();
 }
 
 void MainWindow::askAndSavePicture()

@@ -4,6 +4,7 @@
 #include "recovery.h"
 #include "view_actions.h"
 
+#include "widgets/drop_target.h"
 #include "widgets/preview_widget.h"
 #include "widgets/workspace.h"
 
@@ -30,10 +31,11 @@ public:
     PreviewWidget& preview() { return *m_preview; }
     FileActions& files() { return *m_files; }
     Recovery& recovery() { return *m_recovery; }
+    DropTarget& dropTarget() { return *m_dropTarget; }
     /// The dock of that id (docks.h), or null.
     QDockWidget* dock(const QString& id) const;
 
-    /// Opens files as if they were dropped: a scene, a mesh, a probe.
+    /// Opens files as if they were dropped: a scene, a mesh, a probe, a folder of probes.
     void openFiles(const QStringList& paths);
     /// Draws the picture at its own size into a file, in the background.
     void savePicture(const QString& path);
@@ -42,6 +44,7 @@ public slots:
     void hideOrShowDocks();
     void resetLayout();
     void openPalette();
+    void openExport();
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -64,6 +67,7 @@ private:
     FileActions* m_files;
     ViewActions* m_views;
     Recovery* m_recovery;
+    DropTarget* m_dropTarget;
     QMenu* m_dockMenu = nullptr;
     QLabel* m_state = nullptr;
     QProgressBar* m_progress = nullptr;

@@ -143,6 +143,11 @@ std::unique_ptr<ImageReader> openImage(const std::filesystem::path& path) { retu
 
 Image readImage(const std::filesystem::path& path, const JobControl& job) { return readAll(*openLevel(path, 0), job); }
 
+std::string encodePng(const Image& display)
+{
+    return openimageio::encodePng(display);
+}
+
 Image readLevel(const std::filesystem::path& path, int level) { return readAll(*openLevel(path, level), {}); }
 
 bool holdsMips(const std::filesystem::path& path)

@@ -74,6 +74,9 @@ void writeImage(const std::filesystem::path& path, const Image& image, const Wri
 /// @throws InvalidArgument where holdsMips(path) is false
 void writeMips(const std::filesystem::path& path, const std::vector<Image>& levels, const WriteOptions& options = {});
 
+/// The bytes of an 8-bit .png of a display picture (color.h), for pictures that go into other files.
+std::string encodePng(const Image& display);
+
 /// Reads one mip level of a file, as linear RGB. @throws FileError
 Image readLevel(const std::filesystem::path& path, int level);
 

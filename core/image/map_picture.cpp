@@ -48,11 +48,11 @@ float coverage(const MapLayout& layout, const glm::dvec2& p)
     return layout.kind == Parameterization::Paraboloid && layout.border > 0 ? 0.4f : 0.0f;
 }
 
-/// Luminances of the texels that lie on the map, of at most about a million of them.
+/// Luminances of the texels that lie on the map, of at most about two hundred thousand of them.
 std::vector<float> sampledLuminances(const EnvironmentMap& map)
 {
     const Image& image = map.image;
-    const int step = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(image.width) * image.height / 1e6)));
+    const int step = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(image.width) * image.height / 2e5)));
     std::vector<float> values;
     for (int y = 0; y < image.height; y += step)
         for (int x = 0; x < image.width; x += step)
@@ -242,7 +242,7 @@ double signedRange(const EnvironmentMap& difference)
     std::vector<float> values = sampledLuminances(difference);
     for (float& value : values)
         value = std::abs(value);
-    return std::max(quantile(values, 0.999), 1e-6);
+    return std::max(quantile(values, 0.99), 1e-6);
 }
 
 } // namespace mirrorball

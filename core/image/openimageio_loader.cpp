@@ -178,6 +178,24 @@ private:
     AtomicFile& m_file;
 };
 
+/// Keeps the bytes of a file in memory.
+class MemorySink final : public Sink {
+public:
+    void write(const void* bytes, size_t count) override
+    {
+        m_bytes.resize(std::max(m_bytes.size(), m_at + count));
+        std::copy_n(static_cast<const char*>(bytes), count, m_bytes.data() + m_at);
+        m_at += count;
+    }
+    std::uint64_t position() override { return m_at; }
+    void seek(std::uint64_t position) override { m_at = position; }
+    std::string bytes() && { return std::move(m_bytes); }
+
+private:
+    std::string m_bytes{};
+    size_t m_at = 0;
+};
+
 std::string lowerExtension(const std::filesystem::path& path)
 {
     std::string text = path.extension().string();
@@ -242,6 +260,15 @@ void write(AtomicFile& file, const std::filesystem::path& named, const std::vect
     }
     FileSink sink(file);
     module().write(sink, named, raw.front(), options);
+}
+
+std::string encodePng(const Image& display)
+{
+    std::vector<std::uint8_t> bytes(display.texels.size());
+    std::transform(display.texels.begin(), display.texels.end(), bytes.begin(), toByte);
+    MemorySink sink;
+    module().write(sink, "picture.png", {display.width, display.height, display.channels, nullptr, bytes.data()}, {});
+    return std::move(sink).bytes();
 }
 
 } // namespace mirrorball::openimageio

@@ -19,4 +19,7 @@ void checkWrites(const std::filesystem::path& path);
 /// @throws WorkError
 void write(AtomicFile& file, const std::filesystem::path& named, const std::vector<Image>& levels, const WriteOptions& options);
 
+/// The bytes of a .png of a display picture. @throws WorkError
+std::string encodePng(const Image& display);
+
 } // namespace mirrorball::openimageio

@@ -168,14 +168,18 @@ ExportOutcome exportScene(const Scene& scene, const std::filesystem::path& folde
         throw InvalidArgument("exports: the scene lists none; add at least {\"name\": \"specular\", \"kind\": \"specular\"} to \"exports\"");
     const Plan plan = makePlan(scene, probeLayout(scene), {.picture = false, .exports = options.only});
     ExportOutcome outcome;
-    SceneProbe probe = openProbe(scene, plan, job, outcome.record);
+    constexpr float reading = 0.2f; // share of the progress
+    SceneProbe probe = openProbe(scene, plan, partOf(job, 0.0f, reading), outcome.record);
 
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (!std::filesystem::is_directory(folder))
         throw WorkError(folder.string() + ": cannot be made a folder" + (error ? ": " + error.message() : "") + "; choose another one");
-    for (const ExportPlan& planned : plan.exports)
-        exportOne(scene, planned, probe, folder, job, outcome);
+    const float share = (1.0f - reading) / static_cast<float>(plan.exports.size());
+    for (size_t i = 0; i < plan.exports.size(); ++i) {
+        const float from = reading + share * static_cast<float>(i);
+        exportOne(scene, plan.exports[i], probe, folder, partOf(job, from, from + share), outcome);
+    }
     return outcome;
 }
 

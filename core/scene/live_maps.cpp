@@ -26,8 +26,9 @@ void apply(const MapDetail& detail, const FilterSource* source, std::optional<Ma
 {
     if (!map)
         return;
-    for (PrefilterOptions& filter : map->filters)
-        filter.tolerance = detail.tolerance;
+    if (detail != MapDetail{})
+        for (PrefilterOptions& filter : map->filters)
+            filter.tolerance = std::max(filter.tolerance, detail.tolerance);
     if (map->pyramid || map->filters.size() != 1)
         return;
     PrefilterOptions& filter = map->filters.front();

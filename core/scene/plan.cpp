@@ -117,6 +117,23 @@ private:
 
     PrefilterPlan predicted(const PrefilterOptions& filter) const { return planPrefilter(filter, {.width = 2 * latlongHeight(m_probe)}); }
 
+    /// The scene's choice of method. What that refuses is left to auto; @return a note for the stage, empty where nothing was chosen
+    std::string chooseMethod(PrefilterOptions& filter) const
+    {
+        const FilterSettings& chosen = m_scene.filter;
+        filter.tolerance = chosen.tolerance;
+        filter.knobs = chosen.knobs();
+        if (chosen.method == Method::Auto || filter.lobe.isMirror())
+            return {};
+        PrefilterOptions asked = filter;
+        asked.method = chosen.method;
+        const std::string why = refusal(chosen.method, asked, {.width = 2 * latlongHeight(m_probe)});
+        if (!why.empty())
+            return text("; ", mirrorball::name(chosen.method), " was asked for but cannot do this: ", why);
+        filter.method = chosen.method;
+        return "; as the scene asks";
+    }
+
     /// Adds the stages of one level and remembers what it takes. A map that never was to be filtered has no stage for that.
     void addLevel(MapPlan& map, const PrefilterOptions& filter, const std::string& name, const std::string& note = "",
                   const std::string& whyMirror = "")
@@ -200,12 +217,12 @@ private:
         }
         MapPlan map{.name = "specular map"};
         PrefilterOptions filter{.lobe = lobe(m_scene.material.specular), .target = mapLayout(), .yaw = bakedYaw()};
-        std::string note;
+        std::string note = chooseMethod(filter);
         const PrefilterPlan prediction = predicted(filter);
         if (prediction.filtered && prediction.method == Method::Spectral) {
             const MapLayout enough = withSize(filter.target, sizeForBandLimit(filter.target.kind, prediction.bandLimit));
             if (enough.size < filter.target.size)
-                note = text("; so smooth that size ", enough.size, " shows all of it, ", filter.target.size, " is left out");
+                note += text("; so smooth that size ", enough.size, " shows all of it, ", filter.target.size, " is left out");
             filter.target = enough;
         }
         addLevel(map, filter, map.name, note, "the surface is a mirror: it shows the environment itself");
@@ -288,7 +305,8 @@ private:
                 addLevel(map, level, text(target.name, " level ", i), "", "roughness 0: the level is the environment itself");
             }
         } else {
-            addLevel(map, filter, map.name, "", target.kind == ExportKind::Specular ? "the surface is a mirror" : "");
+            const std::string note = target.kind == ExportKind::Specular ? chooseMethod(filter) : std::string();
+            addLevel(map, filter, map.name, note, target.kind == ExportKind::Specular ? "the surface is a mirror" : "");
             const bool held = holdsMips(target.fileName());
             map.pyramid = target.mips && held;
             if (map.pyramid)

@@ -98,6 +98,12 @@ std::span<const std::string_view> words(Parameterization)
     return names;
 }
 
+std::span<const std::string_view> words(Method)
+{
+    static const auto names = namesOf<Method, allMethods.size()>(allMethods);
+    return names;
+}
+
 std::span<const std::string_view> words(ToneCurve)
 {
     static const auto names = namesOf<ToneCurve, 3>(std::array{ToneCurve::None, ToneCurve::Reinhard, ToneCurve::Filmic});

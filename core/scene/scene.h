@@ -2,6 +2,7 @@
 
 #include "../fields.h"
 #include "../filter/lobe.h"
+#include "../filter/method.h"
 #include "../image/color.h"
 #include "../shading/fresnel.h"
 #include "../sphere/parameterization.h"
@@ -40,6 +41,7 @@ std::span<const std::string_view> words(ExportKind);       // source specular di
 std::span<const std::string_view> words(Parameterization); // latlong cube sphere angular paraboloid octahedral
 std::span<const std::string_view> words(FresnelKind);      // none dielectric conductor
 std::span<const std::string_view> words(Combine);          // add coat
+std::span<const std::string_view> words(Method);           // auto reference spectral direct hierarchical importance paraboloid mip sh9
 std::span<const std::string_view> words(ToneCurve);        // none reinhard filmic
 
 /// Where the light comes from.
@@ -291,10 +293,35 @@ struct ExportTarget {
     std::string fileName() const { return file.empty() ? name + ".exr" : file; }
 };
 
+/// How the specular map, of the picture and of exports, is filtered. Whatever a method refuses is left to auto, and the plan says so.
+struct FilterSettings {
+    Method method = Method::Auto;
+    double tolerance = 1e-5;
+    int samples = 1024;
+    MipFiltering mipFiltering = MipFiltering::AcrossSeams;
+    ParaboloidKnobs paraboloid{};
+    UnknownKeys unknown{};
+
+    bool operator==(const FilterSettings&) const = default;
+    template <typename Self, typename Visit>
+    static void visitFields(Self& self, Visit&& visit)
+    {
+        visit(Field{"method", "how the specular map is filtered; auto: the cheapest method that meets the tolerance"}, self.method);
+        visit(Field{"tolerance", "largest error of the map, rel_rms", 1e-9, 1}, self.tolerance);
+        visit(Field{"samples", "importance: samples of the lobe a texel", 1, 1 << 20}, self.samples);
+        visit(Field{"mip_filtering", "mip: cube faces filtered across their seams, or each by itself as the hardware of 2002 did"},
+              self.mipFiltering);
+        ParaboloidKnobs::visitFields(self.paraboloid, visit);
+    }
+
+    MethodKnobs knobs() const { return {.samples = samples, .mipFiltering = mipFiltering, .paraboloid = paraboloid}; }
+};
+
 struct Scene {
     ProbeSettings probe{};
     MapSettings map{};
     Material material{};
+    FilterSettings filter{};
     ViewSettings view{};
     std::vector<ExportTarget> exports{};
     UnknownKeys unknown{};
@@ -308,6 +335,7 @@ struct Scene {
         visit(Field{"probe", "where the light comes from"}, self.probe);
         visit(Field{"map", "the map that the picture reads"}, self.map);
         visit(Field{"material", "what the object is made of"}, self.material);
+        visit(Field{"filter", "how the specular map is filtered"}, self.filter);
         visit(Field{"view", "how the picture is taken"}, self.view);
         visit(Field{"exports", "maps to write"}, self.exports);
     }

@@ -80,12 +80,13 @@ SceneProbe openProbe(const Scene& scene, const Plan& plan, const JobControl& job
 std::vector<EnvironmentMap> buildMap(const MapPlan& plan, SceneProbe& probe, double exposure, const JobControl& job, WorkRecord& record)
 {
     std::vector<EnvironmentMap> levels;
+    const float parts = static_cast<float>(plan.filters.size() + (plan.pyramid ? 1 : 0));
     for (size_t i = 0; i < plan.filters.size(); ++i)
         levels.push_back(buildLevel(plan.filters[i], plan.filters.size() > 1 ? plan.name + " level " + std::to_string(i) : plan.name, probe,
-                                    job, record));
+                                    partOf(job, static_cast<float>(i) / parts, static_cast<float>(i + 1) / parts), record));
     if (plan.pyramid)
         levels = timedStage(record.stages, "mip levels of " + plan.name,
-                            [&] { return std::move(buildMipPyramid(levels.front(), job).levels); });
+                            [&] { return std::move(buildMipPyramid(levels.front(), partOf(job, 1.0f - 1.0f / parts, 1.0f)).levels); });
     expose(levels, exposure);
     return levels;
 }

@@ -54,5 +54,16 @@ TEST(ParallelRows, ReportsProgressThatEndsAtOne)
     EXPECT_FLOAT_EQ(seen.back(), 1.0f);
 }
 
+TEST(PartOf, FillsItsShareOfTheProgressAndNeverGoesBack)
+{
+    std::vector<float> reported;
+    const JobControl whole{.progress = [&](float fraction) { reported.push_back(fraction); }};
+    const JobControl part = partOf(whole, 0.5f, 0.75f);
+    for (const float fraction : {0.0f, 1.0f, 0.0f, 0.5f})
+        part.progress(fraction);
+    EXPECT_EQ(reported, (std::vector<float>{0.5f, 0.75f, 0.75f, 0.75f}));
+    EXPECT_FALSE(partOf({}, 0.0f, 1.0f).progress);
+}
+
 } // namespace
 } // namespace mirrorball

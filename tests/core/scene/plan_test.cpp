@@ -226,5 +226,32 @@ TEST(Plan, ChecksTheSceneFirst)
     EXPECT_THROW(makePlan(scene, probe), InvalidArgument);
 }
 
+TEST(Plan, FollowsTheMethodThatTheSceneAsksFor)
+{
+    Scene scene;
+    scene.material.specular = {.lobe = SurfaceLobe::Phong, .exponent = 50.0};
+    scene.filter = {.method = Method::Importance, .tolerance = 1e-2, .samples = 64};
+    scene.exports = {{.name = "gloss", .kind = ExportKind::Specular, .size = 32}, {.name = "matt", .kind = ExportKind::Diffuse, .size = 32}};
+    const Plan plan = makePlan(scene, {Parameterization::Latlong, 512, 0}, {.exports = std::vector<std::string>{}});
+    for (const MapPlan* map : {&*plan.specular, &plan.exports[0].map}) {
+        EXPECT_EQ(map->filters.front().method, Method::Importance);
+        EXPECT_EQ(map->filters.front().knobs.samples, 64);
+        EXPECT_EQ(map->filters.front().tolerance, 1e-2);
+    }
+    EXPECT_EQ(plan.exports[1].map.filters.front().method, Method::Auto) << "diffuse light is no specular map";
+}
+
+TEST(Plan, LeavesToAutoWhatTheChosenMethodRefuses)
+{
+    Scene scene;
+    scene.material.specular = {.lobe = SurfaceLobe::Phong, .exponent = 50.0};
+    scene.filter.method = Method::Sh9; // diffuse only
+    const Plan plan = makePlan(scene, {Parameterization::Latlong, 512, 0});
+    EXPECT_EQ(plan.specular->filters.front().method, Method::Auto);
+    const auto stage = std::find_if(plan.stages.begin(), plan.stages.end(), [](const Stage& s) { return s.name == "filter specular map"; });
+    ASSERT_NE(stage, plan.stages.end());
+    EXPECT_NE(stage->why.find("sh9 was asked for but cannot do this"), std::string::npos) << stage->why;
+}
+
 } // namespace
 } // namespace mirrorball

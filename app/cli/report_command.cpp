@@ -1,0 +1,115 @@
+#include "command.h"
+#include "interrupt.h"
+
+#include "core/error.h"
+#include "core/report/lobe_words.h"
+#include "core/report/make_report.h"
+#include "core/report/report_files.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <string_view>
+
+namespace mirrorball::cli {
+
+namespace {
+
+struct Options {
+    ReportOptions report{};
+    std::string folder, lobes = "phong:50,ggx:0.3,diffuse", methods, to = "cube";
+    int size = 64, threads = 0;
+    bool stability = false, quick = false;
+};
+
+std::vector<Method> parseMethods(const std::string& words)
+{
+    if (words.empty())
+        return {allMethods.begin(), allMethods.end()};
+    std::vector<Method> methods;
+    for (const std::string_view word : split(words, ',')) {
+        const auto method = methodFromName(word);
+        if (!method) {
+            std::string known;
+            for (const Method m : allMethods)
+                known += (known.empty() ? "" : ", ") + std::string(name(m));
+            throw InvalidArgument("--methods: '" + std::string(word) + "' is no method; choose among " + known);
+        }
+        if (std::find(methods.begin(), methods.end(), *method) == methods.end())
+            methods.push_back(*method);
+    }
+    return methods;
+}
+
+/// The program's own words, as they would be typed again.
+std::string typed(int argc, const char* const* argv)
+{
+    std::string text;
+    for (int i = 0; i < argc; ++i)
+        text += (i == 0 ? "" : " ") + (i == 0 ? std::string("mirrorball") : shellWord(argv[i]));
+    return text;
+}
+
+void run(const Options& o, const CLI::App& command)
+{
+    ReportOptions options = o.report;
+    try {
+        options.lobes = lobesFromWords(o.lobes);
+    } catch (const InvalidArgument& error) {
+        throw InvalidArgument("--lobes: " + std::string(error.what()));
+    }
+    options.methods = parseMethods(o.methods);
+    options.target = {.kind = parseKind("--to", o.to), .size = o.size};
+    options.stability = o.stability;
+    options.version = MIRRORBALL_VERSION;
+    if (o.quick) {
+        const auto unlessGiven = [&](const char* flag, auto& member, auto value) {
+            if (command.count(flag) == 0)
+                member = value;
+        };
+        options.sweep = Sweep::Few;
+        unlessGiven("--repeats", options.repeats, 2);
+        unlessGiven("--longest", options.longest, 0.5);
+        unlessGiven("--directions", options.directions, 128);
+        unlessGiven("--growth-to", options.growthTo, 0);
+    }
+    validate(options);
+
+    const Interrupt interrupt;
+    JobControl job = jobWithProgress("report", o.threads);
+    job.stop = interrupt.token();
+    const Report report = makeReport(options, job);
+    job.progress = nullptr; // clears the bar before anything is printed
+    const std::vector<std::filesystem::path> files = writeReport(report, o.folder);
+    for (const std::filesystem::path& file : files)
+        std::printf("%s\n", file.string().c_str());
+    if (!report.complete)
+        throw WorkError("stopped: " + files.front().string() + " holds what was measured until then");
+}
+
+} // namespace
+
+void addReportCommand(CLI::App& program, int argc, const char* const* argv)
+{
+    const auto o = std::make_shared<Options>();
+    o->report.command = typed(argc, argv);
+    CLI::App* command = program.add_subcommand("report", "Measure every filtering method: error against run time, memory, stability; as HTML, JSON and CSV");
+    command->add_option("PROBE", o->report.probes, "files or builtin:NAME")->required();
+    command->add_option("-o,--output", o->folder, "folder for report.html, report.json and the .csv files; made when missing")->required();
+    command->add_option("--lobes", o->lobes, "phong:EXPONENT, ggx:ALPHA and diffuse, with commas (" + o->lobes + ")");
+    command->add_option("--methods", o->methods, "names with commas; without it all");
+    command->add_option("--to", o->to, "parameterization of the filtered maps (KIND)");
+    command->add_option("--size", o->size, "size of the filtered maps, as in filter");
+    command->add_flag("--stability", o->stability, "add the table of extreme cases");
+    command->add_flag("--quick", o->quick, "few settings and repeats, a coarse reference, no growth of cost: seconds instead of minutes");
+    ReportOptions::visitFields(o->report, [&](const Field& field, auto& member) {
+        std::string help(field.help);
+        if (!field.unit.empty())
+            help += " (" + std::string(field.unit) + ")";
+        command->add_option("--" + std::string(field.name), member, help + "; " + shortNumber(static_cast<double>(member)));
+    });
+    command->add_option("--threads", o->threads, "threads; 0: one per core")->check(CLI::Range(0, 1024));
+    command->callback([o, command] { run(*o, *command); });
+}
+
+} // namespace mirrorball::cli

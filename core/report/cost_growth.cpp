@@ -1,0 +1,190 @@
+#include "cost_growth.h"
+
+#include "error_time.h"
+#include "peak_memory.h"
+
+#include "../error.h"
+#include "../filter/source_file.h"
+#include "../image/reproject.h"
+
+#include <algorithm>
+#include <map>
+#include <new>
+#include <set>
+
+namespace mirrorball {
+
+namespace {
+
+constexpr int blockRows = 64;
+
+/// Rows of the probe at another width, read bilinearly: what a file of that size would hold.
+void makeRows(const EnvironmentMap& probe, const MapLayout& layout, int firstRow, int rows, std::vector<float>& rgb, const JobControl& job)
+{
+    parallelRows(rows, job, [&](int first, int last) {
+        for (int y = first; y < last; ++y)
+            for (int x = 0; x < layout.width(); ++x) {
+                const glm::vec3 value = probe.radiance(texelDirection(layout, x, firstRow + y));
+                std::copy_n(&value.x, 3, &rgb[3 * (static_cast<size_t>(y) * static_cast<size_t>(layout.width()) + static_cast<size_t>(x))]);
+            }
+    }, 1);
+}
+
+class Grower {
+public:
+    Grower(const CostGrowthOptions& options, const JobControl& job)
+        : m_options(options), m_job{.stop = job.stop, .threads = job.threads}, m_progress(job.progress)
+    {
+        for (const Method method : options.methods)
+            if (method != Method::Reference)
+                m_methods.push_back(method);
+    }
+
+    std::vector<GrowthPoint> run(const FilterSource& probe)
+    {
+        std::vector<int> widths;
+        for (int width = 256; width <= m_options.largestWidth; width *= 2)
+            widths.push_back(width);
+        constexpr std::array exponents{1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
+        const double steps = static_cast<double>(widths.size() + exponents.size());
+        double done = 0.0;
+        const auto step = [&] {
+            if (m_progress)
+                m_progress(static_cast<float>(++done / steps));
+        };
+        try {
+            for (const double exponent : exponents) {
+                for (const Method method : m_methods)
+                    measure(GrowthAxis::Exponent, exponent, probe, phongLobe(exponent), method);
+                step();
+            }
+            m_tooDear.clear();
+            for (const int width : widths) {
+                const MapLayout layout{Parameterization::Latlong, width / 2, 0};
+                if (std::int64_t{layout.width()} * layout.height() > streamedFrom) {
+                    stream(*probe.latlong(), layout);
+                } else {
+                    FilterSource resized(reproject(*probe.latlong(), {.target = layout}, m_job));
+                    if (ParaboloidDevice* device = probe.paraboloidDevice())
+                        resized.useParaboloidDevice(std::shared_ptr<ParaboloidDevice>(std::shared_ptr<void>{}, device));
+                    for (const Method method : m_methods)
+                        measure(GrowthAxis::ProbeWidth, width, resized, m_options.lobe, method);
+                }
+                step();
+            }
+        } catch (const Cancelled&) { // what was measured stays
+        }
+        return std::move(m_points);
+    }
+
+private:
+    PrefilterOptions usual(const Lobe& lobe, Method method) const
+    {
+        MethodSetting setting{.method = method, .tolerance = m_options.tolerance};
+        return setting.options(lobe, m_options.target);
+    }
+
+    void measure(GrowthAxis axis, double at, const FilterSource& probe, const Lobe& lobe, Method method)
+    {
+        m_job.checkStop();
+        GrowthPoint point{.axis = axis,
+                          .at = at,
+                          .method = method,
+                          .ran = method,
+                          .probeBytes = std::int64_t{12} * probe.width() * probe.height()};
+        const PrefilterOptions options = usual(lobe, method);
+        const auto leaveOut = [&](MeasurementState state, std::string why) {
+            point.state = state;
+            point.why = std::move(why);
+            m_points.push_back(std::move(point));
+        };
+        if (std::string why = refusal(method, options, traits(probe)); !why.empty())
+            return leaveOut(MeasurementState::Refused, std::move(why));
+        if (axis == GrowthAxis::ProbeWidth && m_tooDear.contains(method))
+            return leaveOut(MeasurementState::LeftOut, "the probe of half the width took too long already");
+        try {
+            const double predicted = planPrefilter(options, traits(probe)).predictedSeconds;
+            if (predicted > m_options.longest)
+                return leaveOut(MeasurementState::LeftOut, tooLong(predicted, m_options.longest));
+            FilterSource source = probe;
+            PrefilterOutcome outcome;
+            const PeakMemory memory;
+            const double first = secondsOf([&] { outcome = prefilter(source, options, m_job); });
+            point.peakBytes = memory.bytes();
+            point.times = repeated(m_options.repeats - 1, m_options.longest - first, [&] {
+                source = probe;
+                return secondsOf([&] { outcome = prefilter(source, options, m_job); });
+            });
+            if (m_options.repeats == 1 || first > m_options.longest / 2)
+                point.times.seconds.push_back(first);
+            if (first > m_options.longest)
+                m_tooDear.insert(method);
+            point.ran = outcome.method;
+            point.filtered = outcome.filtered;
+            m_points.push_back(std::move(point));
+        } catch (const InvalidArgument& error) {
+            leaveOut(MeasurementState::Refused, error.what());
+        } catch (const std::bad_alloc&) {
+            leaveOut(MeasurementState::Failed, "not enough memory");
+        } catch (const WorkError& error) {
+            leaveOut(MeasurementState::Failed, error.what());
+        }
+    }
+
+    void stream(const EnvironmentMap& probe, const MapLayout& layout)
+    {
+        for (const Method method : m_methods) {
+            GrowthPoint point{.axis = GrowthAxis::ProbeWidth, .at = static_cast<double>(layout.width()), .method = method, .ran = method};
+            const PrefilterOptions options = usual(m_options.lobe, method);
+            const ProbeTraits streamed{.width = layout.width(), .streamed = true};
+            point.why = refusal(method, options, streamed);
+            if (!point.why.empty()) {
+                point.state = MeasurementState::Refused;
+                m_points.push_back(std::move(point));
+                continue;
+            }
+            const PrefilterPlan plan = planPrefilter(options, streamed);
+            if (!plan.filtered) {
+                point.state = MeasurementState::Refused;
+                point.why = plan.why;
+                m_points.push_back(std::move(point));
+                continue;
+            }
+            const PeakMemory memory;
+            std::vector<float> rows(3 * static_cast<size_t>(blockRows) * static_cast<size_t>(layout.width()));
+            SpectrumBuilder builder(layout.width(), layout.height(), plan.bandLimit);
+            double seconds = 0.0;
+            for (int y = 0; y < layout.height(); y += blockRows) {
+                const int count = std::min(blockRows, layout.height() - y);
+                makeRows(probe, layout, y, count, rows, m_job);
+                seconds += secondsOf([&] { builder.addRows(y, count, rows.data(), m_job); });
+            }
+            PrefilterOutcome outcome;
+            seconds += secondsOf([&] {
+                FilterSource source(builder.finish(m_job));
+                outcome = prefilter(source, options, m_job);
+            });
+            point.peakBytes = memory.bytes();
+            point.times.seconds.push_back(seconds);
+            point.streamed = true;
+            point.ran = outcome.method;
+            m_points.push_back(std::move(point));
+        }
+    }
+
+    const CostGrowthOptions& m_options;
+    JobControl m_job;
+    std::function<void(float)> m_progress;
+    std::vector<Method> m_methods{};
+    std::set<Method> m_tooDear{};
+    std::vector<GrowthPoint> m_points{};
+};
+
+} // namespace
+
+std::vector<GrowthPoint> measureGrowth(const FilterSource& probe, const CostGrowthOptions& options, const JobControl& job)
+{
+    return Grower(options, job).run(probe);
+}
+
+} // namespace mirrorball

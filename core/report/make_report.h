@@ -1,0 +1,56 @@
+#pragma once
+
+#include "report.h"
+
+#include "../fields.h"
+#include "../filter/paraboloid.h"
+#include "../job.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mirrorball {
+
+struct ReportOptions {
+    std::vector<std::string> probes{}; ///< paths or builtin:NAME, at least one
+    std::vector<Lobe> lobes{};
+    std::vector<Method> methods{allMethods.begin(), allMethods.end()};
+    MapLayout target{.kind = Parameterization::Cube, .size = 64};
+    Sweep sweep = Sweep::Usual;
+    double tolerance = 1e-3;
+    int repeats = 5;
+    double longest = 3.0;
+    int directions = 512;
+    int growthTo = 2048; ///< columns; 0 leaves the growth of cost out
+    bool parameterizations = true;
+    bool stability = false;
+    std::shared_ptr<ParaboloidDevice> device{}; ///< of the paraboloid method; null: it is refused
+    std::string deviceName{};
+    std::string command{};                      ///< as typed, for the record
+    std::string version{};
+
+    /// The numbers that the command line offers, each under its name.
+    template <typename Self, typename Visit>
+    static void visitFields(Self& self, Visit&& visit)
+    {
+        visit(Field{"tolerance", "rel_rms of the verdicts, and of the setting that each method is shown with", 1e-9, 1.0}, self.tolerance);
+        visit(Field{"repeats", "timed runs of each setting; the median is taken", 1, 1000}, self.repeats);
+        visit(Field{"longest", "a setting predicted to take longer is left out", 0.001, 86400, "seconds"}, self.longest);
+        visit(Field{"directions", "directions at which the reference sum is taken; all where the map has no more texels", 16, 1 << 24},
+              self.directions);
+        visit(Field{"growth-to", "widest probe of the growth of cost, 256 to 16384 columns; 0 leaves growth out", 0, 16384}, self.growthTo);
+    }
+};
+
+/// @throws InvalidArgument naming the field
+void validate(const ReportOptions& options);
+
+/// The largest probe that a report takes: it is held whole, and the reference sums over it.
+inline constexpr std::int64_t largestReportProbe = std::int64_t{1} << 25;
+
+/// Measures what the options ask for. When the job is stopped it returns what it has, with `complete` false; it does not throw Cancelled.
+/// @throws FileError, InvalidArgument for a probe that cannot be read or is too large
+Report makeReport(const ReportOptions& options, const JobControl& job = {});
+
+} // namespace mirrorball

@@ -1,0 +1,152 @@
+#include "method_settings.h"
+
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <set>
+#include <sstream>
+
+namespace mirrorball {
+
+namespace {
+
+std::vector<MethodSetting> toleranceSweep(Method method, Sweep sweep, double wanted)
+{
+    std::set<double, std::greater<>> tolerances{wanted, 1e-5};
+    if (sweep == Sweep::Usual)
+        tolerances.insert({1e-2, 1e-3, 1e-4, 1e-6});
+    std::vector<MethodSetting> settings;
+    for (const double tolerance : tolerances)
+        settings.push_back({.method = method, .tolerance = tolerance, .label = "tolerance " + shortNumber(tolerance)});
+    return settings;
+}
+
+std::vector<MethodSetting> sampleSweep(Sweep sweep)
+{
+    std::vector<MethodSetting> settings;
+    for (int samples = 16; samples <= 65536; samples *= sweep == Sweep::Usual ? 4 : 16)
+        settings.push_back({.method = Method::Importance, .knobs = {.samples = samples}, .label = std::to_string(samples) + " samples"});
+    return settings;
+}
+
+std::vector<MethodSetting> mipSweep()
+{
+    std::vector<MethodSetting> settings;
+    const auto filterings = words(MipFiltering{});
+    for (size_t i = 0; i < filterings.size(); ++i)
+        settings.push_back({.method = Method::Mip,
+                            .knobs = {.mipFiltering = static_cast<MipFiltering>(i)},
+                            .label = "lambda by width " + std::string(filterings[i])});
+    return settings;
+}
+
+std::vector<MethodSetting> paraboloidSweep(Sweep sweep)
+{
+    std::vector<MethodSetting> settings;
+    for (const double clamp : {0.1, 0.01})
+        for (const int kernel : {7, 15, 31})
+            if (sweep == Sweep::Usual || (clamp == 0.1 && kernel == 7))
+                settings.push_back({.method = Method::Paraboloid,
+                                    .knobs = {.paraboloid = {.clamp = clamp, .largestKernel = kernel}},
+                                    .label = "clamp " + shortNumber(clamp) + " kernel " + std::to_string(kernel)});
+    return settings;
+}
+
+} // namespace
+
+PrefilterOptions MethodSetting::options(const Lobe& lobe, const MapLayout& target) const
+{
+    return {.lobe = lobe, .target = target, .method = method, .tolerance = tolerance, .knobs = knobs};
+}
+
+std::vector<MethodSetting> methodSettings(Method method, Sweep sweep, double tolerance)
+{
+    switch (method) {
+    case Method::Importance: return sampleSweep(sweep);
+    case Method::Mip: return mipSweep();
+    case Method::Paraboloid: return paraboloidSweep(sweep);
+    case Method::Reference:
+    case Method::Sh9: return {{.method = method}};
+    default: return toleranceSweep(method, sweep, tolerance);
+    }
+}
+
+std::string shellWord(const std::string& text)
+{
+    bool plain = !text.empty();
+    for (const char c : text)
+        plain = plain && (std::isalnum(static_cast<unsigned char>(c)) != 0 || std::string_view("-_./:=,+@").find(c) != std::string_view::npos);
+    if (plain)
+        return text;
+    std::string quoted = "'";
+    for (const char c : text)
+        quoted += c == '\'' ? "'\\''" : std::string(1, c);
+    return quoted + "'";
+}
+
+std::string shortNumber(double value, int digits)
+{
+    if (!std::isfinite(value))
+        return std::isnan(value) ? "not a number" : value > 0 ? "infinity" : "-infinity";
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%.*g", digits, value);
+    std::string words = text.data();
+    if (const size_t e = words.find('e'); e != std::string::npos) { // 1e-03 reads 1e-3
+        size_t digit = e + 2;
+        while (digit + 1 < words.size() && words[digit] == '0')
+            words.erase(digit, 1);
+        if (words[e + 1] == '+')
+            words.erase(e + 1, 1);
+        return words;
+    }
+    if (value != 0.0 && std::abs(value) < 0.01 && digits <= 3) { // 0.001 reads 1e-3 beside 1e-4 and 1e-5
+        std::snprintf(text.data(), text.size(), "%.*e", digits - 1, value);
+        words = text.data();
+        const size_t exponent = words.find('e');
+        std::string mantissa = words.substr(0, exponent);
+        if (mantissa.find('.') != std::string::npos) {
+            while (mantissa.back() == '0')
+                mantissa.pop_back();
+            if (mantissa.back() == '.')
+                mantissa.pop_back();
+        }
+        return mantissa + "e" + std::to_string(std::stoi(words.substr(exponent + 1)));
+    }
+    return words;
+}
+
+std::string filterCommand(const std::string& probe, const PrefilterOptions& options)
+{
+    std::ostringstream command;
+    command.precision(17);
+    const MethodKnobs plain{};
+    command << "mirrorball filter " << shellWord(probe) << " -o map.exr --lobe ";
+    switch (options.lobe.kind) {
+    case LobeKind::Phong: command << "phong --exponent " << shortNumber(options.lobe.exponent, 17); break;
+    case LobeKind::Diffuse: command << "diffuse"; break;
+    case LobeKind::Ggx: command << "ggx --alpha " << shortNumber(options.lobe.alpha, 17); break;
+    case LobeKind::Tabulated: return {};
+    }
+    command << " --to " << name(options.target.kind) << " --size " << options.target.size;
+    if (options.target.border > 0)
+        command << " --border " << options.target.border;
+    command << " --method " << name(options.method);
+    switch (options.method) {
+    case Method::Importance: command << " --samples " << options.knobs.samples; break;
+    case Method::Mip:
+        if (options.knobs.lambda)
+            command << " --lambda " << shortNumber(*options.knobs.lambda, 17);
+        if (options.knobs.mipFiltering != plain.mipFiltering)
+            command << " --mip-filtering " << words(MipFiltering{})[static_cast<size_t>(options.knobs.mipFiltering)];
+        break;
+    case Method::Paraboloid:
+    case Method::Reference:
+    case Method::Sh9: break;
+    default: command << " --tolerance " << shortNumber(options.tolerance);
+    }
+    return command.str();
+}
+
+} // namespace mirrorball

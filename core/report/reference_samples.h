@@ -1,0 +1,39 @@
+#pragma once
+
+#include "error_metrics.h"
+
+#include "../filter/filter_source.h"
+#include "../filter/lobe.h"
+#include "../job.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace mirrorball {
+
+/// Directions that lie evenly on the sphere, each for the same solid angle: the Fibonacci lattice. Source: R. Swinbank and R. Purser,
+/// Fibonacci grids, Q. J. R. Meteorol. Soc. 132 (2006), eq. 1.
+std::vector<glm::dvec3> evenDirections(int count);
+
+/// The reference at some texels of a map, for the error of maps whose whole reference sum would take minutes.
+struct ReferenceSamples {
+    std::vector<Texel> texels{};
+    std::vector<glm::dvec3> values{};
+    /// Steradians that each stands for. 0: only the largest error looks at it (around the brightest direction, at poles and corners)
+    std::vector<double> weights{};
+    bool complete = false;  ///< every texel of the map
+    double seconds = 0.0;   ///< what the sum took
+
+    int weighted() const; ///< texels with a weight
+};
+
+/// The reference sum (reference.h) at those texels of `target` that hold `count` even directions, each once, or at all of them when
+/// there are no more. A lobe that is unresolved by the probe (lobe.h) has the bilinear lookup for its reference.
+/// @throws InvalidArgument for a streamed probe; Cancelled
+ReferenceSamples referenceSamples(const FilterSource& source, const Lobe& lobe, const MapLayout& target, int count, const JobControl& job);
+
+/// Error of a map of that layout at the samples. maxAbs counts the unweighted ones too.
+ErrorMetrics errorAt(const ReferenceSamples& reference, const EnvironmentMap& map);
+
+} // namespace mirrorball

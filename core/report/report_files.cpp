@@ -1,0 +1,376 @@
+#include "report_files.h"
+
+#include "html_page.h"
+#include "thumbnails.h"
+
+#include "../atomic_file.h"
+#include "../error.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace mirrorball {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <typename E>
+std::string word(E value)
+{
+    return std::string(words(value)[static_cast<size_t>(value)]);
+}
+
+Json optionalNumber(const auto& value)
+{
+    return value ? Json(*value) : Json(nullptr);
+}
+
+Json pictureJson(const std::string& png, Pictures pictures)
+{
+    return pictures == Pictures::Embedded && !png.empty() ? Json(dataUri(png)) : Json(nullptr);
+}
+
+Json timesJson(const RunTimes& times)
+{
+    return {{"median", times.median()}, {"shortest", times.shortest()}, {"longest", times.longest()}, {"runs", times.seconds.size()}};
+}
+
+Json layoutJson(const MapLayout& layout)
+{
+    return {{"kind", name(layout.kind)}, {"size", layout.size}, {"border", layout.border}, {"width", layout.width()}, {"height", layout.height()}};
+}
+
+Json machineJson(const Machine& m)
+{
+    return {{"processor", m.processor}, {"cores", m.cores}, {"memory_bytes", m.memoryBytes}, {"system", m.system},
+            {"compiler", m.compiler},   {"build", m.build}, {"date", m.date},                {"load", m.load}};
+}
+
+Json probeJson(const ReportProbe& p, Pictures pictures)
+{
+    return {{"name", p.name},
+            {"origin", p.origin},
+            {"width", p.width},
+            {"height", p.height},
+            {"resampling_error", p.resamplingError},
+            {"sun_share", p.sunShare},
+            {"mean_luminance", p.meanLuminance},
+            {"max_luminance", p.maxLuminance},
+            {"repaired", describe(p.repaired)},
+            {"picture", pictureJson(p.picture, pictures)}};
+}
+
+Json measurementJson(const Measurement& m, Pictures pictures)
+{
+    Json json{{"method", name(m.setting.method)}, {"setting", m.setting.label}, {"state", word(m.state)}, {"why", m.why}, {"command", m.command}};
+    if (m.state != MeasurementState::Measured)
+        return json;
+    json.update({{"ran", name(m.ran)},
+                 {"filtered", m.filtered},
+                 {"band_limit", m.bandLimit},
+                 {"seconds", timesJson(m.times)},
+                 {"next_lobe_seconds", timesJson(m.nextLobe)},
+                 {"scaled", m.scaled},
+                 {"peak_bytes", optionalNumber(m.peakBytes)},
+                 {"rel_rms", m.error.relRms},
+                 {"max_abs", m.error.maxAbs},
+                 {"p99_rel", m.error.p99Rel},
+                 {"energy", m.energy},
+                 {"seam_ratios", m.seamRatios},
+                 {"predicted_error", m.predictedError},
+                 {"predicted_seconds", m.predictedSeconds},
+                 {"on_front", m.onFront},
+                 {"error_picture", pictureJson(m.errorPicture, pictures)},
+                 {"error_picture_limit", m.errorPictureLimit}});
+    return json;
+}
+
+Json caseJson(const ReportCase& c, Pictures pictures)
+{
+    Json measurements = Json::array();
+    for (const Measurement& m : c.measurements)
+        measurements.push_back(measurementJson(m, pictures));
+    return {{"probe", c.probe},
+            {"lobe", describe(c.lobe)},
+            {"reference_directions", c.referenceDirections},
+            {"reference_complete", c.referenceComplete},
+            {"stand_in", c.standIn},
+            {"stand_in_error", c.standInError},
+            {"picture", pictureJson(c.picture, pictures)},
+            {"measurements", measurements}};
+}
+
+Json studyJson(const ParameterizationStudy& study)
+{
+    Json rows = Json::array();
+    for (const ParameterizationRow& r : study.rows) {
+        Json row = layoutJson(r.layout);
+        row.update({{"texels", r.texels},
+                    {"used", r.used},
+                    {"mirror_error", r.mirrorError},
+                    {"filtered_error", r.filteredError},
+                    {"density_ratio", r.densityRatio},
+                    {"solid_angle", r.solidAngle}});
+        rows.push_back(std::move(row));
+    }
+    return {{"probe", study.probe},
+            {"lobe", describe(study.lobe)},
+            {"directions", study.directions},
+            {"reference_directions", study.referenceDirections},
+            {"rows", rows}};
+}
+
+Json growthJson(const GrowthPoint& p)
+{
+    return {{"axis", word(p.axis)},
+            {"at", p.at},
+            {"method", name(p.method)},
+            {"state", word(p.state)},
+            {"why", p.why},
+            {"ran", name(p.ran)},
+            {"filtered", p.filtered},
+            {"streamed", p.streamed},
+            {"seconds", timesJson(p.times)},
+            {"peak_bytes", optionalNumber(p.peakBytes)},
+            {"probe_bytes", p.probeBytes}};
+}
+
+Json stabilityJson(const StabilityRow& r)
+{
+    return {{"name", r.name},
+            {"method", name(r.method)},
+            {"refused", r.refused},
+            {"finite", r.finite},
+            {"rel_rms", r.error.relRms},
+            {"max_abs", r.error.maxAbs},
+            {"p99_rel", r.error.p99Rel},
+            {"predicted_error", r.predictedError},
+            {"energy", r.energy},
+            {"lowest", r.lowest},
+            {"constant_error", r.constantError},
+            {"seconds", r.seconds},
+            {"holds", r.holds()},
+            {"failures", r.failures}};
+}
+
+Json verdictJson(const Verdict& v)
+{
+    return {{"probe", v.probe},
+            {"lobe", describe(v.lobe)},
+            {"tolerance", v.tolerance},
+            {"auto_ran", name(v.autoRan)},
+            {"auto_error", v.autoError},
+            {"auto_seconds", v.autoSeconds},
+            {"meets_tolerance", v.meetsTolerance()},
+            {"fastest", v.fastest ? Json(name(*v.fastest)) : Json(nullptr)},
+            {"fastest_setting", v.fastestSetting},
+            {"fastest_seconds", v.fastestSeconds},
+            {"auto_over_fastest", v.fastest ? Json(v.autoOverFastest()) : Json(nullptr)},
+            {"importance_ratio", optionalNumber(v.importanceRatio)},
+            {"importance_ratio_is_bound", v.importanceRatioIsBound},
+            {"reference_ratio", optionalNumber(v.referenceRatio)}};
+}
+
+template <typename List, typename Make>
+Json listJson(const List& list, Make&& make)
+{
+    Json json = Json::array();
+    for (const auto& item : list)
+        json.push_back(make(item));
+    return json;
+}
+
+/// Rows of a CSV file.
+class Csv {
+public:
+    explicit Csv(const std::vector<std::string_view>& header)
+    {
+        for (const std::string_view title : header)
+            cell(title);
+        endRow();
+    }
+    Csv& cell(std::string_view text)
+    {
+        separate();
+        if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
+            m_text += text;
+            return *this;
+        }
+        m_text += '"';
+        for (const char c : text)
+            m_text += c == '"' ? "\"\"" : std::string(1, c);
+        m_text += '"';
+        return *this;
+    }
+    Csv& cell(double value)
+    {
+        separate();
+        if (!std::isfinite(value)) // an empty cell
+            return *this;
+        std::array<char, 32> digits{};
+        m_text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
+        return *this;
+    }
+    Csv& empty(int cells)
+    {
+        for (int i = 0; i < cells; ++i)
+            cell(std::string_view{});
+        return *this;
+    }
+    void endRow()
+    {
+        m_text += "\r\n";
+        m_first = true;
+    }
+    std::string text() && { return std::move(m_text); }
+
+private:
+    void separate()
+    {
+        if (!m_first)
+            m_text += ',';
+        m_first = false;
+    }
+    std::string m_text{};
+    bool m_first = true;
+};
+
+constexpr double absent = std::numeric_limits<double>::quiet_NaN();
+
+double bytesOrAbsent(const std::optional<std::int64_t>& bytes)
+{
+    return bytes ? static_cast<double>(*bytes) : absent;
+}
+
+void writeText(const std::filesystem::path& path, const std::string& text)
+{
+    AtomicFile file(path);
+    file.write(text.data(), text.size());
+    file.commit();
+}
+
+} // namespace
+
+std::string reportJson(const Report& report, Pictures pictures)
+{
+    const Json json{{"mirrorball_report", 1},
+                    {"version", report.version},
+                    {"command", report.command},
+                    {"complete", report.complete},
+                    {"seconds", report.seconds},
+                    {"machine", machineJson(report.machine)},
+                    {"load_at_end", report.loadAtEnd},
+                    {"threads", report.threads},
+                    {"device", report.device},
+                    {"target", layoutJson(report.target)},
+                    {"tolerance", report.tolerance},
+                    {"repeats", report.repeats},
+                    {"longest", report.longest},
+                    {"conclusions", report.conclusions},
+                    {"verdicts", listJson(report.verdicts, verdictJson)},
+                    {"probes", listJson(report.probes, [&](const ReportProbe& p) { return probeJson(p, pictures); })},
+                    {"cases", listJson(report.cases, [&](const ReportCase& c) { return caseJson(c, pictures); })},
+                    {"parameterizations", listJson(report.parameterizations, studyJson)},
+                    {"growth_lobe", describe(report.growthLobe)},
+                    {"growth", listJson(report.growth, growthJson)},
+                    {"stability", listJson(report.stability, stabilityJson)}};
+    return json.dump(pictures == Pictures::Embedded ? -1 : 1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string measurementsCsv(const Report& report)
+{
+    Csv csv({"probe",           "lobe",       "method",  "setting",     "state",     "ran",     "filtered", "band_limit",
+             "median_seconds",  "shortest_seconds", "longest_seconds", "runs", "scaled", "next_lobe_seconds", "predicted_seconds", "peak_bytes",
+             "rel_rms",         "max_abs",    "p99_rel", "predicted_error", "energy",  "seam_ratio", "largest_level_seam_ratio", "on_front",
+             "why",             "command"});
+    for (const ReportCase& c : report.cases)
+        for (const Measurement& m : c.measurements) {
+            csv.cell(report.probes[c.probe].name).cell(describe(c.lobe)).cell(name(m.setting.method)).cell(m.setting.label).cell(word(m.state));
+            if (m.state != MeasurementState::Measured) {
+                csv.empty(19);
+            } else {
+                csv.cell(name(m.ran)).cell(m.filtered ? "yes" : "no").cell(m.bandLimit);
+                csv.cell(m.times.median()).cell(m.times.shortest()).cell(m.times.longest()).cell(static_cast<double>(m.times.seconds.size()));
+                csv.cell(m.scaled ? "yes" : "no").cell(m.nextLobe.empty() ? absent : m.nextLobe.median()).cell(m.predictedSeconds);
+                csv.cell(bytesOrAbsent(m.peakBytes)).cell(m.error.relRms).cell(m.error.maxAbs).cell(m.error.p99Rel).cell(m.predictedError);
+                csv.cell(m.energy).cell(m.seamRatios.empty() ? absent : m.seamRatios.front());
+                csv.cell(m.seamRatios.empty() ? absent : *std::max_element(m.seamRatios.begin(), m.seamRatios.end())).cell(m.onFront ? "yes" : "no");
+            }
+            csv.cell(m.why).cell(m.command).endRow();
+        }
+    return std::move(csv).text();
+}
+
+std::string growthCsv(const Report& report)
+{
+    Csv csv({"axis", "at", "method", "state", "ran", "filtered", "streamed", "median_seconds", "runs", "peak_bytes", "probe_bytes", "why"});
+    for (const GrowthPoint& p : report.growth) {
+        csv.cell(word(p.axis)).cell(p.at).cell(name(p.method)).cell(word(p.state));
+        if (p.state != MeasurementState::Measured)
+            csv.empty(7);
+        else
+            csv.cell(name(p.ran)).cell(p.filtered ? "yes" : "no").cell(p.streamed ? "yes" : "no").cell(p.times.median())
+                .cell(static_cast<double>(p.times.seconds.size())).cell(bytesOrAbsent(p.peakBytes)).cell(static_cast<double>(p.probeBytes));
+        csv.cell(p.why).endRow();
+    }
+    return std::move(csv).text();
+}
+
+std::string parameterizationsCsv(const Report& report)
+{
+    Csv csv({"probe", "lobe", "parameterization", "width", "height", "texels_used", "mirror_rel_rms", "filtered_rel_rms", "largest_over_smallest_texel"});
+    for (const ParameterizationStudy& study : report.parameterizations)
+        for (const ParameterizationRow& r : study.rows) {
+            csv.cell(report.probes[study.probe].name).cell(describe(study.lobe)).cell(name(r.layout.kind)).cell(r.layout.width()).cell(r.layout.height());
+            csv.cell(r.used).cell(r.mirrorError).cell(r.filteredError).cell(r.densityRatio).endRow();
+        }
+    return std::move(csv).text();
+}
+
+std::string stabilityCsv(const Report& report)
+{
+    Csv csv({"case", "method", "outcome", "finite", "rel_rms", "max_abs", "p99_rel", "predicted_error", "energy", "lowest", "constant_error", "seconds", "why"});
+    for (const StabilityRow& r : report.stability) {
+        csv.cell(r.name).cell(name(r.method)).cell(!r.refused.empty() ? "refused" : r.holds() ? "holds" : "fails");
+        if (!r.refused.empty()) {
+            csv.empty(9).cell(r.refused).endRow();
+            continue;
+        }
+        csv.cell(r.finite ? "yes" : "no").cell(r.error.relRms).cell(r.error.maxAbs).cell(r.error.p99Rel).cell(r.predictedError).cell(r.energy);
+        csv.cell(r.lowest).cell(r.constantError).cell(r.seconds);
+        std::string why;
+        for (const std::string& failure : r.failures)
+            why += (why.empty() ? "" : "; ") + failure;
+        csv.cell(why).endRow();
+    }
+    return std::move(csv).text();
+}
+
+std::vector<std::filesystem::path> writeReport(const Report& report, const std::filesystem::path& folder)
+{
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+        throw WorkError(folder.string() + ": cannot make this folder (" + error.message() + "); choose another for -o");
+    std::vector<std::filesystem::path> files;
+    const auto add = [&](const char* name, const std::string& text) {
+        files.push_back(folder / name);
+        writeText(files.back(), text);
+    };
+    add("report.html", htmlPage(reportJson(report, Pictures::Embedded)));
+    add("report.json", reportJson(report, Pictures::LeftOut));
+    add("measurements.csv", measurementsCsv(report));
+    if (!report.growth.empty())
+        add("growth.csv", growthCsv(report));
+    if (!report.parameterizations.empty())
+        add("parameterizations.csv", parameterizationsCsv(report));
+    if (!report.stability.empty())
+        add("stability.csv", stabilityCsv(report));
+    return files;
+}
+
+} // namespace mirrorball

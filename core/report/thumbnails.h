@@ -1,0 +1,26 @@
+#pragma once
+
+#include "../image/environment_map.h"
+
+#include <string>
+
+/// Small pictures for reports, as the bytes of a .png: latlong, twice as wide as high.
+namespace mirrorball {
+
+/// The map as a display shows it, exposed so that its mean is a middle grey.
+std::string mapPicture(const EnvironmentMap& map, int height);
+
+struct ErrorPicture {
+    std::string png{};
+    double limit = 0.0; ///< what full red (too bright) and full blue (too dark) stand for, over the root mean square of the reference
+};
+
+/// The signed error in luminance: red where the map is too bright, blue where too dark, white where it agrees. The limit is the 99.5th
+/// percentile of its size, rounded up to 1, 2 or 5 times a power of ten.
+/// @throws InvalidArgument when the layouts differ
+ErrorPicture errorPicture(const EnvironmentMap& map, const EnvironmentMap& reference, int height);
+
+/// For the `src` of an image in a page: "data:image/png;base64,...".
+std::string dataUri(const std::string& png);
+
+} // namespace mirrorball

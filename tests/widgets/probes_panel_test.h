@@ -1,0 +1,27 @@
+#pragma once
+
+#include "test_class.h"
+
+namespace mirrorball::test {
+
+class ProbesPanelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init();
+    void listsTheBuiltInProbesWithThumbnails();
+    void choosingAProbeIsAnUndoStep();
+    void keysChooseToo();
+    void tellsTheFactsOfTheProbe();
+    void takesAFileThatIsDropped();
+    void takesAFolderThatIsDroppedAndFollowsIt();
+    void refusesOtherFilesInWords();
+    void offersAPictureOfEachGuess();
+    void namesWhatIsBroken();
+    void readsAProbeAgainThatChangedOnDisk();
+    void keepsThumbnailsOnDisk();
+    void saysWhyAListIsEmpty();
+    void namesAllControls();
+};
+
+} // namespace mirrorball::test

@@ -1,0 +1,143 @@
+#include "report_panel_test.h"
+
+#include "widget_driver.h"
+
+#include "widgets/report_panel.h"
+
+#include <memory>
+
+using namespace mirrorball::studio;
+
+namespace mirrorball::test {
+
+static const RegisterTests<ReportPanelTest> registered;
+
+namespace {
+
+constexpr int patience = 120000;
+
+Scene glossyScene()
+{
+    Scene scene;
+    scene.probe.source = "builtin:cube-room";
+    scene.material.specular = {.lobe = SurfaceLobe::Phong, .exponent = 20.0};
+    scene.map.size = 16; // small, so that every method is measured in seconds
+    return scene;
+}
+
+struct ShownPanel {
+    explicit ShownPanel(const Scene& scene = glossyScene())
+    {
+        workspace.document.reset(scene);
+        panel = std::make_unique<ReportPanel>(workspace);
+        panel->resize(460, 640);
+        panel->show();
+        isReady = QTest::qWaitForWindowExposed(panel.get());
+    }
+    bool settle()
+    {
+        return QTest::qWaitFor([&] { return workspace.live.isUpToDate() && !panel->isMeasuring() && panel->statusText() != tr; }, patience);
+    }
+    int indexOf(Method method) const
+    {
+        const auto& points = panel->points();
+        for (size_t i = 0; i < points.size(); ++i)
+            if (points[i].setting.method == method && points[i].state == MeasurementState::Measured)
+                return static_cast<int>(i);
+        return -1;
+    }
+
+    const QString tr = QStringLiteral("Methods are measured once the material has come to rest.");
+    Workspace workspace;
+    std::unique_ptr<ReportPanel> panel;
+    bool isReady = false;
+};
+
+} // namespace
+
+void ReportPanelTest::measuresEveryMethodOfTheMaterial()
+{
+    ShownPanel shown;
+    QVERIFY(shown.isReady && shown.settle());
+    for (const Method method : {Method::Reference, Method::Auto, Method::Spectral, Method::Direct, Method::Importance, Method::Mip})
+        QVERIFY2(shown.indexOf(method) >= 0, std::string(name(method)).c_str());
+    const RacePoint& spectral = shown.panel->points()[static_cast<size_t>(shown.indexOf(Method::Spectral))];
+    QVERIFY(spectral.seconds > 0.0);
+    QVERIFY(spectral.error.relRms < 0.05);
+    QCOMPARE(shown.panel->findChild<QTreeWidget*>(QStringLiteral("report.table"))->topLevelItemCount(),
+             static_cast<int>(shown.panel->points().size()));
+    keepScreenshot(*shown.panel, QStringLiteral("report"));
+}
+
+void ReportPanelTest::aClickOnAPointChoosesTheMethod()
+{
+    ShownPanel shown;
+    QVERIFY(shown.isReady && shown.settle());
+    const int index = shown.indexOf(Method::Importance);
+    const auto at = shown.panel->chart().positionOf(index);
+    QVERIFY(at.has_value());
+    QTest::mouseClick(shown.panel->chart().viewport(), Qt::LeftButton, {}, at->toPoint());
+    QVERIFY(shown.panel->picked() >= 0);
+    const MethodSetting& picked = shown.panel->points()[static_cast<size_t>(shown.panel->picked())].setting;
+    QCOMPARE(shown.workspace.document.scene().filter.method, picked.method);
+    QTRY_VERIFY_WITH_TIMEOUT(shown.workspace.methodError.map() != nullptr, patience); // what the Map dock shows
+    QVERIFY(shown.workspace.methodError.description().contains(QString::fromStdString(std::string(name(picked.method)))));
+    keepScreenshot(*shown.panel, QStringLiteral("report-picked"));
+    shown.workspace.document.undoStack().undo();
+    QCOMPARE(shown.workspace.document.scene().filter.method, Method::Auto);
+}
+
+void ReportPanelTest::keysChooseInTheTable()
+{
+    ShownPanel shown;
+    QVERIFY(shown.isReady && shown.settle());
+    auto* table = shown.panel->findChild<QTreeWidget*>(QStringLiteral("report.table"));
+    table->setFocus();
+    QTest::keyClick(table, Qt::Key_Home);
+    QTest::keyClick(table, Qt::Key_Down);
+    QVERIFY(shown.panel->picked() >= 0);
+    QCOMPARE(table->currentItem()->data(0, Qt::UserRole).toInt(), shown.panel->picked());
+}
+
+void ReportPanelTest::measuresAgainWhenTheLobeChangesAndOnlyThen()
+{
+    ShownPanel shown;
+    QVERIFY(shown.isReady && shown.settle());
+    shown.workspace.document.edit(QStringLiteral("weight"), {}, [](Scene& s) { s.material.specular.weight = 0.5; });
+    QTest::qWait(200);
+    QVERIFY(!shown.panel->isMeasuring());
+    shown.workspace.document.edit(QStringLiteral("exponent"), {}, [](Scene& s) { s.material.specular.exponent = 40.0; });
+    QTRY_VERIFY_WITH_TIMEOUT(shown.panel->isMeasuring(), patience);
+    QVERIFY(shown.settle());
+    QVERIFY2(shown.panel->statusText().contains(QStringLiteral("phong:40")), qPrintable(shown.panel->statusText()));
+}
+
+void ReportPanelTest::saysThatAMirrorIsNotFiltered()
+{
+    Scene scene = glossyScene();
+    scene.material.specular = {};
+    ShownPanel shown(scene);
+    QVERIFY(shown.isReady && shown.settle());
+    QVERIFY(shown.panel->points().empty());
+    QVERIFY2(shown.panel->statusText().contains(QStringLiteral("mirror")), qPrintable(shown.panel->statusText()));
+    keepScreenshot(*shown.panel, QStringLiteral("report-mirror"));
+}
+
+void ReportPanelTest::stopsWhenAsked()
+{
+    ShownPanel shown;
+    QVERIFY(shown.isReady);
+    QTRY_VERIFY_WITH_TIMEOUT(shown.panel->isMeasuring(), patience);
+    shown.panel->findChild<QPushButton*>(QStringLiteral("report.stop"))->click();
+    QVERIFY(!shown.panel->isMeasuring());
+    QVERIFY(shown.panel->statusText().startsWith(QStringLiteral("Stopped")));
+}
+
+void ReportPanelTest::namesAllControls()
+{
+    ShownPanel shown;
+    const QStringList names = unexplained(*shown.panel);
+    QVERIFY2(names.isEmpty(), qPrintable(names.join(u\'\n\')));
+}
+
+} // namespace mirrorball::test
