@@ -7,22 +7,9 @@
 #include "widgets/report_panel.h"
 #include "widgets/view_panel.h"
 
-#include <QLabel>
-
 namespace mirrorball::studio {
 
 namespace {
-
-template <typename Panel>
-QWidget* make(Workspace& workspace)
-{
-    return new Panel(workspace);
-}
-
-QWidget* placeholder(Workspace&)
-{
-    return new QLabel;
-}
 
 template <typename Panel>
 QWidget* make(Workspace& workspace)
