@@ -4,6 +4,7 @@
 
 #include "color_scale_bar.h"
 
+#include <QGraphicsLayout>
 #include <QMouseEvent>
 #include <QToolTip>
 #include <QtCharts/QChart>

@@ -8,6 +8,7 @@
 #include <QtCharts/QScatterSeries>
 
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace mirrorball::studio {
