@@ -34,6 +34,9 @@ struct LiveScene::Maker {
     std::filesystem::file_time_type meshTime{};
     std::shared_ptr<const preview::Mesh> mesh{};
     std::string meshProblem{};
+    preview::DisplayChoice displayChoice{};
+    std::shared_ptr<const preview::DisplayTransform> display{};
+    std::string displayProblem{};
 
     std::shared_ptr<const PreparedScene> make(const Scene& scene, const MapDetail& detail, const JobControl& job)
     {
@@ -43,10 +46,29 @@ struct LiveScene::Maker {
             prepared.mesh = mesh;
             prepared.meshProblem = meshProblem;
         }
+        if (const auto choice = preview::displayChoice(scene)) {
+            readDisplay(*choice, prepared.record);
+            prepared.display = display;
+            prepared.displayProblem = displayProblem;
+        }
         return std::make_shared<const PreparedScene>(std::move(prepared));
     }
 
 private:
+    void readDisplay(const preview::DisplayChoice& choice, WorkRecord& record)
+    {
+        if (choice == displayChoice)
+            return;
+        display.reset();
+        displayProblem.clear();
+        try {
+            display = timedStage(record.stages, "read display configuration", [&] { return preview::displayTransform(choice); });
+        } catch (const Error& error) {
+            displayProblem = error.what();
+        }
+        displayChoice = choice;
+    }
+
     void readMesh(const std::filesystem::path& path, const JobControl& job, WorkRecord& record)
     {
         std::error_code missing;

@@ -101,7 +101,7 @@ preview::RenderSettings PreviewWidget::settings(const PreparedScene& made) const
     const QSize size = deviceSize();
     shown.view.width = size.width();
     shown.view.height = size.height();
-    preview::RenderSettings settings = preview::renderSettings(shown, made.plan, made.mesh);
+    preview::RenderSettings settings = preview::renderSettings(shown, made.plan, made.mesh, made.display);
     settings.pixelRatio = static_cast<float>(devicePixelRatioF());
     if (m_workspace.document.isDragging())
         settings.samples = 1; // smooth edges follow when the drag ends

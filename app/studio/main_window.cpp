@@ -251,6 +251,7 @@ void MainWindow::showProblems()
                      if (!path.isEmpty())
                          openFiles({path});
                  }});
+    notices.set({.subject = QStringLiteral("display"), .text = toQString(made->displayProblem)});
     notices.set({.subject = QStringLiteral("mesh"),
                  .text = toQString(made->meshProblem),
                  .actionText = tr("Show the teapot"),

@@ -1,5 +1,6 @@
 #include "picture_file.h"
 
+#include "display_transform.h"
 #include "mesh_file.h"
 #include "offscreen_context.h"
 #include "renderer.h"
@@ -41,10 +42,13 @@ Image withoutOpacity(const Image& rgba)
 void savePicture(const Scene& scene, const Plan& plan, const std::filesystem::path& path, const JobControl& job, WorkRecord& record)
 {
     const bool radiance = holdsRadiance(path);
+    std::shared_ptr<const DisplayTransform> display;
+    if (const auto choice = displayChoice(scene); choice && !radiance)
+        display = timedStage(record.stages, "read display configuration", [&] { return displayTransform(*choice); });
     std::shared_ptr<const Mesh> mesh;
     if (const auto file = meshFile(scene))
         mesh = timedStage(record.stages, "read mesh", [&] { return std::make_shared<const Mesh>(readMesh(*file, job)); });
-    const RenderSettings settings = renderSettings(scene, plan, std::move(mesh));
+    const RenderSettings settings = renderSettings(scene, plan, std::move(mesh), std::move(display));
     SceneProbe probe = openProbe(scene, plan, job, record);
     const RenderMaps maps = renderMaps(buildMaps(scene, plan, probe, job, record));
     job.checkStop();

@@ -66,6 +66,7 @@ private:
     void forgetMaps();
     MapLevels levels(KeptMap& kept, const std::optional<MapPlan>& plan, SceneProbe& probe, double exposure, const JobControl& job,
                      WorkRecord& record);
+    std::vector<SphereMapChain> sphereMaps(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record);
 
     std::optional<ProbeKey> m_key{};
     MapLayout m_layout{};
@@ -75,6 +76,17 @@ private:
     std::shared_ptr<const EnvironmentMap> m_environment{}; ///< the probe as it is
     bool m_certain = true;
     KeptMap m_specular{}, m_diffuse{}, m_background{};
+    std::vector<SphereMapPlan> m_sphereMapPlans{};
+    std::vector<std::filesystem::file_time_type> m_sphereMapTimes{};
+    std::vector<SphereMapChain> m_sphereMaps{};
+    struct KeptSphereMap {
+        SphereMapPlan plan{};
+        std::string path{};
+        std::filesystem::file_time_type time{};
+        SphereMapChain texels{};
+    };
+    std::vector<KeptSphereMap> m_sphereMaps{};
+    std::vector<SphereMapChain> sphereMaps(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record);
 };
 
 /// What stands in for a probe that is missing: a checkerboard of magenta and dark grey, that nobody takes for light.
