@@ -11,7 +11,7 @@ namespace mirrorball::studio {
 namespace {
 
 /// Maps while a control is dragged: soft enough to be made between two frames, and near enough to judge by.
-constexpr MapDetail coarse{.largestSize = 128, .tolerance = 1e-3};
+constexpr MapDetail coarse{.largestSize = 128, .tolerance = 1e-3, .seconds = 0.015};
 
 /// The scene without what maps and plan do not depend on: a camera that moves makes nothing anew.
 Scene mapsOnly(Scene scene)
@@ -34,6 +34,9 @@ struct LiveScene::Maker {
     std::filesystem::file_time_type meshTime{};
     std::shared_ptr<const preview::Mesh> mesh{};
     std::string meshProblem{};
+    preview::DisplayChoice displayChoice{};
+    std::shared_ptr<const preview::DisplayTransform> display{};
+    std::string displayProblem{};
 
     std::shared_ptr<const PreparedScene> make(const Scene& scene, const MapDetail& detail, const JobControl& job)
     {
@@ -43,10 +46,29 @@ struct LiveScene::Maker {
             prepared.mesh = mesh;
             prepared.meshProblem = meshProblem;
         }
+        if (const auto choice = preview::displayChoice(scene)) {
+            readDisplay(*choice, prepared.record);
+            prepared.display = display;
+            prepared.displayProblem = displayProblem;
+        }
         return std::make_shared<const PreparedScene>(std::move(prepared));
     }
 
 private:
+    void readDisplay(const preview::DisplayChoice& choice, WorkRecord& record)
+    {
+        if (choice == displayChoice)
+            return;
+        display.reset();
+        displayProblem.clear();
+        try {
+            display = timedStage(record.stages, "read display configuration", [&] { return preview::displayTransform(choice); });
+        } catch (const Error& error) {
+            displayProblem = error.what();
+        }
+        displayChoice = choice;
+    }
+
     void readMesh(const std::filesystem::path& path, const JobControl& job, WorkRecord& record)
     {
         std::error_code missing;
@@ -81,8 +103,8 @@ LiveScene::LiveScene(Document& document, QObject* parent)
 
 void LiveScene::follow()
 {
-    const MapDetail detail = m_document.isDragging() || startsAnew() ? coarse : MapDetail{};
-    const bool isFineEnough = m_requestedDetail == detail || m_requestedDetail == MapDetail{};
+    const bool wantsFull = !m_document.isDragging() && !startsAnew();
+    const bool isFineEnough = !wantsFull || m_requestedDetail == MapDetail{};
     if (isFineEnough && mapsOnly(m_requested) == mapsOnly(m_document.scene()) && (m_runner.isBusy() || m_made))
         return;
     request();
@@ -101,22 +123,24 @@ bool LiveScene::startsAnew() const
 
 void LiveScene::request()
 {
-    const bool dragging = m_document.isDragging() || startsAnew();
+    const bool wantsCoarse = m_document.isDragging() || startsAnew();
     // A coarse result of a moment ago is better than none; a full one would only be in the way.
-    const Running running = dragging && m_requestedDetail == coarse ? Running::Finish : Running::Stop;
+    const Running running = wantsCoarse && m_requestedDetail == coarse ? Running::Finish : Running::Stop;
     m_requested = m_document.scene();
-    m_requestedDetail = dragging ? coarse : MapDetail{};
+    m_requestedDetail = wantsCoarse ? coarse : MapDetail{};
     m_isUpToDate = false;
     m_runner.start(
         [maker = m_maker, scene = m_requested, detail = m_requestedDetail](const JobControl& job) { return maker->make(scene, detail, job); },
-        [this](std::shared_ptr<const PreparedScene> made) {
-            m_made = std::move(made);
-            m_isUpToDate = m_made->detail == MapDetail{} && mapsOnly(m_made->scene) == mapsOnly(m_document.scene());
-            emit updated();
-            if (m_made->detail == coarse && !m_document.isDragging())
-                follow();
-        },
-        running);
+        [this](std::shared_ptr<const PreparedScene> made) { use(std::move(made)); }, running);
+}
+
+void LiveScene::use(std::shared_ptr<const PreparedScene> made)
+{
+    m_made = std::move(made);
+    m_isUpToDate = m_made->detail == MapDetail{} && mapsOnly(m_made->scene) == mapsOnly(m_document.scene());
+    emit updated();
+    if (m_made->detail == coarse && !m_document.isDragging())
+        follow();
 }
 
 } // namespace mirrorball::studio

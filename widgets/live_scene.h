@@ -3,6 +3,7 @@
 #include "document.h"
 #include "job_runner.h"
 
+#include "core/preview/display_transform.h"
 #include "core/preview/mesh.h"
 #include "core/scene/live_maps.h"
 
@@ -16,6 +17,8 @@ namespace mirrorball::studio {
 struct PreparedScene : MadeScene {
     std::shared_ptr<const preview::Mesh> mesh{}; ///< null for a built-in body
     std::string meshProblem{};                   ///< why the mesh file could not be read: a box then stands in for it
+    std::shared_ptr<const preview::DisplayTransform> display{}; ///< null for tone curve and sRGB
+    std::string displayProblem{};                ///< why the display's configuration could not be used: sRGB then stands in for it
 };
 
 /// Follows a document: makes its plan and its maps in the background, coarse while a control is dragged and full when it comes to rest.
@@ -46,6 +49,7 @@ private:
     struct Maker;
     void follow();
     void request();
+    void use(std::shared_ptr<const PreparedScene> made);
     bool startsAnew() const;
 
     Document& m_document;

@@ -79,7 +79,7 @@ PlanView::PlanView(Workspace& workspace, QWidget* parent)
     column->addWidget(m_total);
 
     m_soon.setSingleShot(true);
-    m_soon.setInterval(120);
+    m_soon.setInterval(250);
     connect(&m_soon, &QTimer::timeout, this, &PlanView::refresh);
     connect(&m_workspace.live, &LiveScene::updated, this, [this] {
         if (!m_soon.isActive())

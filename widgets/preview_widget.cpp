@@ -53,6 +53,7 @@ PreviewWidget::PreviewWidget(Workspace& workspace, QWidget* parent) : QOpenGLWid
         if (parts & (Part::View | Part::Probe))
             update();
     });
+    connect(&m_workspace.document, &Document::dragFinished, this, qOverload<>(&QWidget::update));
     connect(&m_workspace.cursor, &DirectionCursor::moved, this, [this] {
         if (!m_isPointing)
             update();
@@ -100,8 +101,10 @@ preview::RenderSettings PreviewWidget::settings(const PreparedScene& made) const
     const QSize size = deviceSize();
     shown.view.width = size.width();
     shown.view.height = size.height();
-    preview::RenderSettings settings = preview::renderSettings(shown, made.plan, made.mesh);
+    preview::RenderSettings settings = preview::renderSettings(shown, made.plan, made.mesh, made.display);
     settings.pixelRatio = static_cast<float>(devicePixelRatioF());
+    if (m_workspace.document.isDragging())
+        settings.samples = 1; // smooth edges follow when the drag ends
     if (const auto& direction = m_workspace.cursor.direction(); direction && !m_isPointing)
         settings.marker = glm::vec3(*direction);
     return settings;

@@ -2,6 +2,8 @@
 
 #include "text.h"
 
+#include "core/error.h"
+#include "core/preview/display_transform.h"
 #include "core/preview/mesh_file.h"
 
 #include <QFileDialog>
@@ -56,7 +58,8 @@ ViewPanel::ViewPanel(Workspace& workspace, QWidget* parent) : QWidget(parent), m
     m_form->addHeading(tr("Object"));
     addGeometry();
     m_form->addFields("view", viewOf,
-                      {{"tone", hidden}, {"exposure", hidden}, {"width", hidden}, {"height", hidden}, {"shading", {.label = tr("Shading")}}});
+                      {{"tessellation", {.label = tr("Tessellation")}},
+                       {"tone", hidden}, {"exposure", hidden}, {"width", hidden}, {"height", hidden}, {"shading", {.label = tr("Shading")}}});
     m_form->addHeading(tr("Environment"));
     m_form->addFields("probe", probeOf,
                       {{"yaw", turnStyle(tr("Turn"))}, {"exposure", {.label = tr("Brightness"), .sliderLow = -8.0, .sliderHigh = 8.0, .step = 0.1}}});
@@ -78,7 +81,9 @@ ViewPanel::ViewPanel(Workspace& workspace, QWidget* parent) : QWidget(parent), m
                        {"exposure", {.sliderLow = -8.0, .sliderHigh = 8.0, .step = 0.1}},
                        {"tone", {.label = tr("Tone curve")}},
                        {"width", {.label = tr("Picture width")}},
+                       {"tessellation", hidden},
                        {"height", {.label = tr("Picture height")}}});
+    addDisplay();
     scroll->setWidget(m_form);
 }
 
@@ -111,6 +116,62 @@ void ViewPanel::addGeometry()
                            const int builtin = bodiesBox->findData(shown);
                            bodiesBox->setItemText(meshItem, builtin >= 0 ? tr("Mesh file…") : QFileInfo(shown).fileName());
                            bodiesBox->setCurrentIndex(builtin >= 0 ? builtin : meshItem);
+                       });
+}
+
+// One list of what can be chosen: sRGB, the views of $OCIO, or a configuration file.
+void ViewPanel::addDisplay()
+{
+    auto* displays = new QuietCombo;
+    displays->addItem(tr("sRGB"));
+    displays->addItem(tr("OpenColorIO file…"));
+    const auto offer = [displays](const std::string& config) {
+        while (displays->count() > 2)
+            displays->removeItem(1);
+        try {
+            for (const preview::DisplayOffer& each : preview::displayOffers(config))
+                for (const std::string& view : each.views)
+                    displays->insertItem(displays->count() - 1, QStringLiteral("%1: %2").arg(toQString(each.display), toQString(view)),
+                                         QStringList{toQString(config), toQString(each.display), toQString(view)});
+        } catch (const Error&) {
+            // a notice says why; sRGB remains
+        }
+    };
+    connect(displays, &QComboBox::activated, this, [this, displays](int index) {
+        const QStringList chosen = displays->itemData(index).toStringList();
+        const auto set = [&](DisplaySettings to) {
+            m_workspace.document.edit(tr("Change display"), {}, [&](Scene& scene) {
+                to.unknown = scene.view.display.unknown;
+                scene.view.display = to;
+            });
+        };
+        if (index == 0) {
+            set({});
+        } else if (chosen.size() == 3) {
+            set({.config = chosen[0].toStdString(), .display = chosen[1].toStdString(), .view = chosen[2].toStdString()});
+        } else {
+            const QString path = QFileDialog::getOpenFileName(this, tr("Open OpenColorIO configuration"), {}, tr("OpenColorIO (*.ocio);;All files (*)"));
+            if (!path.isEmpty())
+                set({.config = path.toStdString()});
+        }
+    });
+    m_form->addControl(QStringLiteral("view.display"), {.name = "display", .help = "sRGB, or a display and view of an OpenColorIO configuration"}, {},
+                       displays, [displays, offer, offered = std::string()](const Scene& scene) mutable {
+                           const DisplaySettings& display = scene.view.display;
+                           const std::string config = display.config.empty() && qEnvironmentVariableIsSet("OCIO") ? "env"
+                                                      : display.config.empty() || display.config == "env"        ? display.config
+                                                                                                                 : resolved(scene, display.config);
+                           if (config != offered && !config.empty())
+                               offer(config);
+                           offered = config;
+                           int index = display.config.empty() ? 0 : -1;
+                           for (int i = 1; i < displays->count() - 1 && index < 0; ++i) {
+                               const QStringList item = displays->itemData(i).toStringList();
+                               if ((display.display.empty() || item.value(1) == toQString(display.display)) &&
+                                   (display.view.empty() || item.value(2) == toQString(display.view)))
+                                   index = i;
+                           }
+                           displays->setCurrentIndex(index);
                        });
 }
 

@@ -15,6 +15,7 @@ public:
 
 private:
     void addGeometry();
+    void addDisplay();
 
     Workspace& m_workspace;
     OptionsForm* m_form;

@@ -136,7 +136,8 @@ Scene makeScene(const Options& o)
         setCamera(scene, o.camera);
     for (const FieldOption& option : fieldOptions)
         if (const auto given = o.fields.find(option.flag); given != o.fields.end() && !given->second.empty()) {
-            setByOption(scene, option.flag, option.field, given->second);
+            const bool isFile = std::string_view(option.flag) == "--sphere-map" && isSphereMapFile(given->second);
+            setByOption(scene, option.flag, option.field, isFile ? std::filesystem::absolute(given->second).string() : given->second);
             if (option.impliedField)
                 setField(scene, option.impliedField, option.impliedValue);
         }

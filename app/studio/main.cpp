@@ -3,7 +3,9 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QLocale>
 #include <QSurfaceFormat>
+#include <QTranslator>
 
 #include <algorithm>
 #include <cstring>
@@ -32,6 +34,11 @@ int main(int count, char** arguments)
     QSurfaceFormat::setDefaultFormat(previewFormat());
     const bool onlyText = asksForText(count, arguments);
     const std::unique_ptr<QCoreApplication> application(onlyText ? new QCoreApplication(count, arguments) : new QApplication(count, arguments));
+
+    QTranslator translator;
+    if (translator.load(QLocale(), QStringLiteral("mirrorball-studio"), QStringLiteral("_"),
+                        QCoreApplication::applicationDirPath() + QStringLiteral("/../share/mirrorball/translations")))
+        QCoreApplication::installTranslator(&translator);
 
     QCommandLineParser parser;
     parser.setApplicationDescription(QCoreApplication::translate("main", "Author materials with environment maps: the desktop tool."));

@@ -202,6 +202,13 @@ void MainWindow::addStatus()
         m_progress->show();
         m_stop->show();
     });
+    // Each change of a widget composes the whole window anew: not once a frame.
+    m_showState.setSingleShot(true);
+    m_showState.setInterval(300);
+    connect(&m_showState, &QTimer::timeout, this, [this] {
+        if (!m_workspace->document.isDragging())
+            showWork();
+    });
     connect(m_stop, &QToolButton::clicked, this, [this] {
         m_workspace->live.stop();
         m_pictures.stop();
@@ -209,7 +216,10 @@ void MainWindow::addStatus()
     });
     for (JobRunner* runner : {&m_workspace->live.runner(), &m_pictures}) {
         connect(runner, &JobRunner::busyChanged, this, &MainWindow::showWork);
-        connect(runner, &JobRunner::progressed, this, [this](double fraction) { m_progress->setValue(static_cast<int>(1000 * fraction)); });
+        connect(runner, &JobRunner::progressed, this, [this](double fraction) {
+            if (!m_progress->isHidden())
+                m_progress->setValue(static_cast<int>(1000 * fraction));
+        });
     }
 }
 
@@ -228,7 +238,8 @@ void MainWindow::watch()
             [this](const QString& message) { m_workspace->notices.set({.subject = QStringLiteral("picture"), .text = message}); });
     connect(m_preview, &PreviewWidget::painted, this, [this](auto, double seconds) {
         m_drawSeconds = seconds;
-        showWork();
+        if (!m_showState.isActive())
+            m_showState.start();
     });
 }
 
@@ -242,6 +253,7 @@ void MainWindow::showProblems()
                      if (!path.isEmpty())
                          openFiles({path});
                  }});
+    notices.set({.subject = QStringLiteral("display"), .text = toQString(made->displayProblem)});
     notices.set({.subject = QStringLiteral("mesh"),
                  .text = toQString(made->meshProblem),
                  .actionText = tr("Show the teapot"),
@@ -260,6 +272,8 @@ void MainWindow::showWork()
     } else if (!m_showProgress.isActive() && m_progress->isHidden()) {
         m_showProgress.start();
     }
+    if (m_workspace->document.isDragging())
+        return;
     if (m_pictures.isBusy())
         m_state->setText(tr("Saving the picture…"));
     else if (m_workspace->live.runner().isBusy() && !m_progress->isHidden())

@@ -73,6 +73,7 @@ private:
     QProgressBar* m_progress = nullptr;
     QToolButton* m_stop = nullptr;
     QTimer m_showProgress; ///< work that is done at once shows none
+    QTimer m_showState;
     QList<QDockWidget*> m_hiddenDocks;
     QByteArray m_firstLayout;
     double m_drawSeconds = -1.0;

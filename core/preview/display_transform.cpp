@@ -143,7 +143,7 @@ std::shared_ptr<const DisplayTransform> displayTransform(const DisplayChoice& ch
         transform->setSrc(workingSpace(*config).c_str());
         transform->setDisplay(made->display.c_str());
         transform->setView(made->view.c_str());
-        ocio::GpuShaderDescRcPtr description = ocio::GpuShaderDesc::CreateShaderDesc();
+        auto description = ocio::GpuShaderDesc::CreateShaderDesc();
         description->setLanguage(ocio::GPU_LANGUAGE_GLSL_4_0);
         description->setFunctionName("ocioDisplay");
         description->setResourcePrefix("ocio_");

@@ -48,7 +48,7 @@ void savePicture(const Scene& scene, const Plan& plan, const std::filesystem::pa
     std::shared_ptr<const Mesh> mesh;
     if (const auto file = meshFile(scene))
         mesh = timedStage(record.stages, "read mesh", [&] { return std::make_shared<const Mesh>(readMesh(*file, job)); });
-    const RenderSettings settings = renderSettings(scene, plan, std::move(mesh), display);
+    const RenderSettings settings = renderSettings(scene, plan, std::move(mesh), std::move(display));
     SceneProbe probe = openProbe(scene, plan, job, record);
     const RenderMaps maps = renderMaps(buildMaps(scene, plan, probe, job, record));
     job.checkStop();

@@ -10,20 +10,34 @@ namespace mirrorball {
 
 namespace {
 
+/// No map is made smaller than this to save time.
+constexpr int smallestMap = 32;
+
+void shrink(MapLayout& layout, int size)
+{
+    layout.border = layout.border * size / layout.size;
+    layout.size = size;
+}
+
 /// A map without coarser levels may be made smaller: lookups do not notice but for sharpness. Levels are counted from the largest, so
 /// a pyramid keeps its size.
-void apply(const MapDetail& detail, std::optional<MapPlan>& map)
+/// @param source null where nothing is filtered
+void apply(const MapDetail& detail, const FilterSource* source, std::optional<MapPlan>& map)
 {
     if (!map)
         return;
-    for (PrefilterOptions& filter : map->filters) {
-        if (detail != MapDetail{})
+    if (detail != MapDetail{})
+        for (PrefilterOptions& filter : map->filters)
             filter.tolerance = std::max(filter.tolerance, detail.tolerance);
-        if (!map->pyramid && map->filters.size() == 1 && filter.target.size > detail.largestSize) {
-            filter.target.border = filter.target.border * detail.largestSize / filter.target.size;
-            filter.target.size = detail.largestSize;
-        }
-    }
+    if (map->pyramid || map->filters.size() != 1)
+        return;
+    PrefilterOptions& filter = map->filters.front();
+    if (filter.target.size > detail.largestSize)
+        shrink(filter.target, detail.largestSize);
+    if (!source)
+        return;
+    while (filter.target.size > smallestMap && planPrefilter(filter, traits(*source)).predictedSeconds > detail.seconds)
+        shrink(filter.target, filter.target.size / 2);
 }
 
 } // namespace
@@ -132,6 +146,22 @@ MapLevels LiveMaps::levels(KeptMap& kept, const std::optional<MapPlan>& plan, Sc
     return kept.levels;
 }
 
+std::vector<SphereMapChain> LiveMaps::sphereMaps(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record)
+{
+    std::vector<std::filesystem::file_time_type> times;
+    for (const SphereMapPlan& map : plan.sphereMaps) {
+        std::error_code missing; // a preset, or a document inside the scene
+        times.push_back(std::filesystem::last_write_time(resolved(scene, map.source), missing));
+    }
+    if (m_sphereMapPlans != plan.sphereMaps || m_sphereMapTimes != times) {
+        m_sphereMapPlans.clear();
+        m_sphereMaps = buildSphereMaps(scene, plan, job, record);
+        m_sphereMapPlans = plan.sphereMaps;
+        m_sphereMapTimes = std::move(times);
+    }
+    return m_sphereMaps;
+}
+
 MadeScene LiveMaps::update(const Scene& scene, const MapDetail& detail, const JobControl& job)
 {
     MadeScene made{.scene = scene, .detail = detail};
@@ -153,11 +183,12 @@ MadeScene LiveMaps::update(const Scene& scene, const MapDetail& detail, const Jo
     SceneProbe plain{.environment = m_environment};
     SceneProbe& probe = m_isStreamed || made.plan.filtersAny() ? m_probe : plain;
     for (std::optional<MapPlan>* map : {&made.plan.specular, &made.plan.diffuse})
-        apply(detail, *map);
+        apply(detail, probe.source ? &*probe.source : nullptr, *map);
 
     made.maps = {.specular = levels(m_specular, made.plan.specular, probe, scene.probe.exposure, job, made.record),
                  .diffuse = levels(m_diffuse, made.plan.diffuse, probe, scene.probe.exposure, job, made.record),
                  .background = levels(m_background, made.plan.background, probe, scene.probe.exposure, job, made.record)};
+    made.maps.sphereMaps = sphereMaps(scene, made.plan, job, made.record);
     made.maps.sphereMaps = sphereMaps(scene, made.plan, job, made.record);
     made.probeLayout = m_layout;
     made.environment = m_isStreamed ? m_probe.environment : m_environment;

@@ -3,6 +3,7 @@
 #include "scene_maps.h"
 
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@ namespace mirrorball {
 struct MapDetail {
     int largestSize = 16384;  ///< texels: maps without coarser levels are made no larger
     double tolerance = 1e-5;  ///< rel_rms of the filters, (0, 1]
+    double seconds = std::numeric_limits<double>::infinity(); ///< maps are made smaller where a filter is predicted to take longer
     bool operator==(const MapDetail&) const = default;
 };
 
@@ -64,6 +66,7 @@ private:
     void forgetMaps();
     MapLevels levels(KeptMap& kept, const std::optional<MapPlan>& plan, SceneProbe& probe, double exposure, const JobControl& job,
                      WorkRecord& record);
+    std::vector<SphereMapChain> sphereMaps(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record);
 
     std::optional<ProbeKey> m_key{};
     MapLayout m_layout{};
@@ -73,6 +76,9 @@ private:
     std::shared_ptr<const EnvironmentMap> m_environment{}; ///< the probe as it is
     bool m_certain = true;
     KeptMap m_specular{}, m_diffuse{}, m_background{};
+    std::vector<SphereMapPlan> m_sphereMapPlans{};
+    std::vector<std::filesystem::file_time_type> m_sphereMapTimes{};
+    std::vector<SphereMapChain> m_sphereMaps{};
     struct KeptSphereMap {
         SphereMapPlan plan{};
         std::string path{};

@@ -22,7 +22,7 @@
 /// display. Prints the median and the slowest, the longest that any one event kept the GUI thread, and the time from the start of the
 /// process to the first picture.
 ///
-///   xvfb-run -a -s "-screen 0 1920x1200x24" build/ci/bin/studio_benchmark [PROBE]
+///   xvfb-run -a -s "-screen 0 1920x1200x24" build/ci/bin/studio_benchmark [PROBE [STEPS]]
 namespace mirrorball::studio {
 namespace {
 
@@ -107,7 +107,8 @@ int run(WatchedApplication& application, Clock::time_point start)
     auto* exponent = window.findChild<NumberField*>(QStringLiteral("material.specular.exponent"));
     QSlider* slider = exponent->slider();
     slider->setSliderDown(true);
-    constexpr int steps = 200;
+    const QStringList arguments = QCoreApplication::arguments();
+    const int steps = arguments.size() > 2 ? std::max(1, arguments[2].toInt()) : 200;
     std::vector<double> latencies;
     double processBefore = 0.0, threadBefore = 0.0;
     for (int i = 0; i <= steps; ++i) {

@@ -212,6 +212,18 @@ TEST(CommandLine, ListsPresetsALineEach)
     EXPECT_EQ(json.size(), test::lines(run.out));
 }
 
+TEST(CommandLine, RendersSphereMapsAndNamesTheOneThatIsMissing)
+{
+    const TemporaryFolder folder;
+    const std::string out = " --size 32x32 -o " + (folder / "a.png").string();
+    EXPECT_EQ(mirrorballRuns("render --sphere-map silhouette --use multiply --set material.sphere_map.size=64" + out).status, 0);
+    EXPECT_EQ(mirrorballRuns("render --sphere-map silhouette --geometry window --set material.sphere_map.size=64" + out).status, 0);
+    EXPECT_FAILS(mirrorballRuns("render --sphere-map silouette" + out), 2, "material.sphere_map.source: \"silouette\" is neither a preset");
+    EXPECT_FAILS(mirrorballRuns("render --sphere-map none.spheremap" + out), 2, "none.spheremap");
+    EXPECT_FAILS(mirrorballRuns("render --geometry window" + out), 2, "material.sphere_map.source: a window shows");
+    EXPECT_FAILS(mirrorballRuns("render --set view.display.config=none.ocio" + out), 2, "view.display.config: ");
+}
+
 TEST(CommandLine, RendersAMeshFileAndSavesASceneThatFindsItAgain)
 {
     const TemporaryFolder folder;

@@ -114,6 +114,40 @@ TEST(Plan, ADebugViewNeedsNoMaterial)
     EXPECT_TRUE(makePlan(scene, probe).specular);
 }
 
+TEST(Plan, ASphereMapThatReplacesTheReflectionNeedsNoEnvironment)
+{
+    Scene scene;
+    scene.view.background.kind = Backdrop::None;
+    expectLeftOut(makePlan(scene, probe), "sphere map", "none is named");
+    scene.material.sphereMap = {.source = "silhouette", .size = 256};
+    for (const SphereMapUse use : {SphereMapUse::Replace, SphereMapUse::Multiply}) {
+        scene.material.sphereMap.use = use;
+        const Plan plan = makePlan(scene, probe);
+        EXPECT_FALSE(plan.needsProbe());
+        expectLeftOut(plan, "specular map", "stands in for the reflection");
+        expectNeeded(plan, "sphere map", "silhouette, 256 x 256, authored levels");
+        expectLeftOut(plan, "flecks", "density is 0");
+        ASSERT_EQ(plan.sphereMaps.size(), 1u);
+    }
+    for (const SphereMapUse use : {SphereMapUse::Over, SphereMapUse::Tint}) {
+        scene.material.sphereMap.use = use;
+        EXPECT_TRUE(makePlan(scene, probe).specular);
+    }
+}
+
+TEST(Plan, AWindowShowsALayerForEachSphereMapNamed)
+{
+    Scene scene;
+    scene.view.geometry = "window";
+    scene.material.sphereMap.source = "near.spheremap";
+    scene.view.window.far = "far.spheremap";
+    const Plan plan = makePlan(scene, probe);
+    ASSERT_EQ(plan.sphereMaps.size(), 2u);
+    EXPECT_EQ(plan.sphereMaps[1].source, "far.spheremap");
+    expectLeftOut(plan, "sphere map, middle", "none is named");
+    expectLeftOut(plan, "specular map", "no material");
+}
+
 TEST(Plan, ReadsAMeshOnlyWhereOneIsNamed)
 {
     Scene scene;
