@@ -146,22 +146,6 @@ MapLevels LiveMaps::levels(KeptMap& kept, const std::optional<MapPlan>& plan, Sc
     return kept.levels;
 }
 
-std::vector<SphereMapChain> LiveMaps::sphereMaps(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record)
-{
-    std::vector<std::filesystem::file_time_type> times;
-    for (const SphereMapPlan& map : plan.sphereMaps) {
-        std::error_code missing; // a preset, or a document inside the scene
-        times.push_back(std::filesystem::last_write_time(resolved(scene, map.source), missing));
-    }
-    if (m_sphereMapPlans != plan.sphereMaps || m_sphereMapTimes != times) {
-        m_sphereMapPlans.clear();
-        m_sphereMaps = buildSphereMaps(scene, plan, job, record);
-        m_sphereMapPlans = plan.sphereMaps;
-        m_sphereMapTimes = std::move(times);
-    }
-    return m_sphereMaps;
-}
-
 MadeScene LiveMaps::update(const Scene& scene, const MapDetail& detail, const JobControl& job)
 {
     MadeScene made{.scene = scene, .detail = detail};
@@ -189,13 +173,15 @@ MadeScene LiveMaps::update(const Scene& scene, const MapDetail& detail, const Jo
                  .diffuse = levels(m_diffuse, made.plan.diffuse, probe, scene.probe.exposure, job, made.record),
                  .background = levels(m_background, made.plan.background, probe, scene.probe.exposure, job, made.record)};
     made.maps.sphereMaps = sphereMaps(scene, made.plan, job, made.record);
-    made.maps.sphereMaps = sphereMaps(scene, made.plan, job, made.record);
     made.probeLayout = m_layout;
     made.environment = m_isStreamed ? m_probe.environment : m_environment;
     made.repaired = m_probe.repaired;
     made.origin = m_probe.origin;
     made.certain = m_certain;
     made.problem = m_problem;
+    for (const KeptSphereMap& map : m_sphereMaps)
+        if (!map.problem.empty())
+            made.problem += (made.problem.empty() ? "" : "; ") + map.problem;
     return made;
 }
 
@@ -213,13 +199,13 @@ std::vector<SphereMapChain> LiveMaps::sphereMaps(const Scene& scene, const Plan&
         }
         for (const KeptSphereMap& old : m_sphereMaps)
             if (old.plan == map.plan && old.path == map.path && old.time == map.time)
-                map.texels = old.texels;
+                map = old;
         if (!map.texels)
             map.texels = timedStage(record.stages, "sphere map " + wanted.source, [&] {
                 try {
                     return std::make_shared<const SphereMapTexels>(buildSphereMap(scene, wanted, job));
                 } catch (const InvalidArgument& error) {
-                    m_problem += (m_problem.empty() ? "" : "; ") + std::string(error.what());
+                    map.problem = error.what();
                     Image magenta(1, 1, 4);
                     magenta.texels = {1.0f, 0.0f, 1.0f, 1.0f};
                     return std::make_shared<const SphereMapTexels>(SphereMapTexels{.levels = {magenta}});

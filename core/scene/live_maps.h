@@ -58,6 +58,13 @@ private:
         double exposure = 0.0;
         MapLevels levels{};
     };
+    struct KeptSphereMap {
+        SphereMapPlan plan{};
+        std::string path{};
+        std::filesystem::file_time_type time{};
+        SphereMapChain texels{};
+        std::string problem{}; ///< why the file could not be read
+    };
 
     static ProbeKey probeKey(const Scene& scene);
     void openHeader(const Scene& scene);
@@ -76,17 +83,7 @@ private:
     std::shared_ptr<const EnvironmentMap> m_environment{}; ///< the probe as it is
     bool m_certain = true;
     KeptMap m_specular{}, m_diffuse{}, m_background{};
-    std::vector<SphereMapPlan> m_sphereMapPlans{};
-    std::vector<std::filesystem::file_time_type> m_sphereMapTimes{};
-    std::vector<SphereMapChain> m_sphereMaps{};
-    struct KeptSphereMap {
-        SphereMapPlan plan{};
-        std::string path{};
-        std::filesystem::file_time_type time{};
-        SphereMapChain texels{};
-    };
     std::vector<KeptSphereMap> m_sphereMaps{};
-    std::vector<SphereMapChain> sphereMaps(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record);
 };
 
 /// What stands in for a probe that is missing: a checkerboard of magenta and dark grey, that nobody takes for light.
