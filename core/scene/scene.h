@@ -6,6 +6,7 @@
 #include "../image/color.h"
 #include "../shading/fresnel.h"
 #include "../sphere/parameterization.h"
+#include "../spheremap/embedded_sphere_map.h"
 
 #include <glm/glm.hpp>
 
@@ -149,6 +150,7 @@ struct DiffuseSettings {
 /// A painted sphere map and how it meets the reflection.
 struct SphereMapSettings {
     std::string source{};
+    EmbeddedSphereMap document{};
     SphereMapUse use = SphereMapUse::Replace;
     UnknownKeys unknown{};
 
@@ -157,6 +159,7 @@ struct SphereMapSettings {
     static void visitFields(Self& self, Visit&& visit)
     {
         visit(Field{"source", "painted sphere map: a file or a preset; empty: none"}, self.source);
+        visit(Field{"document", "a sphere map that is part of the scene, in place of the source; null: none"}, self.document);
         visit(Field{"use", "replaces the reflection, multiplies it, or lies over it"}, self.use);
     }
 };

@@ -2,6 +2,7 @@
 
 #include "../error.h"
 #include "../field_json.h"
+#include "../spheremap/sphere_map_json.h"
 
 #include <algorithm>
 
@@ -57,7 +58,7 @@ public:
         if constexpr (hasFields<T>) {
             T::visitFields(value, Lister(entry.path, m_entries));
             return;
-        } else if constexpr (std::is_same_v<T, std::vector<ExportTarget>>) {
+        } else if constexpr (std::is_same_v<T, std::vector<ExportTarget>> || std::is_same_v<T, EmbeddedSphereMap>) {
             return;
         } else if constexpr (std::is_enum_v<T>) {
             entry.words.assign(words(value).begin(), words(value).end());
@@ -82,6 +83,11 @@ Scene loadScene(const std::filesystem::path& path)
     return namingFile(path, [&] {
         Scene scene = sceneFromJson(parse(readText(path, what), what));
         scene.folder = folderOf(path);
+        if (EmbeddedSphereMap& map = scene.material.sphereMap.document; map) {
+            SphereMapDocument document = *map.document;
+            document.folder = scene.folder;
+            map.document = std::make_shared<const SphereMapDocument>(std::move(document));
+        }
         return scene;
     });
 }
@@ -89,6 +95,7 @@ Scene loadScene(const std::filesystem::path& path)
 void saveScene(const Scene& scene, const std::filesystem::path& path)
 {
     Scene saved = scene;
+    saved.material.sphereMap.document = movedTo(scene.material.sphereMap.document, folderOf(path));
     const std::filesystem::path from = std::filesystem::absolute(scene.folder.empty() ? "." : scene.folder), to = folderOf(path);
     if (from.lexically_normal() != to) {
         saved.probe.source = rebased(saved.probe.source, from, to);

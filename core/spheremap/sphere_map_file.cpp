@@ -1,6 +1,7 @@
 #include "sphere_map_file.h"
 
 #include "layer_json.h"
+#include "sphere_map_json.h"
 #include "stroke_json.h"
 
 namespace mirrorball {
@@ -11,7 +12,9 @@ namespace {
 
 constexpr std::string_view what = "sphere map"; // for messages
 
-SphereMapDocument documentFromJson(const Json& json)
+} // namespace
+
+SphereMapDocument sphereMapFromJson(const Json& json)
 {
     if (json.contains("strokes") && !json.contains("layers")) { // strokes by themselves
         SphereMapDocument painting;
@@ -28,7 +31,7 @@ SphereMapDocument documentFromJson(const Json& json)
     return document;
 }
 
-OrderedJson documentToJson(const SphereMapDocument& document)
+OrderedJson sphereMapToJson(const SphereMapDocument& document)
 {
     OrderedJson json;
     Writer writer(json);
@@ -37,6 +40,8 @@ OrderedJson documentToJson(const SphereMapDocument& document)
     writer.writeUnknown(document.unknown);
     return json;
 }
+
+namespace {
 
 void moveContent(LayerContent& content, const std::filesystem::path& from, const std::filesystem::path& to)
 {
@@ -53,7 +58,7 @@ void moveContent(LayerContent& content, const std::filesystem::path& from, const
 SphereMapDocument loadSphereMap(const std::filesystem::path& path)
 {
     return namingFile(path, [&] {
-        SphereMapDocument document = documentFromJson(parse(readText(path, what), what));
+        SphereMapDocument document = sphereMapFromJson(parse(readText(path, what), what));
         document.folder = folderOf(path);
         return document;
     });
@@ -62,15 +67,15 @@ SphereMapDocument loadSphereMap(const std::filesystem::path& path)
 void saveSphereMap(const SphereMapDocument& document, const std::filesystem::path& path)
 {
     validate(document);
-    save(documentToJson(movedTo(document, folderOf(path))), path, what);
+    save(sphereMapToJson(movedTo(document, folderOf(path))), path, what);
 }
 
-SphereMapDocument sphereMapFromText(const std::string& text) { return documentFromJson(parse(text, what)); }
+SphereMapDocument sphereMapFromText(const std::string& text) { return sphereMapFromJson(parse(text, what)); }
 
 std::string sphereMapToText(const SphereMapDocument& document)
 {
     validate(document);
-    return documentToJson(document).dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+    return sphereMapToJson(document).dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 SphereMapDocument movedTo(SphereMapDocument document, const std::filesystem::path& folder)
