@@ -172,11 +172,11 @@ private:
     void planPicture()
     {
         const bool reads = readsMaterial();
-        if (reads || m_scene.view.shading == Shading::Mips)
+        if (reads || makesAll() || m_scene.view.shading == Shading::Mips)
             planSpecular();
         else
             leaveOut("specular map", whyNoMaterial());
-        if (reads)
+        if (reads || makesAll())
             planDiffuse();
         else
             leaveOut("irradiance map", whyNoMaterial());
