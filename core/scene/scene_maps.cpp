@@ -86,7 +86,11 @@ std::vector<EnvironmentMap> buildMap(const MapPlan& plan, SceneProbe& probe, dou
                                     partOf(job, static_cast<float>(i) / parts, static_cast<float>(i + 1) / parts), record));
     if (plan.pyramid)
         levels = timedStage(record.stages, "mip levels of " + plan.name,
-                            [&] { return std::move(buildMipPyramid(levels.front(), partOf(job, 1.0f - 1.0f / parts, 1.0f)).levels); });
+                            [&] {
+                                const JobControl last = partOf(job, 1.0f - 1.0f / parts, 1.0f);
+                                return plan.filtering == MipFiltering::PerFace ? std::move(buildFacePyramid(levels.front(), last).levels)
+                                                                               : std::move(buildMipPyramid(levels.front(), last).levels);
+                            });
     expose(levels, exposure);
     return levels;
 }
@@ -114,6 +118,8 @@ SceneMaps buildMaps(const Scene& scene, const Plan& plan, SceneProbe& probe, con
     };
     SceneMaps maps{.specular = build(plan.specular), .diffuse = build(plan.diffuse), .background = build(plan.background)};
     maps.sphereMaps = buildSphereMaps(scene, plan, job, record);
+    for (const MapPlan& map : plan.others)
+        maps.others.push_back(build(map));
     return maps;
 }
 
