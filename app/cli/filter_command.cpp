@@ -4,9 +4,14 @@
 #include "core/filter/source_file.h"
 #include "core/image/map_file.h"
 #include "core/image/mip_pyramid.h"
+#include "core/preview/paraboloid_blur.h"
 
+#include <algorithm>
+#include <cmath>
+#include <map>
 #include <memory>
 #include <sstream>
+#include <type_traits>
 
 namespace mirrorball::cli {
 
@@ -17,6 +22,7 @@ struct Options {
     std::optional<double> exponent, roughness, alpha, lambda;
     std::optional<int> samples;
     std::optional<std::string> mipFiltering;
+    std::map<std::string, std::string> paraboloid; ///< by option, as typed
     int size = 0, border = 0, threads = 0;
     double yawDeg = 0.0, tolerance = 1e-5;
     bool mips = false, half = false, explain = false;
@@ -75,6 +81,49 @@ MipFiltering parseMipFiltering(const std::string& word)
     throw InvalidArgument("--mip-filtering: '" + word + "' is none; choose across-seams or per-face");
 }
 
+std::string optionOf(const Field& field)
+{
+    std::string option = "--" + std::string(field.name);
+    std::replace(option.begin(), option.end(), '_', '-');
+    return option;
+}
+
+/// Puts what was typed into a knob.
+struct KnobParser {
+    const std::map<std::string, std::string>& typed;
+
+    template <typename Value>
+    void operator()(const Field& field, Value& value) const
+    {
+        const auto given = typed.find(optionOf(field));
+        if (given == typed.end() || given->second.empty())
+            return;
+        if constexpr (std::is_enum_v<Value>) {
+            std::string known;
+            for (size_t i = 0; i < words(Value{}).size(); ++i) {
+                if (words(Value{})[i] == given->second) {
+                    value = static_cast<Value>(i);
+                    return;
+                }
+                known += (known.empty() ? "" : " or ") + std::string(words(Value{})[i]);
+            }
+            throw InvalidArgument(given->first + ": '" + given->second + "' is none; choose " + known);
+        } else {
+            std::istringstream text(given->second);
+            double number = 0.0;
+            const bool isNumber = (text >> number) && text.eof();
+            if (!isNumber || !(number >= field.low && number <= field.high) ||
+                (std::is_integral_v<Value> && number != std::floor(number))) {
+                std::ostringstream message;
+                message << given->first << ": must be " << (std::is_integral_v<Value> ? "a whole number" : "a number") << " from " << field.low
+                        << " to " << field.high << "; it is '" << given->second << "'";
+                throw InvalidArgument(message.str());
+            }
+            value = static_cast<Value>(number);
+        }
+    }
+};
+
 /// One filter job a level.
 std::vector<PrefilterOptions> parseJobs(const Options& o)
 {
@@ -93,6 +142,9 @@ std::vector<PrefilterOptions> parseJobs(const Options& o)
         knobs.samples = *o.samples;
     if (o.mipFiltering)
         knobs.mipFiltering = parseMipFiltering(*o.mipFiltering);
+    for (const auto& [option, value] : o.paraboloid)
+        refuse(!value.empty() && *method != Method::Paraboloid, option, "belongs to --method paraboloid, not to '" + o.method + "'");
+    ParaboloidKnobs::visitFields(knobs.paraboloid, KnobParser{o.paraboloid});
     if (!(o.tolerance > 0.0 && o.tolerance <= 1.0))
         throw InvalidArgument("--tolerance: must lie in (0, 1]");
     const MapLayout base{.kind = parseKind("--to", o.to), .size = o.size, .border = o.border};
@@ -128,6 +180,7 @@ void run(const Options& o)
     const JobControl job = jobWithProgress("filter", o.threads);
     Stats stats{.threads = job.threadCount()};
     OpenedSource opened = openFilterSource(o.probe, read, jobs, job, stats.stages);
+    opened.source.useParaboloidDevice(std::make_shared<preview::ParaboloidBlur>()); // starts no GPU before it is asked
 
     if (o.explain) {
         std::vector<Stage> plan = stats.stages;
@@ -198,6 +251,10 @@ void addFilterCommand(CLI::App& program)
     command->add_option("--samples", o->samples, "importance: samples of the lobe a texel (1024)");
     command->add_option("--lambda", o->lambda, "mip: least level of detail of the environment; without it matched to the lobe by width");
     command->add_option("--mip-filtering", o->mipFiltering, "mip: across-seams, or per-face as the hardware of 2002 did");
+    ParaboloidKnobs knobs;
+    ParaboloidKnobs::visitFields(knobs, [&](const Field& field, auto&) {
+        command->add_option(optionOf(field), o->paraboloid[optionOf(field)], std::string(field.help));
+    });
     command->add_option("--threads", o->threads, "threads; 0: one per core")->check(CLI::Range(0, 1024));
     command->add_flag("--half", o->half, "16-bit floats (.exr, .tif)");
     command->add_flag("--explain", o->explain, "print what is done, what is left out, and why; then do it");

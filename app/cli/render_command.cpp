@@ -2,17 +2,13 @@
 #include "scene_stats.h"
 
 #include "core/error.h"
-#include "core/image/image_io.h"
-#include "core/preview/offscreen_context.h"
-#include "core/preview/renderer.h"
-#include "core/preview/scene_settings.h"
+#include "core/preview/picture_file.h"
 #include "core/scene/material_presets.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/scene_maps.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <map>
 #include <memory>
 
@@ -43,8 +39,10 @@ constexpr std::array fieldOptions{
     FieldOption{"--metal", "material.fresnel.metal", "material.fresnel.kind", "conductor"},
     FieldOption{"--combine", "material.combine"},
     FieldOption{"--lambda", "material.lambda"},
+    FieldOption{"--lod-bias", "material.lod_bias"},
     FieldOption{"--fov", "view.camera.fov"},
     FieldOption{"--projection", "view.camera.projection"},
+    FieldOption{"--shading", "view.shading"},
     FieldOption{"--exposure", "view.exposure"},
     FieldOption{"--tone", "view.tone"},
     FieldOption{"--background", "view.background.kind"},
@@ -101,6 +99,13 @@ void setCamera(Scene& scene, const std::string& text)
         setByOption(scene, "--camera", fields[i], parts[i]);
 }
 
+void setGeometry(Scene& scene, const std::string& word)
+{
+    if (!isBuiltinGeometry(word) && word.find_first_of("./\\") == std::string::npos)
+        throw InvalidArgument("--geometry: '" + word + "' is neither teapot, torus, sphere or box nor a mesh file");
+    scene.view.geometry = isBuiltinGeometry(word) ? word : std::filesystem::absolute(word).string();
+}
+
 Material findMaterial(const std::string& word)
 {
     if (const MaterialPreset* preset = findMaterialPreset(word))
@@ -122,7 +127,7 @@ Scene makeScene(const Options& o)
     if (!o.material.empty())
         scene.material = findMaterial(o.material);
     if (!o.geometry.empty())
-        scene.view.geometry = o.geometry;
+        setGeometry(scene, o.geometry);
     if (!o.size.empty())
         setSize(scene, o.size);
     if (!o.camera.empty())
@@ -142,48 +147,16 @@ Scene makeScene(const Options& o)
     return scene;
 }
 
-/// Radiance goes into formats that hold floats, the display picture into the others.
-bool holdsRadiance(const std::string& out)
-{
-    std::string extension = std::filesystem::path(out).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    constexpr std::array formats{".exr", ".hdr", ".tif", ".tiff", ".pfm"};
-    if (extension.empty())
-        throw InvalidArgument(out + ": has no extension that tells the format; use .png or .exr");
-    return std::find(formats.begin(), formats.end(), extension) != formats.end();
-}
-
-/// A picture without transparency has no use for its fourth channel.
-Image withoutOpacity(const Image& rgba)
-{
-    Image rgb(rgba.width, rgba.height, 3);
-    for (size_t i = 0; i < rgb.texels.size() / 3; ++i)
-        std::copy_n(&rgba.texels[4 * i], 3, &rgb.texels[3 * i]);
-    return rgb;
-}
-
 void run(const Options& o)
 {
-    const bool radiance = holdsRadiance(o.out);
     const Scene scene = makeScene(o);
     const JobControl job = jobWithProgress("render", o.threads);
     const Plan plan = makePlan(scene, probeLayout(scene));
-    const preview::RenderSettings settings = preview::renderSettings(scene, plan);
     if (o.explain)
         printStages(plan.stages);
 
     WorkRecord record;
-    SceneProbe probe = openProbe(scene, plan, job, record);
-    const preview::RenderMaps maps = preview::renderMaps(buildMaps(scene, plan, probe, job, record));
-    Image picture = timedStage(record.stages, "draw", [&] {
-        preview::OffscreenContext context;
-        preview::Renderer renderer;
-        return radiance ? renderer.renderRadiance(settings, maps) : renderer.renderDisplay(settings, maps);
-    });
-    if (scene.view.background.kind != Backdrop::None)
-        picture = withoutOpacity(picture);
-    timedStage(record.stages, "save picture",
-               [&] { writeImage(o.out, picture, {.encoding = radiance ? Encoding::Linear : Encoding::Display}); });
+    preview::savePicture(scene, plan, o.out, job, record);
     if (!o.saved.empty())
         saveScene(scene, o.saved);
     if (!o.stats.empty())
@@ -214,7 +187,7 @@ void addRenderCommand(CLI::App& program)
     command->add_option("-o,--output", o->out, "picture: .png (tone-mapped, sRGB) or .exr (linear radiance)")->required();
     command->add_option("--probe", o->probe, "image file, or builtin:NAME");
     command->add_option("--material", o->material, "preset (see mirrorball presets) or material file");
-    command->add_option("--geometry", o->geometry, "teapot, torus or sphere");
+    command->add_option("--geometry", o->geometry, "teapot, torus, sphere, box or a mesh file (.obj .ply .stl .gltf ...)");
     command->add_option("--size", o->size, "WIDTHxHEIGHT in pixels");
     command->add_option("--camera", o->camera, "YAW,PITCH[,DISTANCE]: degrees; the object's radius is 1");
     const std::vector<FieldEntry> entries = sceneFields();

@@ -177,6 +177,9 @@ std::string refusal(Method method, const PrefilterOptions& options, const ProbeT
         return who + "needs the whole probe in memory; use auto or spectral";
     if (method == Method::Paraboloid && !probe.hasParaboloidDevice)
         return who + "runs on a GPU and none was given; use another method";
+    // A lobe that needs no filtering is looked up whatever the method.
+    if (method == Method::Paraboloid && !options.lobe.isMirror() && !isUnresolved(options.lobe, probe.width))
+        return paraboloidRefusal(options.lobe, resolved(options.knobs.paraboloid, probe.width / 2));
     constexpr int widest = 8192; // 1.4 GB of nodes, 0.7 GB of texels
     if ((method == Method::Hierarchical || method == Method::Importance) && probe.width > widest)
         return who + "holds a pyramid of the probe in memory and width " + std::to_string(probe.width) + " is too large for it, at most " +
@@ -226,7 +229,8 @@ double predictedSeconds(Method method, const PrefilterOptions& options, const Pr
         return cost::blurTexel * cube.width() * cube.height() + cost::blurLookup * texels;
     }
     case Method::Sh9: return forward(sh9BandLimit) + cost::sh9Texel * texels;
-    case Method::Paraboloid: return 0.0; // its device knows
+    case Method::Paraboloid:
+        return paraboloidSeconds(options.lobe, resolved(options.knobs.paraboloid, probe.width / 2), probe.width, static_cast<int>(texels));
     }
     return 0.0;
 }
@@ -246,7 +250,7 @@ double predictedError(Method method, const PrefilterOptions& options, const Prob
     case Method::Importance: return importanceError(options, probe);
     case Method::Mip: return mipError(options, probe);
     case Method::Sh9: return sh9Error(options, probe);
-    case Method::Paraboloid: return 1.0; // its device knows
+    case Method::Paraboloid: return paraboloidError(options.lobe, resolved(options.knobs.paraboloid, probe.width / 2));
     }
     return 1.0;
 }

@@ -18,6 +18,8 @@ struct PrefilterOptions {
     double tolerance = 1e-5; ///< rel_rms, (0, 1]
     double yaw = 0.0;        ///< radians about +Y, see direction.h
     MethodKnobs knobs{};     ///< of the method, where it has some
+
+    bool operator==(const PrefilterOptions&) const = default;
 };
 
 /// What a plan must know of a probe. traits() tells it of one that is open.

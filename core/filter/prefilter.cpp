@@ -21,7 +21,8 @@ namespace mirrorball {
 
 namespace {
 
-EnvironmentMap toMap(const MapLayout& target, const std::vector<glm::dvec3>& values)
+template <typename Value>
+EnvironmentMap toMap(const MapLayout& target, const std::vector<Value>& values)
 {
     EnvironmentMap map(target);
     for (size_t i = 0; i < values.size(); ++i)
@@ -81,6 +82,16 @@ EnvironmentMap runMip(FilterSource& source, const PrefilterOptions& options, con
     return timedStage(outcome.stages, "mip lookup", [&] { return mipBlur(pyramid, filtering, lambda, options.target, options.yaw, job); });
 }
 
+EnvironmentMap runParaboloid(FilterSource& source, const PrefilterOptions& options, const JobControl& job, PrefilterOutcome& outcome)
+{
+    const ParaboloidHalves halves = timedStage(outcome.stages, "paraboloid halves", [&] {
+        return layOutHalves(*source.latlong(), options.lobe, resolved(options.knobs.paraboloid, source.height()), job);
+    });
+    return timedStage(outcome.stages, "paraboloid sums", [&] {
+        return toMap(options.target, source.paraboloidDevice()->sum(halves, lookupDirections(options.target, options.yaw), job));
+    });
+}
+
 EnvironmentMap run(Method method, FilterSource& source, const PrefilterOptions& options, const JobControl& job, PrefilterOutcome& outcome)
 {
     std::vector<Stage>& stages = outcome.stages;
@@ -107,10 +118,7 @@ EnvironmentMap run(Method method, FilterSource& source, const PrefilterOptions& 
             return importanceSample(source.lookupPyramid(), options.lobe, options.knobs.samples, options.target, options.yaw, job);
         });
     case Method::Paraboloid:
-        return timedStage(stages, "paraboloid convolution", [&] {
-            return source.paraboloidDevice()->filter(*source.latlong(), options.lobe, options.target, options.yaw, options.knobs.paraboloid,
-                                                     job);
-        });
+        return runParaboloid(source, options, job, outcome);
     case Method::Reference:
     case Method::Auto: break;
     }

@@ -21,7 +21,8 @@ glm::mat3 Camera::cameraToWorld() const
     const glm::vec3 towardsEye = directionFromLonLat(yaw, pitch);
     const glm::vec3 right(std::cos(yaw), 0.0f, -std::sin(yaw));
     const glm::vec3 up(-std::sin(yaw) * std::sin(pitch), std::cos(pitch), -std::cos(yaw) * std::sin(pitch));
-    return {right, up, towardsEye};
+    const float c = std::cos(roll), s = std::sin(roll);
+    return {c * right + s * up, c * up - s * right, towardsEye};
 }
 
 glm::mat4 Camera::worldToClip(float aspect, float radius) const

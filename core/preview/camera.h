@@ -11,6 +11,7 @@ enum class Projection { Perspective, Orthographic };
 struct Camera {
     float yaw = 0.0f;                ///< radians
     float pitch = 0.0f;              ///< radians, in [-pi/2, pi/2]
+    float roll = 0.0f;               ///< radians about the view, counterclockwise seen from behind the camera
     float distance = 3.2f;           ///< from the target, > 0
     float fieldOfView = 0.7f;        ///< radians, from bottom to top, in (0, pi)
     glm::vec3 target{0.0f};

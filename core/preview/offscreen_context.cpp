@@ -93,6 +93,23 @@ void OffscreenContext::makeCurrent()
         fail("the context cannot be made current on this thread");
 }
 
+CurrentContextGuard::CurrentContextGuard()
+{
+    const bool hasEgl = epoxy_has_egl();
+    m_display = hasEgl ? eglGetCurrentDisplay() : EGL_NO_DISPLAY;
+    m_context = hasEgl ? eglGetCurrentContext() : EGL_NO_CONTEXT;
+    m_draw = hasEgl ? eglGetCurrentSurface(EGL_DRAW) : EGL_NO_SURFACE;
+    m_read = hasEgl ? eglGetCurrentSurface(EGL_READ) : EGL_NO_SURFACE;
+}
+
+// Where nothing was current, what is current now is released: its display says so.
+CurrentContextGuard::~CurrentContextGuard()
+{
+    if (!epoxy_has_egl() || eglGetCurrentContext() == m_context)
+        return;
+    eglMakeCurrent(m_context == EGL_NO_CONTEXT ? eglGetCurrentDisplay() : m_display, m_draw, m_read, m_context);
+}
+
 std::string OffscreenContext::description() const
 {
     return reinterpret_cast<const char*>(glGetString(GL_VERSION)) + std::string(", ") +

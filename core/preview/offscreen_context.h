@@ -28,4 +28,16 @@ private:
     void* m_context = nullptr; // EGLContext
 };
 
+/// Remembers which EGL context is current on this thread, and makes it current again at the end of its life.
+class CurrentContextGuard {
+public:
+    CurrentContextGuard();
+    ~CurrentContextGuard();
+    CurrentContextGuard(const CurrentContextGuard&) = delete;
+    CurrentContextGuard& operator=(const CurrentContextGuard&) = delete;
+
+private:
+    void *m_display, *m_context, *m_draw, *m_read;
+};
+
 } // namespace mirrorball::preview

@@ -2,6 +2,8 @@
 
 #include "../error.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -17,22 +19,43 @@ void validate(const RenderSettings& settings)
             "size must be 1 to 16384 pixels each way");
     require(settings.samples == 1 || settings.samples == 2 || settings.samples == 4, "samples must be 1, 2 or 4");
     require(settings.geometry.level >= 1 && settings.geometry.level <= 256, "geometry level must be 1 to 256");
-    require(std::isfinite(settings.camera.yaw) && std::isfinite(settings.camera.pitch), "camera angles must be finite");
+    require(settings.pixelRatio > 0.0f && settings.pixelRatio <= 16.0f, "pixel ratio must lie between 0 and 16");
+    require(std::isfinite(settings.camera.yaw) && std::isfinite(settings.camera.pitch) && std::isfinite(settings.camera.roll),
+            "camera angles must be finite");
+    require(glm::all(glm::lessThanEqual(glm::abs(settings.camera.target), glm::vec3(1e6f))), "camera target must be finite");
     require(std::isfinite(settings.camera.distance) && settings.camera.distance > 0.0f, "camera distance must be greater than 0");
     require(settings.camera.fieldOfView > 0.0f && settings.camera.fieldOfView < 3.14f, "field of view must lie between 0 and 180 degrees");
     require(std::isfinite(settings.material.lambda) && settings.material.lambda >= 0.0f, "lambda must be 0 or more");
+    require(std::isfinite(settings.material.lodBias), "LOD bias must be finite");
+    require(settings.material.anisotropy >= 1 && settings.material.anisotropy <= 16, "anisotropy must be 1 to 16");
     require(std::isfinite(settings.exposure) && std::abs(settings.exposure) <= 64.0f, "exposure must lie between -64 and 64 EV");
     require(std::isfinite(settings.yaw), "yaw must be finite");
     validate(settings.material.fresnel);
+}
+
+glm::vec3 levelColor(float level)
+{
+    constexpr std::array<glm::vec3, 8> colors{{{0.03f, 0.09f, 0.6f},
+                                               {0.0f, 0.45f, 0.75f},
+                                               {0.02f, 0.45f, 0.08f},
+                                               {0.85f, 0.75f, 0.03f},
+                                               {0.9f, 0.28f, 0.02f},
+                                               {0.65f, 0.02f, 0.02f},
+                                               {0.7f, 0.05f, 0.6f},
+                                               {1.0f, 1.0f, 1.0f}}};
+    level = std::clamp(level, 0.0f, 7.0f);
+    const auto below = std::min(static_cast<size_t>(level), colors.size() - 2);
+    return glm::mix(colors[below], colors[below + 1], level - static_cast<float>(below));
 }
 
 // With F = 1 everywhere a coat hides the diffuse part altogether.
 NeededMaps neededMaps(const RenderSettings& settings)
 {
     const MaterialSettings& material = settings.material;
+    const bool isMaterial = settings.shading == Shading::Material, isLevels = settings.shading == Shading::Mips;
     const bool hidden = material.combine == Combine::Coat && material.fresnel.kind == FresnelKind::None;
-    return {.specular = material.specular != glm::vec3(0.0f),
-            .diffuse = material.diffuse != glm::vec3(0.0f) && !hidden,
+    return {.specular = (isMaterial || isLevels) && material.specular != glm::vec3(0.0f),
+            .diffuse = isMaterial && material.diffuse != glm::vec3(0.0f) && !hidden,
             .background = settings.background.kind == BackgroundKind::Environment};
 }
 

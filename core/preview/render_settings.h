@@ -8,6 +8,7 @@
 #include "../shading/fresnel.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 /// What to draw: plain values.
@@ -37,7 +38,9 @@ struct MaterialSettings {
     glm::vec3 diffuse{0.0f};
     Fresnel fresnel{};                ///< F; None: F = 1
     Combine combine = Combine::Add;   ///< Add: F L_m + L_d; Coat: F L_m + (1 - F) L_d
-    float lambda = 0.0f;              ///< least mip level of the specular lookup: max(lod, lambda). Source: 002 section 2
+    float lambda = 0.0f;              ///< least mip level of the specular lookup: max(lod + lodBias, lambda). Source: 002 section 2
+    float lodBias = 0.0f;             ///< moves that level where lambda does not hold it
+    int anisotropy = 1;               ///< most lookups along the longer side of a pixel's footprint, where the map has levels; 1 to 16
     LookupSpace space = LookupSpace::World;
 
     bool operator==(const MaterialSettings&) const = default;
@@ -51,11 +54,29 @@ struct Background {
     bool operator==(const Background&) const = default;
 };
 
+/// The material, or a debug view of what it is computed from. Debug colours are meant for the display: neither exposed nor tone-mapped.
+enum class Shading {
+    Material,
+    Wireframe, ///< the triangles
+    Normals,   ///< world space, [-1, 1] to [0, 1]: x red, y green, z blue
+    TexCoords, ///< u red, v green, under a chequer of 1/16
+    Seams,     ///< of the specular map's parameterization: its charts in colours, lines where they meet
+    Mips,      ///< the level that the specular lookup reads, in the colours of levelColor()
+};
+
+/// Colour of a mip level in the debug view: blue 0, cyan 1, green 2, yellow 3, orange 4, red 5, magenta 6, white from 7 on; linear RGB,
+/// mixed in between.
+glm::vec3 levelColor(float level);
+
 struct RenderSettings {
     int width = 1280;
     int height = 720;
     int samples = 4;          ///< per pixel: 1, 2 or 4, as the driver has them
+    float pixelRatio = 1.0f;  ///< device pixels to a pixel of the window: the width of lines follows it
     Geometry geometry{};
+    Shading shading = Shading::Material;
+    Parameterization seamsOf = Parameterization::Cube; ///< for Shading::Seams
+    std::optional<glm::vec3> marker{}; ///< ringed where the object mirrors it: a direction in the specular map
     Camera camera{};
     MaterialSettings material{};
     Background background{};

@@ -3,6 +3,7 @@
 #include "render_settings.h"
 
 #include <memory>
+#include <optional>
 
 namespace mirrorball::preview {
 
@@ -13,36 +14,72 @@ struct GeometryBuffers {
     Image direction{}; ///< of the specular lookup, in the space of the map (yaw or eye space applied)
 };
 
+/// What the object shows in one pixel. Directions are unit vectors.
+struct SurfaceHit {
+    glm::vec3 position{};     ///< world space
+    glm::vec3 normal{};       ///< world space, turned towards the viewer
+    glm::vec2 texCoord{};
+    glm::vec3 reflected{};    ///< mirror direction, world space
+    glm::vec3 lookup{};       ///< mirror direction in the space of the specular map (yaw or eye space applied)
+    glm::vec3 eyeNormal{};    ///< in the frame about the view ray, z towards the eye: (x, y) is its place in a sphere map indexed by normal
+    glm::vec3 eyeReflected{}; ///< in the camera's axes: looked up in a sphere map indexed by reflection
+};
+
+/// Pixels [x, x + width) x [y, y + height), from the lower left.
+struct PixelRectangle {
+    int x = 0, y = 0, width = 0, height = 0;
+    bool operator==(const PixelRectangle&) const = default;
+};
+
+/// Where a picture goes: into a framebuffer of the current context, its lower left corner at (x, y), as much of it as the clip holds.
+struct Destination {
+    unsigned framebuffer = 0;
+    int x = 0;
+    int y = 0;
+    std::optional<PixelRectangle> clip{}; ///< in pixels of the picture; nothing: all of it
+};
+
 /// Draws an object under an environment in the OpenGL 4.5 core context that is current: an OffscreenContext or a window's.
 ///
 /// Rows of images run from the top. Anti-aliasing shades once per pixel and tests coverage per sample. A *display* picture applies
 /// exposure and tone curve to each sample and averages afterwards, so that the edge of a sun is smooth; a *radiance* picture is the
 /// plain mean of the samples, unexposed, as an .exr should hold it.
 ///
-/// Textures, shaders and meshes are made when first needed and kept while the same pointers and settings come in.
+/// Textures, shaders and meshes are made when first needed and kept while the same pointers and settings come in. They belong to the
+/// context: make it current before the renderer dies, or call release() while it is - QOpenGLContext::aboutToBeDestroyed is the place.
 class Renderer {
 public:
-    /// @throws WorkError when the current context is not OpenGL 4.5
     explicit Renderer(TexelFormat format = TexelFormat::Half);
     ~Renderer();
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
 
     /// Scene-linear RGBA, not exposed. Alpha is 1 but for BackgroundKind::None, where it is the object's coverage.
-    /// @throws InvalidArgument for settings out of range or a map that is needed and missing
+    /// @throws InvalidArgument for settings out of range or a map that is needed and missing; WorkError when the current context is not
+    ///         OpenGL 4.5, as all that draw do
     Image renderRadiance(const RenderSettings& settings, const RenderMaps& maps);
 
     /// RGBA in [0, 1], exposed, tone-mapped and sRGB-encoded; colour is premultiplied by alpha. Quantised to 8 bits.
     Image renderDisplay(const RenderSettings& settings, const RenderMaps& maps);
 
-    /// The same picture into a framebuffer of the current context, at (0, 0): what a window's paint function calls.
-    void drawDisplay(const RenderSettings& settings, const RenderMaps& maps, unsigned framebuffer);
+    /// The same picture into a framebuffer of the current context: what a window's paint function calls. Sizes are in device pixels.
+    /// Leaves blending, depth and scissor tests off, no program and no vertex array bound, and the viewport on the picture.
+    void drawDisplay(const RenderSettings& settings, const RenderMaps& maps, const Destination& destination);
 
     /// One sample per pixel.
     GeometryBuffers renderBuffers(const RenderSettings& settings);
 
+    /// What one pixel of the picture shows, x and y from the upper left; nothing beside the object. Draws that pixel only.
+    std::optional<SurfaceHit> pick(const RenderSettings& settings, int x, int y);
+
+    /// Gives back all that it holds in the current context. The next picture makes it anew, in whichever context is current then.
+    void release();
+
 private:
     struct Resources;
+    Resources& resources();
+
+    TexelFormat m_format;
     std::unique_ptr<Resources> m_resources;
 };
 

@@ -15,13 +15,11 @@ float toRadians(double degrees)
 
 GeometryKind geometryKind(const std::string& word)
 {
-    if (word == "teapot")
-        return GeometryKind::Teapot;
     if (word == "torus")
         return GeometryKind::Torus;
     if (word == "sphere")
         return GeometryKind::Sphere;
-    throw InvalidArgument("view.geometry: '" + word + "' is not one of teapot, torus and sphere; mesh files cannot be read yet");
+    return word == "box" ? GeometryKind::Box : GeometryKind::Teapot;
 }
 
 /// Finer the larger the picture is: the outline of a body of revolution stays within a pixel of its circle. Vertices are a third of a
@@ -33,15 +31,31 @@ int tessellation(int height)
 
 } // namespace
 
-RenderSettings renderSettings(const Scene& scene, const Plan& plan)
+std::optional<std::filesystem::path> meshFile(const Scene& scene)
+{
+    if (isBuiltinGeometry(scene.view.geometry))
+        return std::nullopt;
+    return resolved(scene, scene.view.geometry);
+}
+
+RenderSettings renderSettings(const Scene& scene, const Plan& plan, std::shared_ptr<const Mesh> mesh)
 {
     const ViewSettings& view = scene.view;
     RenderSettings settings{.width = view.width, .height = view.height};
     settings.geometry = {.kind = geometryKind(view.geometry), .level = tessellation(view.height)};
+    if (!isBuiltinGeometry(view.geometry)) {
+        if (!mesh)
+            throw InvalidArgument("view.geometry: the mesh of '" + view.geometry + "' must be read first");
+        settings.geometry.mesh = std::move(mesh);
+    }
+    settings.shading = static_cast<Shading>(view.shading);
+    settings.seamsOf = scene.map.parameterization;
     settings.camera = {.yaw = toRadians(view.camera.yawDeg),
                        .pitch = toRadians(view.camera.pitchDeg),
+                       .roll = toRadians(view.camera.rollDeg),
                        .distance = static_cast<float>(view.camera.distance),
                        .fieldOfView = toRadians(view.camera.fieldOfViewDeg),
+                       .target = view.camera.target,
                        .projection = view.camera.projection == mirrorball::Projection::Orthographic ? Projection::Orthographic
                                                                                                     : Projection::Perspective};
     settings.material = {.specular = plan.material.specular,
@@ -49,6 +63,8 @@ RenderSettings renderSettings(const Scene& scene, const Plan& plan)
                          .fresnel = plan.material.fresnel,
                          .combine = plan.material.combine,
                          .lambda = static_cast<float>(scene.material.lambda),
+                         .lodBias = static_cast<float>(scene.material.lodBias),
+                         .anisotropy = scene.map.anisotropy,
                          .space = scene.map.space == MapSpace::Eye ? LookupSpace::Eye : LookupSpace::World};
     const BackdropSettings& background = view.background;
     settings.background = {.kind = background.kind == Backdrop::Color  ? BackgroundKind::Color

@@ -5,10 +5,19 @@
 #include "../scene/plan.h"
 #include "../scene/scene_maps.h"
 
+#include <filesystem>
+#include <memory>
+#include <optional>
+
 namespace mirrorball::preview {
 
-/// The settings that draw a scene as planned. @throws InvalidArgument for a geometry that is not known
-RenderSettings renderSettings(const Scene& scene, const Plan& plan);
+/// The mesh file that the scene is shown on, as it can be opened; nothing for a built-in body.
+std::optional<std::filesystem::path> meshFile(const Scene& scene);
+
+/// The settings that draw a scene as planned.
+/// @param mesh what readMesh() made of meshFile(); not looked at for a built-in body
+/// @throws InvalidArgument for a mesh that is needed and missing
+RenderSettings renderSettings(const Scene& scene, const Plan& plan, std::shared_ptr<const Mesh> mesh = nullptr);
 
 /// The maps of a scene as the renderer takes them.
 RenderMaps renderMaps(const SceneMaps& maps);

@@ -94,21 +94,18 @@ ShaderSource resolveIncludes(std::string_view name, std::string_view text, const
     return source;
 }
 
-ShaderProgram::ShaderProgram(const ShaderSource& vertex, const ShaderSource& fragment)
+ShaderProgram::ShaderProgram(const ShaderSource& vertex, const ShaderSource& fragment, const std::optional<ShaderSource>& geometry)
     : m_program(GlKind::Program, glCreateProgram())
 {
-    const GLuint vertexShader = compile(GL_VERTEX_SHADER, vertex);
-    GLuint fragmentShader = 0;
-    try {
-        fragmentShader = compile(GL_FRAGMENT_SHADER, fragment);
-    } catch (...) {
-        glDeleteShader(vertexShader);
-        throw;
-    }
-    for (const GLuint shader : {vertexShader, fragmentShader}) {
+    const auto attach = [&](GLenum stage, const ShaderSource& source) {
+        const GLuint shader = compile(stage, source);
         glAttachShader(m_program, shader);
         glDeleteShader(shader); // lives on as long as it is attached
-    }
+    };
+    attach(GL_VERTEX_SHADER, vertex);
+    if (geometry)
+        attach(GL_GEOMETRY_SHADER, *geometry);
+    attach(GL_FRAGMENT_SHADER, fragment);
     glLinkProgram(m_program);
     GLint done = GL_FALSE;
     glGetProgramiv(m_program, GL_LINK_STATUS, &done);
@@ -121,10 +118,28 @@ ShaderProgram::ShaderProgram(const ShaderSource& vertex, const ShaderSource& fra
     throw WorkError("shaders " + vertex.files.front() + " and " + fragment.files.front() + " do not link:\n" + log);
 }
 
-ShaderProgram::ShaderProgram(std::string_view vertexPath, std::string_view fragmentPath, const std::vector<ShaderDefine>& defines)
-    : ShaderProgram(resolveIncludes(vertexPath, shaderText(vertexPath), defines),
-                    resolveIncludes(fragmentPath, shaderText(fragmentPath), defines))
+namespace {
+
+ShaderSource sourceOf(const char* path, const std::vector<ShaderDefine>& defines)
 {
+    return resolveIncludes(path, shaderText(path), defines);
+}
+
+} // namespace
+
+ShaderProgram::ShaderProgram(const ShaderStages& stages, const std::vector<ShaderDefine>& defines)
+    : ShaderProgram(sourceOf(stages.vertex, defines), sourceOf(stages.fragment, defines),
+                    stages.geometry ? std::optional(sourceOf(stages.geometry, defines)) : std::nullopt)
+{
+}
+
+const ShaderProgram& ProgramCache::get(const ShaderStages& stages, const std::vector<ShaderDefine>& defines)
+{
+    std::string key = std::string(stages.vertex) + ' ' + stages.fragment + (stages.geometry ? std::string(" ") + stages.geometry : "");
+    for (const auto& [name, value] : defines)
+        key += ' ' + name + '=' + value;
+    const auto found = m_programs.find(key);
+    return found != m_programs.end() ? found->second : m_programs.emplace(key, ShaderProgram(stages, defines)).first->second;
 }
 
 void ShaderProgram::use() const

@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -35,13 +36,19 @@ struct ShaderSource {
 /// @param name what error logs call the text
 ShaderSource resolveIncludes(std::string_view name, std::string_view text, const std::vector<ShaderDefine>& defines = {});
 
-/// A linked vertex and fragment shader. Setters skip names that the compiler left out because nothing reads them.
+/// Files below resources/shaders that make a program; the geometry stage may be missing.
+struct ShaderStages {
+    const char* vertex;
+    const char* fragment;
+    const char* geometry = nullptr;
+};
+
+/// A linked vertex and fragment shader, with a geometry shader between them where there is one. Setters skip names that the compiler left out because nothing reads them.
 class ShaderProgram {
 public:
     /// @throws WorkError with the compiler's log, in which the source numbers are replaced by file names
-    ShaderProgram(const ShaderSource& vertex, const ShaderSource& fragment);
-    /// From files below resources/shaders.
-    ShaderProgram(std::string_view vertexPath, std::string_view fragmentPath, const std::vector<ShaderDefine>& defines = {});
+    ShaderProgram(const ShaderSource& vertex, const ShaderSource& fragment, const std::optional<ShaderSource>& geometry = {});
+    explicit ShaderProgram(const ShaderStages& stages, const std::vector<ShaderDefine>& defines = {});
 
     void use() const;
     void set(const char* name, int value) const;
@@ -55,6 +62,15 @@ public:
 private:
     GLint location(const char* name) const;
     GlObject m_program;
+};
+
+/// Programs by everything that they were compiled from: each is compiled when first asked for.
+class ProgramCache {
+public:
+    const ShaderProgram& get(const ShaderStages& stages, const std::vector<ShaderDefine>& defines = {});
+
+private:
+    std::map<std::string, ShaderProgram> m_programs;
 };
 
 } // namespace mirrorball::preview

@@ -140,12 +140,28 @@ private:
         }
     }
 
+    /// A debug view shows what the material is computed from, and not the material.
+    bool readsMaterial() const { return m_scene.view.shading == Shading::Material; }
+    std::string whyNoMaterial() const
+    {
+        return text("the view shows ", words(Shading{})[static_cast<size_t>(m_scene.view.shading)], " and not the material");
+    }
+
     void planPicture()
     {
-        planSpecular();
-        planDiffuse();
+        const bool reads = readsMaterial();
+        if (reads || m_scene.view.shading == Shading::Mips)
+            planSpecular();
+        else
+            leaveOut("specular map", whyNoMaterial());
+        if (reads)
+            planDiffuse();
+        else
+            leaveOut("irradiance map", whyNoMaterial());
         planBackground();
-        if (m_plan.material.fresnel.kind != FresnelKind::None)
+        if (!reads)
+            leaveOut("fresnel term", whyNoMaterial());
+        else if (m_plan.material.fresnel.kind != FresnelKind::None)
             need("fresnel term", m_plan.material.fresnel.kind == FresnelKind::Dielectric
                                      ? text("index ", m_scene.material.fresnel.index, ": evaluated at every pixel")
                                      : text("metal ", m_scene.material.fresnel.metal, ": evaluated at every pixel"));
@@ -164,6 +180,10 @@ private:
                     others += (others.empty() ? "" : ", ") + std::string(name(p));
             leaveOut("other maps", text("the picture reads ", name(m_scene.map.parameterization), ": no ", others, " is built"));
         }
+        if (isBuiltinGeometry(m_scene.view.geometry))
+            leaveOut("read mesh", text("the ", m_scene.view.geometry, " is built in"));
+        else
+            need("read mesh", m_scene.view.geometry);
         need("draw", text(m_scene.view.geometry, ", ", m_scene.view.width, " x ", m_scene.view.height));
     }
 
@@ -190,10 +210,14 @@ private:
         }
         addLevel(map, filter, map.name, note, "the surface is a mirror: it shows the environment itself");
         const double lambda = m_scene.material.lambda;
-        map.pyramid = lambda > 0.0 || m_scene.map.mips;
+        const double bias = m_scene.material.lodBias;
+        map.pyramid = lambda > 0.0 || bias > 0.0 || m_scene.map.mips;
         const std::string stage = "mip levels of specular map";
         if (map.pyramid)
-            need(stage, text(lambda > 0.0 ? text("lambda ", lambda) : "asked for, where reflections shrink", ": ",
+            need(stage, text(lambda > 0.0  ? text("lambda ", lambda)
+                             : bias > 0.0 ? text("LOD bias ", bias)
+                                          : "asked for, where reflections shrink",
+                             ": ",
                              plural(levelCount(filter.target), "level"), ", halved across seams"));
         else
             leaveOut(stage, "lambda is 0: only the finest level is read");

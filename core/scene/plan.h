@@ -28,6 +28,7 @@ struct MapPlan {
     std::vector<PrefilterOptions> filters{};  ///< a filtered level each, largest first; ggx with alpha = 0: the environment itself
     bool pyramid = false;                     ///< the levels below the first are its halvings
     std::vector<size_t> bandLimits{};         ///< expected of each filter; 0: not filtered
+    bool operator==(const MapPlan&) const = default;
 };
 
 struct ExportPlan {

@@ -1,8 +1,8 @@
 #include "scene.h"
 
 #include "../error.h"
+#include "../field_checks.h"
 #include "../shading/conductor.h"
-#include "field_checks.h"
 
 #include <algorithm>
 #include <array>
@@ -18,6 +18,7 @@ constexpr std::array sphereMapUseWords{"replace"sv, "multiply"sv, "over"sv};
 constexpr std::array mapSpaceWords{"world"sv, "eye"sv};
 constexpr std::array projectionWords{"perspective"sv, "orthographic"sv};
 constexpr std::array backdropWords{"environment"sv, "blurred"sv, "color"sv, "none"sv};
+constexpr std::array shadingWords{"material"sv, "wireframe"sv, "normals"sv, "texcoords"sv, "seams"sv, "mips"sv};
 constexpr std::array exportKindWords{"source"sv, "specular"sv, "diffuse"sv, "chain"sv};
 constexpr std::array fresnelKindWords{"none"sv, "dielectric"sv, "conductor"sv};
 constexpr std::array combineWords{"add"sv, "coat"sv};
@@ -29,31 +30,6 @@ std::array<std::string_view, count> namesOf(const Values& values)
     std::transform(values.begin(), values.end(), names.begin(), [](E value) { return name(value); });
     return names;
 }
-
-/// Checks every number of a settings struct against its range.
-class RangeChecker {
-public:
-    explicit RangeChecker(std::string path) : m_path(std::move(path)) {}
-
-    template <typename T>
-    void operator()(const Field& field, const T& value) const
-    {
-        const std::string path = fieldPath(m_path, field.name);
-        if constexpr (std::is_same_v<T, double> || std::is_same_v<T, int>)
-            checkRange(path, field, static_cast<double>(value));
-        else if constexpr (std::is_same_v<T, glm::dvec3>)
-            for (int c = 0; c < 3; ++c)
-                checkRange(path, field, value[c]);
-        else if constexpr (hasFields<T>)
-            T::visitFields(value, RangeChecker(path));
-        else if constexpr (std::is_same_v<T, std::vector<ExportTarget>>)
-            for (size_t i = 0; i < value.size(); ++i)
-                ExportTarget::visitFields(value[i], RangeChecker(path + "[" + std::to_string(i) + "]"));
-    }
-
-private:
-    std::string m_path;
-};
 
 void checkBorder(const std::string& path, const MapLayout& layout)
 {
@@ -111,6 +87,7 @@ std::span<const std::string_view> words(SphereMapUse) { return sphereMapUseWords
 std::span<const std::string_view> words(MapSpace) { return mapSpaceWords; }
 std::span<const std::string_view> words(Projection) { return projectionWords; }
 std::span<const std::string_view> words(Backdrop) { return backdropWords; }
+std::span<const std::string_view> words(Shading) { return shadingWords; }
 std::span<const std::string_view> words(ExportKind) { return exportKindWords; }
 std::span<const std::string_view> words(FresnelKind) { return fresnelKindWords; }
 std::span<const std::string_view> words(Combine) { return combineWords; }
@@ -136,7 +113,7 @@ void validate(const Scene& scene)
     if (scene.probe.source.empty())
         throw InvalidArgument("probe.source: must be an image file or builtin:NAME; it is empty");
     if (scene.view.geometry.empty())
-        throw InvalidArgument("view.geometry: must be teapot, torus, sphere or a mesh file; it is empty");
+        throw InvalidArgument("view.geometry: must be teapot, torus, sphere, box or a mesh file; it is empty");
 }
 
 void validate(const Material& material)
@@ -147,6 +124,12 @@ void validate(const Material& material)
 std::string resolved(const Scene& scene, const std::string& path)
 {
     return path.starts_with("builtin:") ? path : (scene.folder / path).string(); // an absolute path replaces the folder
+}
+
+bool isBuiltinGeometry(std::string_view geometry)
+{
+    constexpr std::array bodies{"teapot"sv, "torus"sv, "sphere"sv, "box"sv};
+    return std::find(bodies.begin(), bodies.end(), geometry) != bodies.end();
 }
 
 Lobe lobe(const SpecularSettings& specular)

@@ -5,11 +5,11 @@
 #include "../image/color.h"
 #include "../shading/fresnel.h"
 #include "../sphere/parameterization.h"
+#include "../spheremap/embedded_sphere_map.h"
 
 #include <glm/glm.hpp>
 
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,14 +21,12 @@
 /// were typed, so that a file that is loaded and saved stays the same.
 namespace mirrorball {
 
-/// Keys of a file that this version does not know, with their JSON text: kept, so that a newer file survives an older program.
-using UnknownKeys = std::map<std::string, std::string>;
-
 enum class SurfaceLobe { Mirror, Phong, Ggx };
 enum class SphereMapUse { Replace, Multiply, Over };
 enum class MapSpace { World, Eye };
 enum class Projection { Perspective, Orthographic };
 enum class Backdrop { Environment, Blurred, Color, None };
+enum class Shading { Material, Wireframe, Normals, TexCoords, Seams, Mips };
 enum class ExportKind { Source, Specular, Diffuse, Chain };
 
 /// The words of files and command line for an enum's values, in their order.
@@ -37,6 +35,7 @@ std::span<const std::string_view> words(SphereMapUse);     // replace multiply o
 std::span<const std::string_view> words(MapSpace);         // world eye
 std::span<const std::string_view> words(Projection);       // perspective orthographic
 std::span<const std::string_view> words(Backdrop);         // environment blurred color none
+std::span<const std::string_view> words(Shading);          // material wireframe normals texcoords seams mips
 std::span<const std::string_view> words(ExportKind);       // source specular diffuse chain
 std::span<const std::string_view> words(Parameterization); // latlong cube sphere angular paraboloid octahedral
 std::span<const std::string_view> words(FresnelKind);      // none dielectric conductor
@@ -68,6 +67,7 @@ struct MapSettings {
     int size = 512;
     int border = 0;
     bool mips = false;
+    int anisotropy = 1;
     MapSpace space = MapSpace::World;
     UnknownKeys unknown{};
 
@@ -79,6 +79,8 @@ struct MapSettings {
         visit(Field{"size", "edge of a face, disc or octahedron, or height of a latlong", 1, 16384, "texels"}, self.size);
         visit(Field{"border", "paraboloid: texels kept free outside each disc", 0, 4096, "texels"}, self.border);
         visit(Field{"mips", "coarser levels, read where a reflection shrinks: no shimmer on strongly curved parts"}, self.mips);
+        visit(Field{"anisotropy", "with coarser levels: lookups along the longer side of a pixel's footprint, sharper at grazing angles", 1, 16},
+              self.anisotropy);
         visit(Field{"space", "world: the environment stands still; eye: the map turns with the camera"}, self.space);
     }
 };
@@ -143,6 +145,7 @@ struct DiffuseSettings {
 /// A painted sphere map and how it meets the reflection.
 struct SphereMapSettings {
     std::string source{};
+    EmbeddedSphereMap document{};
     SphereMapUse use = SphereMapUse::Replace;
     UnknownKeys unknown{};
 
@@ -151,6 +154,7 @@ struct SphereMapSettings {
     static void visitFields(Self& self, Visit&& visit)
     {
         visit(Field{"source", "painted sphere map: a file or a preset; empty: none"}, self.source);
+        visit(Field{"document", "a sphere map that is part of the scene, in place of the source; null: none"}, self.document);
         visit(Field{"use", "replaces the reflection, multiplies it, or lies over it"}, self.use);
     }
 };
@@ -162,6 +166,7 @@ struct Material {
     Combine combine = Combine::Add;
     DiffuseSettings diffuse{};
     double lambda = 0.0;
+    double lodBias = 0.0;
     SphereMapSettings sphereMap{};
     UnknownKeys unknown{};
 
@@ -175,16 +180,19 @@ struct Material {
               self.combine);
         visit(Field{"diffuse", "the matt part"}, self.diffuse);
         visit(Field{"lambda", "least mip level of the reflection: blurs it without filtering", 0, 16}, self.lambda);
+        visit(Field{"lod_bias", "moves the mip level of the reflection by this much; lambda then holds it from below", -16, 16}, self.lodBias);
         visit(Field{"sphere_map", "a painted sphere map"}, self.sphereMap);
     }
 };
 
-/// Orbits the object: yaw 0, pitch 0 looks from +Z; yaw turns the eye towards +X, pitch towards +Y.
+/// Orbits the target: yaw 0, pitch 0 looks from +Z; yaw turns the eye towards +X, pitch towards +Y.
 struct CameraSettings {
     double yawDeg = 25.0;
     double pitchDeg = 18.0;
+    double rollDeg = 0.0;
     double distance = 3.4;
     double fieldOfViewDeg = 36.0;
+    glm::dvec3 target{0.0};
     Projection projection = Projection::Perspective;
     UnknownKeys unknown{};
 
@@ -194,8 +202,10 @@ struct CameraSettings {
     {
         visit(Field{"yaw", "longitude of the eye", -36000, 36000, "degrees"}, self.yawDeg);
         visit(Field{"pitch", "latitude of the eye", -90, 90, "degrees"}, self.pitchDeg);
-        visit(Field{"distance", "from the centre of the object, whose radius is 1", 0.01, 1000}, self.distance);
+        visit(Field{"roll", "turns the camera about its view, counterclockwise seen from behind it", -36000, 36000, "degrees"}, self.rollDeg);
+        visit(Field{"distance", "from the target; the object's radius is 1", 0.01, 1000}, self.distance);
         visit(Field{"fov", "angle of view from bottom to top", 1, 170, "degrees"}, self.fieldOfViewDeg);
+        visit(Field{"target", "point that the eye looks at and orbits; the object's centre is 0, 0, 0", -1000, 1000}, self.target);
         visit(Field{"projection", "perspective, or orthographic at the size the object has in perspective"}, self.projection);
     }
 };
@@ -220,6 +230,7 @@ struct BackdropSettings {
 /// How the picture is taken.
 struct ViewSettings {
     std::string geometry = "teapot";
+    Shading shading = Shading::Material;
     CameraSettings camera{};
     ToneCurve toneCurve = ToneCurve::Filmic;
     double exposure = 0.0;
@@ -232,7 +243,9 @@ struct ViewSettings {
     template <typename Self, typename Visit>
     static void visitFields(Self& self, Visit&& visit)
     {
-        visit(Field{"geometry", "teapot, torus, sphere, or a mesh file"}, self.geometry);
+        visit(Field{"geometry", "teapot, torus, sphere, box, or a mesh file (.obj .ply .stl .off .gltf .glb .fbx .dae .3ds)"}, self.geometry);
+        visit(Field{"shading", "the material, or what it is computed from: triangles, normals, texture coordinates, seams or levels of the map"},
+              self.shading);
         visit(Field{"camera", "where the eye is"}, self.camera);
         visit(Field{"tone", "curve that brings radiance to the display"}, self.toneCurve);
         visit(Field{"exposure", "brightness of the display picture: times 2^exposure", -64, 64, "EV"}, self.exposure);
@@ -306,6 +319,9 @@ void validate(const Material& material);
 
 /// A path of the scene as it can be opened: relative ones start at scene.folder; "builtin:NAME" and absolute ones stay.
 std::string resolved(const Scene& scene, const std::string& path);
+
+/// Whether view.geometry is the name of a body that is built in; otherwise it names a mesh file.
+bool isBuiltinGeometry(std::string_view geometry);
 
 /// The lobe of the reflection; a mirror is ggx with alpha = 0.
 Lobe lobe(const SpecularSettings& specular);

@@ -14,6 +14,9 @@ enum class BrushMode { Paint, Erase, Smudge };
 /// The words of files and forms, in the order of the values: paint erase smudge.
 std::span<const std::string_view> words(BrushMode);
 
+inline constexpr double smallestRadius = 1e-3; ///< of a tip, disc radii
+inline constexpr double largestRadius = 2.0;
+
 /// What a stroke is drawn with. Lengths are in radii of the disc, so that a stroke looks the same at every size of the map.
 ///
 /// The footprint is a circle *on the disc*. The map is equal-area (d omega = 4 dA), so the footprint covers the same solid angle wherever
@@ -33,6 +36,7 @@ struct Brush {
     double spacing = 0.1;
     double pressureRadius = 0.5;
     double pressureFlow = 0.5;
+    UnknownKeys unknown{};
 
     bool operator==(const Brush&) const = default;
     template <typename Self, typename Visit>
@@ -40,7 +44,7 @@ struct Brush {
     {
         visit(Field{"mode", "paint covers, erase uncovers, smudge pushes what is there"}, self.mode);
         visit(Field{"color", "colour of the paint, linear RGB", 0, 1000}, self.color);
-        visit(Field{"radius", "radius of the tip", 1e-3, 2, "disc radii"}, self.radius);
+        visit(Field{"radius", "radius of the tip", smallestRadius, largestRadius, "disc radii"}, self.radius);
         visit(Field{"hardness", "part of the radius that covers fully; 1 has a sharp edge", 0, 1}, self.hardness);
         visit(Field{"flow", "how much one dab covers or pushes", 0, 1}, self.flow);
         visit(Field{"opacity", "the most that one stroke covers", 0, 1}, self.opacity);

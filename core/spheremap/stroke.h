@@ -24,12 +24,17 @@ struct Stroke {
     Brush brush{};
     Symmetry symmetry{};
     std::vector<StrokePoint> points{}; ///< joined by straight lines; one point is one dab, none draws nothing
+    UnknownKeys unknown{};
     bool operator==(const Stroke&) const = default;
 };
 
+inline constexpr double mostStrokes = 100000;                ///< in one list of strokes
 inline constexpr size_t mostStrokePoints = size_t{1} << 20; ///< in one list of strokes
 inline constexpr size_t mostDabs = size_t{1} << 21;         ///< in one list of strokes, symmetry included
 inline constexpr double farthestPoint = 4.0;                ///< of a coordinate from the centre, disc radii
+
+/// Checks one stroke. @throws InvalidArgument naming point and field
+void checkFields(const std::string& path, const Stroke& stroke);
 
 /// @throws InvalidArgument naming stroke, point and field, for a number that is not finite or out of its range, too many points, and
 /// strokes that would take more than mostDabs dabs

@@ -43,7 +43,7 @@ MapLayout checked(int size)
 } // namespace
 
 StrokeCanvas::StrokeCanvas(int size)
-    : m_base(checked(size).size, size, 4), m_image(size, size, 4), m_painted(size)
+    : m_image(checked(size).size, size, 4), m_painted(size)
 {
 }
 
@@ -74,12 +74,16 @@ TileSet StrokeCanvas::advance(std::span<const Stroke> strokes, const JobControl&
     for (size_t i = same; i < m_strokes.size(); ++i)
         gone.add(m_texelStrokes[i].tiles(size()));
     // The base must not hold strokes that go; and when strokes are only added, it takes all that were there.
-    if (same == m_strokes.size()) {
+    if (same == m_strokes.size() && same > 0) {
         TileSet tiles(size());
         for (size_t i = m_baseCount; i < same; ++i)
             tiles.add(m_texelStrokes[i].tiles(size()));
+        if (m_base.empty())
+            m_base = Image(size(), size(), 4);
         copyTiles(m_image, m_base, tiles);
         m_baseCount = same;
+    } else if (same == 0) {
+        settle();
     } else if (same < m_baseCount) {
         setBase(same, gone, job);
     }
@@ -101,9 +105,18 @@ TileSet StrokeCanvas::advance(std::span<const Stroke> strokes, const JobControl&
 
     const std::span<const TexelStroke> above(m_texelStrokes.begin() + static_cast<std::ptrdiff_t>(m_baseCount), m_texelStrokes.end());
     const TileSet work = closeForSmudging(dirty, above, size());
-    copyTiles(m_base, m_image, work);
+    if (m_base.empty())
+        clearTiles(m_image, work);
+    else
+        copyTiles(m_base, m_image, work);
     paintTiles(m_image, above, work, job);
     return dirty;
+}
+
+void StrokeCanvas::settle()
+{
+    m_base = Image();
+    m_baseCount = 0;
 }
 
 /// Takes the base back to the first `count` of the strokes it holds.

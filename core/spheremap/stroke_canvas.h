@@ -20,6 +20,10 @@ public:
     /// @throws InvalidArgument as validate() does, with nothing changed; Cancelled, after which the next update starts afresh
     TexelRect update(std::span<const Stroke> strokes, const JobControl& job = {});
 
+    /// Gives back what only further painting needs. The next change evaluates its tiles from the first stroke on.
+    void settle();
+
+    const std::vector<Stroke>& strokes() const { return m_strokes; }
     int size() const { return m_image.width; }
     const Image& image() const { return m_image; }
     /// Bounds of everything painted: outside them the raster is transparent.
@@ -31,7 +35,7 @@ private:
 
     std::vector<Stroke> m_strokes{};
     std::vector<TexelStroke> m_texelStrokes{};
-    Image m_base{};           ///< the first m_baseCount strokes
+    Image m_base{};           ///< the first m_baseCount strokes; empty while that is none
     size_t m_baseCount = 0;
     Image m_image{};          ///< all strokes
     TileSet m_painted;

@@ -265,17 +265,27 @@ TileSet closeForSmudging(TileSet tiles, std::span<const TexelStroke> strokes, in
 
 Image paintStrokes(std::span<const Stroke> strokes, int size, const JobControl& job)
 {
+    return paintStrokes(strokes, size, {0, 0, size, size}, job);
+}
+
+Image paintStrokes(std::span<const Stroke> strokes, int size, const TexelRect& rect, const JobControl& job)
+{
     validate(MapLayout{Parameterization::Sphere, size, 0});
     validate(strokes);
-    std::vector<TexelStroke> texelStrokes;
     TileSet tiles(size);
-    for (const Stroke& stroke : strokes) {
+    tiles.add(rect);
+    std::vector<TexelStroke> texelStrokes;
+    texelStrokes.reserve(strokes.size());
+    for (const Stroke& stroke : strokes)
         texelStrokes.push_back(texelStroke(stroke, size));
-        tiles.add(texelStrokes.back().tiles(size));
-    }
     Image raster(size, size, 4);
     paintTiles(raster, texelStrokes, closeForSmudging(tiles, texelStrokes, size), job);
-    return raster;
+    if (rect == TexelRect{0, 0, size, size})
+        return raster;
+    Image part(std::max(rect.width(), 0), std::max(rect.height(), 0), 4);
+    for (int y = 0; y < part.height; ++y)
+        std::copy_n(raster.texel(rect.x0, rect.y0 + y), static_cast<size_t>(part.width) * 4, part.row(y));
+    return part;
 }
 
 } // namespace mirrorball

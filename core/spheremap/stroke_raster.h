@@ -61,5 +61,7 @@ TileSet closeForSmudging(TileSet tiles, std::span<const TexelStroke> strokes, in
 /// All strokes on an empty raster of size x size. The same bytes on any number of threads.
 /// @throws InvalidArgument as validate() does, or naming the size; Cancelled
 Image paintStrokes(std::span<const Stroke> strokes, int size, const JobControl& job = {});
+/// The texels `rect` of it; costs the tiles that the rectangle meets. The same bytes as the part of the whole.
+Image paintStrokes(std::span<const Stroke> strokes, int size, const TexelRect& rect, const JobControl& job = {});
 
 } // namespace mirrorball

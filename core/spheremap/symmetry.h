@@ -14,6 +14,7 @@ struct Symmetry {
     int radial = 1;
     bool mirror = false;
     double axisDeg = 90.0;
+    UnknownKeys unknown{};
 
     bool operator==(const Symmetry&) const = default;
     template <typename Self, typename Visit>

@@ -1,7 +1,9 @@
-#include "core/spheremap/stroke_canvas.h"
+#include "core/spheremap/sphere_map_cache.h"
 #include "support/stroke_builders.h"
 
 #include <benchmark/benchmark.h>
+
+#include <cmath>
 
 /// Times of the stroke engine on two threads: 200 strokes at once, and what one frame of painting on top of them costs.
 namespace mirrorball {
@@ -69,6 +71,67 @@ void undoFarBack(benchmark::State& state)
     }
 }
 BENCHMARK(undoFarBack)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+/// Ten layers with 200 strokes in three of them.
+SphereMapDocument tenLayers()
+{
+    const std::vector<Stroke> strokes = handDrawnStrokes(200, 1);
+    const auto share = [&](ptrdiff_t first, ptrdiff_t last) {
+        return PaintLayer{.strokes = {strokes.begin() + first, strokes.begin() + last}};
+    };
+    SphereMapDocument document;
+    document.layers = {{.content = GradientLayer{}},
+                       {.blend = BlendMode::Multiply, .content = GradientLayer{.shape = GradientShape::Radial}},
+                       {.content = share(0, 80)},
+                       {.opacity = 0.5, .blend = BlendMode::Screen, .content = GradientLayer{.shape = GradientShape::Linear}},
+                       {.opacity = 0.3, .content = InvertLayer{}},
+                       {.blend = BlendMode::SoftLight, .content = share(80, 160)},
+                       {.opacity = 0.4, .blend = BlendMode::Overlay, .content = GradientLayer{.shape = GradientShape::Angular}},
+                       {.opacity = 0.5, .content = FillLayer{}, .mask = Mask{.content = GradientLayer{.shape = GradientShape::Radial}}},
+                       {.content = share(160, 200)},
+                       {.content = SilhouetteLayer{}}};
+    return document;
+}
+
+void tenLayersWith200Strokes(benchmark::State& state)
+{
+    const SphereMapDocument document = tenLayers();
+    for (auto _ : state)
+        benchmark::DoNotOptimize(evaluate(document, {.size = static_cast<int>(state.range(0))}, twoThreads));
+}
+BENCHMARK(tenLayersWith200Strokes)->Arg(256)->Arg(1024)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+/// One frame of painting on the top paint layer of that document: what the studio waits for between two movements of the pen.
+void penMovesOnTenLayers(benchmark::State& state)
+{
+    SphereMapDocument document = tenLayers();
+    SphereMapCache cache({.size = 1024});
+    cache.update(document, twoThreads);
+    std::vector<Stroke>& strokes = std::get<PaintLayer>(document.layers[8].content).strokes;
+    strokes.push_back(dab({-0.6, 0.0}, {.radius = static_cast<double>(state.range(0)) * 1e-3}));
+    cache.update(document, twoThreads);
+    double t = 0.0;
+    for (auto _ : state) {
+        t += 0.02;
+        if (strokes.back().points.size() > 200)
+            strokes.back().points.resize(1);
+        strokes.back().points.push_back({{0.6 * std::cos(t), 0.6 * std::sin(t)}, 1.0});
+        benchmark::DoNotOptimize(cache.update(document, twoThreads));
+    }
+}
+BENCHMARK(penMovesOnTenLayers)->Arg(20)->Arg(80)->Arg(300)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+/// A slider of a layer in the middle.
+void opacityOfTheSeventhOfTenLayers(benchmark::State& state)
+{
+    SphereMapDocument document = tenLayers();
+    SphereMapCache cache({.size = 1024});
+    for (auto _ : state) {
+        document.layers[6].opacity = document.layers[6].opacity > 0.8 ? 0.2 : document.layers[6].opacity + 0.01;
+        benchmark::DoNotOptimize(cache.update(document, twoThreads));
+    }
+}
+BENCHMARK(opacityOfTheSeventhOfTenLayers)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 } // namespace
 } // namespace mirrorball

@@ -122,6 +122,24 @@ TEST(CommandLine, FiltersADiffuseMapOfAConstantToTheConstant)
     }
 }
 
+// The tests' environment has no display: the GPU's method starts its own context.
+TEST(CommandLine, FiltersByParaboloidWithoutADisplay)
+{
+    const TemporaryFolder folder;
+    const std::string filter = "filter builtin:studio --lobe phong --exponent 30 --to cube --size 16 -o ";
+    ASSERT_EQ(mirrorballRuns(filter + quoted(folder / "auto.exr")).status, 0);
+    ASSERT_EQ(mirrorballRuns(filter + quoted(folder / "exact.exr") + " --method paraboloid --stats " + quoted(folder / "s.json")).status, 0);
+    ASSERT_EQ(mirrorballRuns(filter + quoted(folder / "published.exr") + " --method paraboloid --paraboloid blended --paraboloid-border 64").status, 0);
+    const MapLayout cube{Parameterization::Cube, 16, 0};
+    const EnvironmentMap reference(cube, readImage(folder / "auto.exr"));
+    const nlohmann::json stats = nlohmann::json::parse(test::readBytes(folder / "s.json"));
+    EXPECT_EQ(stats.at("method"), "paraboloid");
+    EXPECT_LT(errorMetrics({cube, readImage(folder / "exact.exr")}, reference).relRms, stats.at("predicted_error").get<double>());
+    const double published = errorMetrics({cube, readImage(folder / "published.exr")}, reference).relRms;
+    EXPECT_GT(published, 0.01);
+    EXPECT_LT(published, 0.3);
+}
+
 TEST(CommandLine, AGgxChainKeepsItsLevelsInOneFile)
 {
     const TemporaryFolder folder;
@@ -221,6 +239,22 @@ TEST(CommandLine, ListsPresetsALineEach)
     EXPECT_EQ(json.size(), test::lines(run.out));
 }
 
+TEST(CommandLine, RendersAMeshFileAndSavesASceneThatFindsItAgain)
+{
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "meshes");
+    test::writeBytes(folder / "meshes/t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const std::string size = " --size 32x32 ";
+    const auto run = mirrorballRuns("render --geometry " + (folder / "meshes/t.obj").string() + size + "-o " + (folder / "a.png").string() +
+                                    " --shading normals --set view.background.kind=none --save-scene " + (folder / "s.mirrorball").string());
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(mirrorballRuns("render " + (folder / "s.mirrorball").string() + " -o " + (folder / "b.png").string()).status, 0);
+    EXPECT_EQ(test::readBytes(folder / "a.png"), test::readBytes(folder / "b.png"));
+    EXPECT_FAILS(mirrorballRuns("render --geometry teapott -o " + (folder / "c.png").string()), 2, "--geometry: 'teapott' is neither");
+    EXPECT_FAILS(mirrorballRuns("render --geometry nothing.obj -o " + (folder / "c.png").string()), 2, "nothing.obj: does not exist");
+    EXPECT_FALSE(std::filesystem::exists(folder / "c.png"));
+}
+
 TEST(CommandLine, RefusesBadArgumentsInOneLine)
 {
     const TemporaryFolder folder;
@@ -244,6 +278,14 @@ TEST(CommandLine, RefusesBadArgumentsInOneLine)
     EXPECT_FAILS(mirrorballRuns(filter + "--lobe diffuse --method mip --lambda -1"), 2, "lambda");
     EXPECT_FAILS(mirrorballRuns(filter + "--lobe diffuse --method mip --mip-filtering sideways"), 2, "--mip-filtering");
     EXPECT_FAILS(mirrorballRuns(filter + "--lobe phong --exponent 20 --method sh9"), 2, "sh9");
+    EXPECT_FAILS(mirrorballRuns(filter + "--lobe diffuse --paraboloid-kernel 9"), 2, "--paraboloid-kernel");
+    const std::string paraboloid = filter + "--lobe phong --exponent 50 --method paraboloid ";
+    EXPECT_FAILS(mirrorballRuns(paraboloid + "--paraboloid round"), 2, "blended or exact");
+    EXPECT_FAILS(mirrorballRuns(paraboloid + "--paraboloid-kernel 9.5"), 2, "whole number");
+    EXPECT_FAILS(mirrorballRuns(paraboloid + "--paraboloid-kernel 2"), 2, "paraboloid_kernel");
+    EXPECT_FAILS(mirrorballRuns(paraboloid + "--paraboloid-clamp much"), 2, "--paraboloid-clamp");
+    EXPECT_FAILS(mirrorballRuns(paraboloid + "--paraboloid-half 5000"), 2, "--paraboloid-half");
+    EXPECT_FAILS(mirrorballRuns(filter + "--lobe phong --exponent 20000 --method paraboloid --paraboloid-kernel 255"), 2, "use direct");
     EXPECT_FAILS(mirrorballRuns(filter + "--lobe diffuse --threads -3"), 2, "--threads");
     EXPECT_FAILS(mirrorballRuns("convert builtin:studio -o " + out + " --to ball --size 8"), 2, "--to");
     EXPECT_FAILS(mirrorballRuns("convert builtin:studio -o " + out + " --to cube --size 0"), 2, "size");

@@ -382,3 +382,63 @@ TEST_F(RendererTest, RadiancePicturesKeepASunOfAMillion)
     for (size_t i = 0; i < picture.texels.size(); i += 4)
         ASSERT_NEAR(picture.texels[i] / 1e6f, 1.0f, 1e-3f);
 }
+
+// A slanted look along the ring shows footprints many times longer than wide. What is right is the mean of many samples a pixel.
+TEST_F(RendererTest, AnisotropicLookupsAreNearerToTheSupersampledPicture)
+{
+    const auto stripes = [](const glm::dvec3& d) { return glm::vec3(float(0.5 + 0.5 * std::sin(40.0 * d.x) * std::sin(40.0 * d.y))); };
+    Renderer renderer(TexelFormat::Float);
+    for (const MapLayout& layout : {MapLayout{Parameterization::Cube, 128, 0}, MapLayout{Parameterization::Octahedral, 256, 0}}) {
+        const RenderMaps maps{std::make_shared<const std::vector<EnvironmentMap>>(buildMipPyramid(environmentFrom(layout, stripes)).levels), {}, {}};
+        RenderSettings settings = small(GeometryKind::Torus);
+        settings.background.kind = BackgroundKind::None;
+        settings.camera.pitch = 0.1f;
+        settings.geometry.level = 48;
+        constexpr int factor = 8;
+        RenderSettings fine = settings;
+        fine.width *= factor;
+        fine.height *= factor;
+        const Image samples = renderer.renderRadiance(fine, maps);
+        const auto meanError = [&](int anisotropy) {
+            settings.material.anisotropy = anisotropy;
+            const Image picture = renderer.renderRadiance(settings, maps);
+            double sum = 0.0;
+            int count = 0;
+            for (int y = 1; y < settings.height - 1; ++y)
+                for (int x = 1; x < settings.width - 1; ++x) {
+                    if (!isInterior(picture, x, y))
+                        continue;
+                    double expected = 0.0, covered = 0.0;
+                    for (int j = 0; j < factor; ++j)
+                        for (int i = 0; i < factor; ++i) {
+                            expected += samples.texel(factor * x + i, factor * y + j)[0];
+                            covered += samples.texel(factor * x + i, factor * y + j)[3];
+                        }
+                    sum += std::abs(expected / covered - picture.texel(x, y)[0]);
+                    ++count;
+                }
+            return sum / count;
+        };
+        const double one = meanError(1), four = meanError(4), sixteen = meanError(16);
+        RecordProperty("errors", std::to_string(one) + " " + std::to_string(four) + " " + std::to_string(sixteen));
+        // Measured: 0.116, 0.040, 0.034 for the cube, 0.116, 0.045, 0.038 for the octahedron.
+        EXPECT_LT(four, 0.5 * one) << name(layout.kind);
+        EXPECT_LE(sixteen, 1.02 * four) << name(layout.kind);
+    }
+}
+
+TEST_F(RendererTest, AnOrthographicCameraSeesTheBackgroundInTheSameAngle)
+{
+    RenderSettings settings = small(GeometryKind::Sphere);
+    settings.camera.projection = Projection::Orthographic;
+    settings.camera.roll = 0.4f;
+    const MapLevels map = asLevels(environmentFrom({Parameterization::Octahedral, 128, 0}, smoothRadiance));
+    Renderer renderer(TexelFormat::Float);
+    const Image picture = renderer.renderRadiance(settings, {map, {}, map});
+    for (const glm::ivec2 p : {glm::ivec2(1, 1), glm::ivec2(158, 2), glm::ivec2(3, 117), glm::ivec2(155, 60)})
+        EXPECT_LT(glm::distance(at(picture, p.x, p.y), glm::dvec3(map->front().radiance(backgroundDirection(settings, p.x, p.y)))), 1e-3);
+    settings.background = {.kind = BackgroundKind::Color, .color = {0.1f, 0.2f, 0.3f}};
+    EXPECT_LT(glm::distance(at(renderer.renderRadiance(settings, {map, {}, {}}), 1, 1), glm::dvec3(0.1, 0.2, 0.3)), 1e-6);
+    settings.background.kind = BackgroundKind::None;
+    EXPECT_EQ(renderer.renderRadiance(settings, {map, {}, {}}).texel(1, 1)[3], 0.0f);
+}

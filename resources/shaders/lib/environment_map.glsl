@@ -1,14 +1,17 @@
 // Radiance by direction from one map. Included once per map, with these macros defined; it undefines them:
 //   MAP_RADIANCE  name of the function to make:  vec3 MAP_RADIANCE(vec3 d, float lambda), d a unit vector
+//   MAP_LOD       name of another:               float MAP_LOD(vec3 d, float lambda), the level that the former reads
 //   MAP_SAMPLER, MAP_LEVELS, MAP_SETTINGS  names of the uniforms
 //   MAP_KIND      parameterization, in the order of core's enum: 0 latlong, 1 cube, 2 sphere, 3 angular, 4 paraboloid, 5 octahedral
 //   MAP_MIPS      1 when the map has more than one level
+//   MAP_ANISOTROPY  most lookups along the longer side of a footprint; 1 for one lookup
 // Twin: EnvironmentMap::radiance in core/image/environment_map on every level.
 //
 // The level is not left to the hardware: that measures how fast texture coordinates run, and they jump at every seam. What runs
 // smoothly is the direction itself. Neighbouring pixels are |dd/dx| apart in radians, a texel of level 0 spans texelAngle, so
 //   lod = log2(max(|dd/dx|, |dd/dy|) / texelAngle),
-// and lambda is the least level that may be used: max(lod, lambda), a clamp and not a bias. Source: 002 section 2.
+// a bias may move it, and lambda is the least level that may be used: max(lod + bias, lambda), a clamp and not a bias. Source: 002
+// section 2.
 #include "lib/angular_map.glsl"
 #include "lib/cube_map.glsl"
 #include "lib/dual_paraboloid.glsl"
@@ -22,7 +25,7 @@ uniform samplerCube MAP_SAMPLER;
 uniform sampler2D MAP_SAMPLER;
 #endif
 uniform vec4 MAP_LEVELS[16];  // place in the atlas, size, border
-uniform vec4 MAP_SETTINGS;    // x: factor to radiance, y: last level
+uniform vec4 MAP_SETTINGS;    // x: factor to radiance, y: last level, z: bias of the level
 
 #if MAP_KIND == 1
 #define MAP_TEXEL_ANGLE(d, level) cubeTexelAngle(d, level.z)
@@ -44,9 +47,7 @@ uniform vec4 MAP_SETTINGS;    // x: factor to radiance, y: last level
 #endif
 
 // One level of an atlas. Framed charts stand N + 2 texels apart.
-#if MAP_KIND == 1
-#define MAP_LEVEL(d, lod) textureLod(MAP_SAMPLER, d, float(lod)).rgb
-#else
+#if MAP_KIND != 1
 vec3 MAP_RADIANCE(vec3 d, vec4 level)
 {
     vec3 p = MAP_COORDINATE(d, level);
@@ -76,26 +77,66 @@ vec3 MAP_RADIANCE(float lod, vec3 d)
 #endif
 }
 
-// At the level that the pixel's footprint asks for, but not below lambda.
+#if MAP_MIPS && MAP_ANISOTROPY > 1
+// A pixel's footprint is an ellipse about d. Its axes follow from the products of the derivatives, G = (dx.dx dx.dy; dx.dy dy.dy): the
+// squared lengths are G's eigenvalues. The level is that of the shorter axis, or of an equal share of the longer one where lookups run out.
+struct Footprint {
+    vec3 axis;   // the longer one
+    float lod;
+    int lookups; // along it
+};
+Footprint MAP_LOD(vec3 d, vec3 dx, vec3 dy, float lambda)
+{
+    float xx = dot(dx, dx), xy = dot(dx, dy), yy = dot(dy, dy);
+    float mean = 0.5 * (xx + yy), apart = sqrt(0.25 * (xx - yy) * (xx - yy) + xy * xy);
+    float longer2 = max(mean + apart, 1e-20);
+    vec2 along = xx >= yy ? vec2(longer2 - yy, xy) : vec2(xy, longer2 - xx);
+    along = dot(along, along) > 0.0 ? normalize(along) : vec2(1.0, 0.0);
+    float texel = MAP_TEXEL_ANGLE(d, MAP_LEVELS[0]);
+    float shorter2 = max(mean - apart, longer2 / float(MAP_ANISOTROPY * MAP_ANISOTROPY));
+    float lod = clamp(max(0.5 * log2(shorter2 / (texel * texel)) + MAP_SETTINGS.z, lambda), 0.0, MAP_SETTINGS.y);
+    int lookups = int(clamp(ceil(sqrt(longer2) / (texel * exp2(lod))), 1.0, float(MAP_ANISOTROPY)));
+    return Footprint(along.x * dx + along.y * dy, lod, lookups);
+}
+float MAP_LOD(vec3 d, float lambda)
+{
+    return MAP_LOD(d, dFdx(d), dFdy(d), lambda).lod;
+}
 vec3 MAP_RADIANCE(vec3 d, float lambda)
+{
+    Footprint footprint = MAP_LOD(d, dFdx(d), dFdy(d), lambda);
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < footprint.lookups; ++i)
+        sum += MAP_RADIANCE(footprint.lod, normalize(d + ((float(i) + 0.5) / float(footprint.lookups) - 0.5) * footprint.axis));
+    return sum / float(footprint.lookups);
+}
+#else
+// The level that the pixel's footprint asks for, but not below lambda.
+float MAP_LOD(vec3 d, float lambda)
 {
 #if MAP_MIPS
     vec3 dx = dFdx(d), dy = dFdy(d);
     float footprint2 = max(dot(dx, dx), dot(dy, dy));
     float texel = MAP_TEXEL_ANGLE(d, MAP_LEVELS[0]);
     float lod = 0.5 * log2(max(footprint2, 1e-20) / (texel * texel));
-    return MAP_RADIANCE(max(lod, lambda), d);
+    return clamp(max(lod + MAP_SETTINGS.z, lambda), 0.0, MAP_SETTINGS.y);
 #else
-    return MAP_RADIANCE(0.0, d);
+    return 0.0;
 #endif
 }
+vec3 MAP_RADIANCE(vec3 d, float lambda)
+{
+    return MAP_RADIANCE(MAP_LOD(d, lambda), d);
+}
+#endif
 
-#undef MAP_LEVEL
 #undef MAP_COORDINATE
 #undef MAP_TEXEL_ANGLE
 #undef MAP_RADIANCE
+#undef MAP_LOD
 #undef MAP_SAMPLER
 #undef MAP_LEVELS
 #undef MAP_SETTINGS
 #undef MAP_KIND
 #undef MAP_MIPS
+#undef MAP_ANISOTROPY

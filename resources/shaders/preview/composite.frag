@@ -3,11 +3,13 @@
 #include "lib/output.glsl"
 #if BACKGROUND == 2
 #define MAP_RADIANCE backgroundRadiance
+#define MAP_LOD backgroundLod
 #define MAP_SAMPLER backgroundMap
 #define MAP_LEVELS backgroundLevels
 #define MAP_SETTINGS backgroundSettings
 #define MAP_KIND BACKGROUND_KIND
 #define MAP_MIPS BACKGROUND_MIPS
+#define MAP_ANISOTROPY 1
 #include "lib/environment_map.glsl"
 uniform mat3 backgroundRotation; // world to map
 #elif BACKGROUND == 1
@@ -19,6 +21,7 @@ uniform sampler2DMS objectSamples;
 uniform sampler2D objectSamples;
 #endif
 
+uniform vec4 corner; // xy: the pixel of the framebuffer that is the picture's lower left
 in vec3 direction;
 layout(location = 0) out vec4 color;
 
@@ -34,7 +37,7 @@ void main()
 #if OBJECT_SAMPLES > 0
     vec4 object = vec4(0.0);
     for (int i = 0; i < OBJECT_SAMPLES; ++i)
-        object += texelFetch(objectSamples, ivec2(gl_FragCoord.xy), OBJECT_SAMPLES > 1 ? i : 0);
+        object += texelFetch(objectSamples, ivec2(gl_FragCoord.xy - corner.xy), OBJECT_SAMPLES > 1 ? i : 0);
     object /= float(OBJECT_SAMPLES);
     behind = object + (1.0 - object.a) * behind;
 #endif

@@ -89,6 +89,39 @@ TEST(Plan, LambdaAsksForAPyramid)
     expectNeeded(makePlan(shrinking, probe), "mip levels of specular map", "where reflections shrink: 10 levels");
 }
 
+TEST(Plan, ALevelBiasUpwardsAsksForAPyramid)
+{
+    Scene scene;
+    scene.material.lodBias = 1.5;
+    expectNeeded(makePlan(scene, probe), "mip levels of specular map", "LOD bias 1.5");
+    scene.material.lodBias = -1.0; // sharper than the finest there is not
+    expectLeftOut(makePlan(scene, probe), "mip levels of specular map", "only the finest");
+}
+
+TEST(Plan, ADebugViewNeedsNoMaterial)
+{
+    Scene scene;
+    scene.material.diffuse.weight = 1.0;
+    scene.view.background.kind = Backdrop::None;
+    for (const Shading shading : {Shading::Wireframe, Shading::Normals, Shading::TexCoords, Shading::Seams}) {
+        scene.view.shading = shading;
+        const Plan plan = makePlan(scene, probe);
+        EXPECT_FALSE(plan.needsProbe());
+        expectLeftOut(plan, "specular map", "and not the material");
+        expectLeftOut(plan, "irradiance map", "and not the material");
+    }
+    scene.view.shading = Shading::Mips;
+    EXPECT_TRUE(makePlan(scene, probe).specular);
+}
+
+TEST(Plan, ReadsAMeshOnlyWhereOneIsNamed)
+{
+    Scene scene;
+    expectLeftOut(makePlan(scene, probe), "read mesh", "built in");
+    scene.view.geometry = "bunny.ply";
+    expectNeeded(makePlan(scene, probe), "read mesh", "bunny.ply");
+}
+
 TEST(Plan, ConstantFresnelTermsAreFoldedIntoTheColours)
 {
     Scene scene;

@@ -61,6 +61,7 @@ struct Changer {
     void operator()(const Field&, glm::dvec3& value) { value += glm::dvec3(0.1, 1.0 / 3, 2e-7); }
     void operator()(const Field&, std::optional<Parameterization>& value) { value = Parameterization::Angular; }
     void operator()(const Field&, Parameterization& value) { value = Parameterization::Paraboloid; }
+    void operator()(const Field&, EmbeddedSphereMap&) {} // embedded_sphere_map_test.cpp
     template <typename E>
         requires std::is_enum_v<E>
     void operator()(const Field&, E& value)

@@ -37,4 +37,18 @@ void checkRange(const std::string& path, const Field& field, double value)
     throw InvalidArgument(path + ": must be " + must.str() + "; it is " + numberText(value));
 }
 
+size_t mostEntries(const Field& field)
+{
+    return field.high < std::numeric_limits<double>::max() ? static_cast<size_t>(field.high) : 1000;
+}
+
+void checkCount(const std::string& path, const Field& field, size_t count)
+{
+    const size_t most = mostEntries(field);
+    if (count > most)
+        throw InvalidArgument(path + ": must be a list of at most " + std::to_string(most) + "; it has " + std::to_string(count));
+    if (static_cast<double>(count) < field.low)
+        throw InvalidArgument(path + ": must be a list of at least " + numberText(field.low) + "; it has " + std::to_string(count));
+}
+
 } // namespace mirrorball

@@ -1,0 +1,216 @@
+#include "field_json.h"
+
+#include "atomic_file.h"
+
+#include <fstream>
+
+namespace mirrorball::field_json {
+
+namespace {
+
+constexpr size_t largestFile = size_t{16} << 20;
+constexpr size_t deepest = 64;
+
+/// Refuses what nlohmann's parser lets through: deep nesting and keys that occur twice. A pass of its own, because the parser's callback
+/// takes time that grows with the square of a list's length.
+class Checker : public Json::json_sax_t {
+public:
+    explicit Checker(std::string_view what) : m_what(what) {}
+
+    bool null() override { return true; }
+    bool boolean(bool) override { return true; }
+    bool number_integer(number_integer_t) override { return true; }
+    bool number_unsigned(number_unsigned_t) override { return true; }
+    bool number_float(number_float_t, const string_t&) override { return true; }
+    bool string(string_t&) override { return true; }
+    bool binary(binary_t&) override { return true; }
+    bool start_object(std::size_t) override { return open(); }
+    bool start_array(std::size_t) override { return open(); }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+    bool key(string_t& key) override
+    {
+        if (!m_keys.back().insert(key).second)
+            throw InvalidArgument("the key " + inQuotes(key) + " occurs twice in one object; remove one");
+        return true;
+    }
+    bool parse_error(std::size_t, const std::string&, const Json::exception&) override { return false; } // told by the parser itself
+
+private:
+    bool open()
+    {
+        m_keys.emplace_back();
+        if (m_keys.size() > deepest)
+            throw InvalidArgument("is nested more than " + std::to_string(deepest) + " deep; this is no " + std::string(m_what));
+        return true;
+    }
+    bool close()
+    {
+        m_keys.pop_back();
+        return true;
+    }
+
+    std::string_view m_what;
+    std::vector<std::set<std::string>> m_keys; ///< of the objects and lists that are open
+};
+
+} // namespace
+
+// ---- reading -------------------------------------------------------------------------------------------------------------------
+
+void refuse(const std::string& path, const std::string& must, const Json& found)
+{
+    std::string what;
+    if (found.is_object())
+        what = "an object";
+    else if (found.is_array())
+        what = "a list of " + std::to_string(found.size());
+    else if (found.is_string())
+        what = inQuotes(found.get_ref<const std::string&>());
+    else
+        what = found.dump();
+    throw InvalidArgument((path.empty() ? "the file" : path) + ": must be " + must + "; it is " + what);
+}
+
+std::string listed(std::span<const std::string_view> words)
+{
+    std::string text;
+    for (size_t i = 0; i < words.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + std::string(words[i]);
+    return text;
+}
+
+size_t readWord(const std::string& path, const Json& json, std::span<const std::string_view> known)
+{
+    const auto found = json.is_string() ? std::find(known.begin(), known.end(), json.get_ref<const std::string&>()) : known.end();
+    if (found == known.end())
+        refuse(path, listed(known), json);
+    return static_cast<size_t>(found - known.begin());
+}
+
+UnknownKeys Reader::unknownKeys() const
+{
+    UnknownKeys unknown;
+    for (const auto& [key, value] : m_object.items())
+        if (!m_known.contains(key))
+            unknown.emplace(key, value.dump());
+    return unknown;
+}
+
+void Reader::readPlain(const std::string& path, const Field& field, const Json& json, double& value)
+{
+    if (!json.is_number())
+        refuse(path, "a number", json);
+    value = json.get<double>();
+    checkRange(path, field, value);
+}
+
+void Reader::readPlain(const std::string& path, const Field& field, const Json& json, int& value)
+{
+    if (!json.is_number_integer())
+        refuse(path, "a whole number", json);
+    checkRange(path, field, json.get<double>());
+    value = json.get<int>();
+}
+
+void Reader::readPlain(const std::string& path, const Field&, const Json& json, bool& value)
+{
+    if (!json.is_boolean())
+        refuse(path, "true or false", json);
+    value = json.get<bool>();
+}
+
+void Reader::readPlain(const std::string& path, const Field&, const Json& json, std::string& value)
+{
+    if (!json.is_string())
+        refuse(path, "a text in quotes", json);
+    value = json.get<std::string>();
+    if (value.find('\0') != std::string::npos)
+        refuse(path, "a text without NUL", json);
+}
+
+Json parse(const std::string& text, std::string_view what)
+{
+    Checker checker(what);
+    Json::sax_parse(text, &checker);
+    try {
+        return Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        const size_t end = std::min(error.byte, text.size());
+        const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
+        throw InvalidArgument("is no JSON from line " + std::to_string(line) + " on; mend it there or load another file");
+    } catch (const Json::exception&) {
+        throw InvalidArgument("holds a number too large for any computer; mend it or load another file");
+    }
+}
+
+std::string readText(const std::filesystem::path& path, std::string_view what)
+{
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error))
+        throw InvalidArgument("is a folder; give a file");
+    std::ifstream file(path, std::ios::binary);
+    if (!file)
+        throw InvalidArgument(std::filesystem::exists(path, error) ? "cannot be opened; check its permissions"
+                                                                   : "does not exist; check the path");
+    std::string text(largestFile + 1, '\0');
+    file.read(text.data(), static_cast<std::streamsize>(text.size()));
+    if (file.bad())
+        throw InvalidArgument("cannot be read; check the disk");
+    text.resize(static_cast<size_t>(file.gcount()));
+    if (text.size() > largestFile)
+        throw InvalidArgument("holds more than 16 MiB; this is no " + std::string(what));
+    if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+        throw InvalidArgument("is empty; write a " + std::string(what) + " into it or load another file");
+    return text;
+}
+
+void checkVersion(const Json& json, int version, std::string_view what)
+{
+    const auto found = json.find("version");
+    if (found == json.end())
+        throw InvalidArgument("version: is missing; a " + std::string(what) + " file begins with {\"version\": 1, ...}");
+    if (!found->is_number_integer() || found->get<double>() < 1)
+        refuse("version", "a whole number from 1", *found);
+    if (found->get<double>() > version)
+        throw InvalidArgument("version: is " + found->dump() + ", but this program reads up to " + std::to_string(version) +
+                              "; update Mirrorball");
+}
+
+// ---- writing -------------------------------------------------------------------------------------------------------------------
+
+void Writer::writeUnknown(const UnknownKeys& unknown)
+{
+    auto& members = m_object.get_ref<OrderedJson::object_t&>();
+    for (const auto& [key, value] : unknown) // appended without a search: there may be very many
+        members.push_back({key, OrderedJson::parse(value)});
+}
+
+void save(const OrderedJson& json, const std::filesystem::path& path, std::string_view what)
+{
+    std::string text;
+    try {
+        text = json.dump(2) + "\n";
+    } catch (const OrderedJson::exception&) {
+        throw InvalidArgument(path.string() + ": a text of the " + std::string(what) +
+                              " is not UTF-8 and cannot be saved; rename the file it names");
+    }
+    AtomicFile file(path);
+    file.write(text.data(), text.size());
+    file.commit();
+}
+
+std::filesystem::path folderOf(const std::filesystem::path& file)
+{
+    return std::filesystem::absolute(file).lexically_normal().parent_path();
+}
+
+std::string rebased(const std::string& path, const std::filesystem::path& from, const std::filesystem::path& to)
+{
+    if (path.empty() || path.starts_with("builtin:") || std::filesystem::path(path).is_absolute())
+        return path;
+    const std::filesystem::path moved = (from / path).lexically_normal().lexically_relative(to);
+    return moved.empty() ? (from / path).string() : moved.string();
+}
+
+} // namespace mirrorball::field_json

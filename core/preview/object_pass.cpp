@@ -1,0 +1,169 @@
+#include "render_resources.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirrorball::preview {
+
+namespace {
+
+// Where a box can show on the screen, with a pixel to spare. A box that reaches behind the eye can show anywhere.
+PixelRectangle screenBounds(const BoundingBox& box, const glm::mat4& worldToClip, int width, int height)
+{
+    glm::vec2 low(1.0f), high(-1.0f);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec4 clip = worldToClip * glm::vec4(corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
+                                                       corner & 4 ? box.high.z : box.low.z, 1.0f);
+        if (clip.w <= 0.0f)
+            return {0, 0, width, height};
+        low = glm::min(low, glm::vec2(clip) / clip.w);
+        high = glm::max(high, glm::vec2(clip) / clip.w);
+    }
+    const auto pixel = [](float ndc, int size, int margin) {
+        return std::clamp(static_cast<int>(std::floor((0.5 + 0.5 * glm::clamp(ndc, -1.5f, 1.5f)) * size)) + margin, 0, size);
+    };
+    const int x0 = pixel(low.x, width, -1), y0 = pixel(low.y, height, -1);
+    return {x0, y0, pixel(high.x, width, 2) - x0, pixel(high.y, height, 2) - y0};
+}
+
+glm::mat4 worldToClip(const RenderSettings& settings, const BoundingBox& box)
+{
+    const glm::vec3 farthest = glm::max(glm::abs(box.low - settings.camera.target), glm::abs(box.high - settings.camera.target));
+    return settings.camera.worldToClip(float(settings.width) / float(settings.height), 1.01f * glm::length(farthest));
+}
+
+// The turn of the material's lookups.
+glm::mat3 mapRotation(const RenderSettings& settings)
+{
+    return settings.material.space == LookupSpace::Eye ? glm::transpose(settings.camera.cameraToWorld()) : yawToMap(settings.yaw);
+}
+
+void beginDrawing(const RenderTarget& target)
+{
+    const glm::vec4 nothing(0.0f);
+    const float farthest = 1.0f;
+    glDepthMask(GL_TRUE);
+    for (size_t i = 0; i < target.colors.size(); ++i)
+        glClearNamedFramebufferfv(target.framebuffer, GL_COLOR, static_cast<GLint>(i), &nothing.x);
+    glClearNamedFramebufferfv(target.framebuffer, GL_DEPTH, 0, &farthest);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glEnable(GL_MULTISAMPLE);
+    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    glDisable(GL_BLEND);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+std::string number(int value)
+{
+    return std::to_string(value);
+}
+
+} // namespace
+
+PixelRectangle Renderer::Resources::beginObject(const RenderSettings& settings, const RenderTarget& target)
+{
+    const BoundingBox& box = mesh(settings.geometry).bounds();
+    const PixelRectangle part = screenBounds(box, worldToClip(settings, box), settings.width, settings.height);
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+    glViewport(0, 0, target.width, target.height);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(part.x, part.y, part.width, part.height);
+    beginDrawing(target);
+    return part;
+}
+
+void Renderer::Resources::drawMesh(const RenderSettings& settings, const ShaderProgram& shader)
+{
+    const MeshBuffer& buffer = mesh(settings.geometry);
+    shader.set("worldToClip", worldToClip(settings, buffer.bounds()));
+    shader.set("viewer", settings.camera.viewer());
+    shader.use();
+    buffer.draw();
+}
+
+void Renderer::Resources::drawObject(const RenderSettings& settings, const RenderMaps& maps, Output output)
+{
+    const MaterialSettings& material = settings.material;
+    const NeededMaps needed = neededMaps(settings);
+    const bool hasMarker = settings.marker.has_value() && output == Output::Display;
+    std::vector<ShaderDefine> defines = {{"HAS_SPECULAR", needed.specular ? "1" : "0"},
+                                         {"HAS_DIFFUSE", needed.diffuse ? "1" : "0"},
+                                         {"FRESNEL", number(static_cast<int>(material.fresnel.kind))},
+                                         {"COAT", material.combine == Combine::Coat ? "1" : "0"},
+                                         {"MARKER", hasMarker ? "1" : "0"},
+                                         {"HAS_TEXCOORD", "0"}};
+    addOutputDefines(defines, settings, output);
+    if (needed.specular) {
+        addMapDefines(defines, "SPECULAR", specular.update(maps.specular, format, "specular"));
+        defines.emplace_back("SPECULAR_ANISOTROPY", number(material.anisotropy));
+    }
+    if (needed.diffuse)
+        addMapDefines(defines, "DIFFUSE", diffuse.update(maps.diffuse, format, "diffuse"));
+
+    const ShaderProgram& shader = programs.get({"preview/object.vert", "preview/object.frag"}, defines);
+    if (needed.specular) {
+        bindMap(shader, "specular", 0, *specular.texture(), mapRotation(settings), material.lodBias);
+        shader.set("specularColor", material.specular);
+        shader.set("lambda", material.lambda);
+    }
+    if (needed.diffuse) {
+        bindMap(shader, "diffuse", 1, *diffuse.texture(), mapRotation(settings));
+        shader.set("diffuseColor", material.diffuse);
+    }
+    if (hasMarker) {
+        shader.set("marker", glm::normalize(*settings.marker));
+        shader.set("markerPixel", settings.pixelRatio);
+        shader.set("markerRotation", mapRotation(settings));
+    }
+    const double n = material.fresnel.index;
+    shader.set("n2m1", static_cast<float>((n - 1.0) * (n + 1.0)));
+    shader.set("conductorN", glm::vec3(material.fresnel.conductor.n));
+    shader.set("conductorK", glm::max(glm::vec3(material.fresnel.conductor.k), 1e-6f));
+    shader.set("exposure", std::exp2(settings.exposure));
+    drawMesh(settings, shader);
+}
+
+void Renderer::Resources::drawDebug(const RenderSettings& settings, const RenderMaps& maps)
+{
+    const bool hasLevels = neededMaps(settings).specular;
+    std::vector<ShaderDefine> defines = {{"SHADING", number(static_cast<int>(settings.shading))},
+                                         {"HAS_TEXCOORD", settings.shading == Shading::TexCoords ? "1" : "0"},
+                                         {"HAS_SPECULAR", hasLevels ? "1" : "0"}};
+    if (settings.shading == Shading::Seams)
+        defines.emplace_back("SEAMS_OF", number(static_cast<int>(settings.seamsOf)));
+    if (hasLevels) {
+        addMapDefines(defines, "SPECULAR", specular.update(maps.specular, format, "specular"));
+        defines.emplace_back("SPECULAR_ANISOTROPY", number(settings.material.anisotropy));
+    }
+    const bool isWireframe = settings.shading == Shading::Wireframe;
+    const ShaderProgram& shader =
+        programs.get({"preview/object.vert", "preview/debug.frag", isWireframe ? "preview/wireframe.geom" : nullptr}, defines);
+    if (hasLevels) {
+        bindMap(shader, "specular", 0, *specular.texture(), mapRotation(settings), settings.material.lodBias);
+        shader.set("lambda", settings.material.lambda);
+    }
+    shader.set("specularRotation", mapRotation(settings));
+    shader.set("pixelRatio", settings.pixelRatio);
+    shader.set("viewport", glm::vec4(settings.width, settings.height, 0.0f, 0.0f));
+    drawMesh(settings, shader);
+}
+
+// A viewport that begins left of and below the target moves one pixel of the picture to its (0, 0), on the same grid of samples.
+void Renderer::Resources::drawBuffers(const RenderSettings& settings, const RenderTarget& target, glm::ivec2 corner)
+{
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+    glViewport(-corner.x, -corner.y, settings.width, settings.height);
+    glDisable(GL_SCISSOR_TEST);
+    beginDrawing(target);
+    const bool isPick = target.colors.size() > 3;
+    const ShaderProgram& shader = programs.get({"preview/object.vert", "preview/buffers.frag"},
+                                               {{"HAS_TEXCOORD", isPick ? "1" : "0"}, {"HAS_EYE", isPick ? "1" : "0"}});
+    shader.set("specularRotation", mapRotation(settings));
+    shader.set("worldToCamera", glm::transpose(settings.camera.cameraToWorld()));
+    drawMesh(settings, shader);
+    glDisable(GL_DEPTH_TEST);
+    glUseProgram(0);
+}
+
+} // namespace mirrorball::preview

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "bound_map.h"
+#include "mesh_buffer.h"
+#include "render_target.h"
+#include "renderer.h"
+#include "shader_program.h"
+
+namespace mirrorball::preview {
+
+enum class Output { Display, Radiance };
+
+/// What a renderer keeps in its context, and the passes that a picture is made of. Only the renderer's own files know it.
+struct Renderer::Resources {
+    explicit Resources(TexelFormat format);
+
+    TexelFormat format;
+    GlObject emptyVertexArray;
+    BoundMap specular{}, diffuse{}, background{};
+    ProgramCache programs{};
+    Geometry geometry{};
+    std::unique_ptr<MeshBuffer> meshBuffer{};
+    RenderTarget objectTarget{}, pictureTarget{}, bufferTarget{}, pickTarget{};
+
+    const MeshBuffer& mesh(const Geometry& wanted);
+    RenderTarget& target(RenderTarget& slot, int width, int height, int samples, GLenum colorFormat, int count, GLenum depthFormat);
+
+    /// The whole picture.
+    void drawScene(const RenderSettings& settings, const RenderMaps& maps, Output output, const Destination& destination);
+
+    // object_pass.cpp
+    /// Clears the part of the target that the object can touch and leaves the scissor on it.
+    PixelRectangle beginObject(const RenderSettings& settings, const RenderTarget& target);
+    void drawMesh(const RenderSettings& settings, const ShaderProgram& shader);
+    void drawObject(const RenderSettings& settings, const RenderMaps& maps, Output output);
+    void drawDebug(const RenderSettings& settings, const RenderMaps& maps);
+    /// Position, normal, direction and, with `count` 6, what else a SurfaceHit holds. @param corner pixel of the picture at (0, 0)
+    void drawBuffers(const RenderSettings& settings, const RenderTarget& target, glm::ivec2 corner);
+
+    // composite_pass.cpp
+    /// @param part   of the picture
+    /// @param object the samples to lay over the background, or null where there are none
+    void drawComposite(const RenderSettings& settings, const RenderMaps& maps, Output output, const Destination& destination,
+                       const PixelRectangle& part, const GlObject* object);
+};
+
+/// The turn from world directions to the environment's: L'(d) = L(yawed(d, -yaw)).
+glm::mat3 yawToMap(float yaw);
+
+/// What lib/output.glsl needs to know when it is compiled.
+void addOutputDefines(std::vector<ShaderDefine>& defines, const RenderSettings& settings, Output output);
+
+} // namespace mirrorball::preview

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "scene_maps.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mirrorball {
+
+/// How good the maps of a scene must be.
+struct MapDetail {
+    int largestSize = 16384;  ///< texels: maps without coarser levels are made no larger
+    double tolerance = 1e-5;  ///< rel_rms of the filters, (0, 1]
+    bool operator==(const MapDetail&) const = default;
+};
+
+/// A scene with everything that was made of it. A value; maps are shared, so a copy is cheap.
+struct MadeScene {
+    Scene scene{};
+    Plan plan{};
+    SceneMaps maps{};
+    WorkRecord record{};                                 ///< of this update only
+    MapDetail detail{};
+    MapLayout probeLayout{};
+    std::shared_ptr<const EnvironmentMap> environment{}; ///< the probe as it is; null when nothing needs it or it was streamed
+    RepairReport repaired{};
+    std::string origin{};                                ///< how its parameterization was found, in words
+    bool certain = true;                                 ///< false: a guess by the shape alone
+    std::string problem{};                               ///< why the probe could not be read: the maps then show the placeholder
+};
+
+/// The maps of a scene that is being edited: an update makes what an edit touched and keeps the rest. A map that did not change comes
+/// back as the same pointer, so that the renderer keeps its texture; the probe is read again only when its file changed, and its spectrum
+/// is kept from lobe to lobe. One thread at a time.
+class LiveMaps {
+public:
+    /// A probe that cannot be read is replaced by placeholderProbe() and named in `problem`.
+    /// @throws InvalidArgument naming the field, when the scene is not valid; Cancelled, after which the next update goes on from what
+    ///         is there
+    MadeScene update(const Scene& scene, const MapDetail& detail, const JobControl& job = {});
+
+private:
+    /// What a probe was read from. A file is told by its time and size, too.
+    struct ProbeKey {
+        std::string path{};
+        std::optional<Parameterization> parameterization{};
+        std::filesystem::file_time_type time{};
+        std::uintmax_t size = 0;
+        bool operator==(const ProbeKey&) const = default;
+    };
+    struct KeptMap {
+        MapPlan plan{};
+        double exposure = 0.0;
+        MapLevels levels{};
+    };
+
+    static ProbeKey probeKey(const Scene& scene);
+    void openHeader(const Scene& scene);
+    void readWhole(const Scene& scene, const JobControl& job, WorkRecord& record);
+    void openStreamed(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record);
+    void forgetMaps();
+    MapLevels levels(KeptMap& kept, const std::optional<MapPlan>& plan, SceneProbe& probe, double exposure, const JobControl& job,
+                     WorkRecord& record);
+
+    std::optional<ProbeKey> m_key{};
+    MapLayout m_layout{};
+    bool m_isStreamed = false;
+    std::string m_problem{};
+    SceneProbe m_probe{};                                  ///< its source serves the filters
+    std::shared_ptr<const EnvironmentMap> m_environment{}; ///< the probe as it is
+    bool m_certain = true;
+    KeptMap m_specular{}, m_diffuse{}, m_background{};
+};
+
+/// What stands in for a probe that is missing: a checkerboard of magenta and dark grey, that nobody takes for light.
+EnvironmentMap placeholderProbe();
+
+} // namespace mirrorball

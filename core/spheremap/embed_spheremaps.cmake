@@ -1,0 +1,12 @@
+# Writes OUTPUT, a C++ file with the text of the sphere maps NAMES (files NAME.spheremap in ROOT) as raw strings.
+set(code "#include \"core/spheremap/presets.h\"\n\n#include <array>\n\nnamespace mirrorball {\n\n")
+set(entries "")
+set(count 0)
+foreach(name IN LISTS NAMES)
+  file(READ "${ROOT}/${name}.spheremap" text)
+  string(APPEND entries "    SphereMapFile{\"${name}\", R\"json(${text})json\"},\n")
+  math(EXPR count "${count} + 1")
+endforeach()
+string(APPEND code "static constexpr std::array<SphereMapFile, ${count}> files{{\n${entries}}};\n\n")
+string(APPEND code "std::span<const SphereMapFile> embeddedSphereMaps()\n{\n    return files;\n}\n\n} // namespace mirrorball\n")
+file(WRITE "${OUTPUT}" "${code}")

@@ -1,0 +1,183 @@
+#include "sphere_map_cache.h"
+
+#include <algorithm>
+
+namespace mirrorball {
+
+namespace {
+
+enum class Change { None, Strokes, Other };
+
+/// What of the picture is different between two states of a layer.
+Change changeOf(const Layer& a, const Layer& b)
+{
+    const auto* strokesA = std::get_if<PaintLayer>(&a.content);
+    const auto* strokesB = std::get_if<PaintLayer>(&b.content);
+    const bool frame = a.visible == b.visible && a.opacity == b.opacity && a.blend == b.blend && a.mask == b.mask &&
+                       a.firstLevel == b.firstLevel && a.lastLevel == b.lastLevel;
+    if (!frame)
+        return Change::Other;
+    if (strokesA && strokesB && sameButStrokes(*strokesA, *strokesB))
+        return strokesA->strokes == strokesB->strokes ? Change::None : Change::Strokes;
+    return a.content == b.content ? Change::None : Change::Other;
+}
+
+TexelRect whole(int size)
+{
+    return {0, 0, size, size};
+}
+
+bool holdsWarp(const SphereMapDocument& document, size_t end)
+{
+    return std::any_of(document.layers.begin(), document.layers.begin() + static_cast<std::ptrdiff_t>(end),
+                       [](const Layer& layer) { return layer.visible && kindOf(layer.content).role == LayerRole::Warp; });
+}
+
+} // namespace
+
+SphereMapCache::SphereMapCache(const EvaluateOptions& options) : m_options(options)
+{
+    m_options.region.reset();
+    m_options.raster = {};
+    m_options.firstLayer = 0;
+    m_options.endLayer = SIZE_MAX;
+    m_options.below = nullptr;
+    if (!m_options.assets)
+        m_options.assets = std::make_shared<SphereMapAssets>();
+    evaluate({}, {.size = m_options.size, .level = m_options.level, .levelSize = m_options.levelSize,
+                  .region = TexelRect{0, 0, 1, 1}}); // checks the options
+}
+
+TexelRect SphereMapCache::update(const SphereMapDocument& document, const JobControl& job)
+{
+    try {
+        validate(document);
+        const TexelRect dirty = advance(document, job);
+        m_document = document;
+        return dirty;
+    } catch (...) {
+        *this = SphereMapCache(m_options);
+        throw;
+    }
+}
+
+TexelRect SphereMapCache::advance(const SphereMapDocument& document, const JobControl& job)
+{
+    const size_t count = document.layers.size();
+    const bool sameFrame = m_document && m_document->layers.size() == count && m_document->index == document.index &&
+                           m_document->folder == document.folder && !m_image.empty();
+    if (!sameFrame) {
+        m_belowLayer = 0;
+        m_lastChanged = SIZE_MAX;
+        keepCanvases(document, job);
+        m_image = Image(m_options.size, m_options.size, 4);
+        evaluateInto(document, whole(m_options.size), job);
+        return whole(m_options.size);
+    }
+    size_t lowest = SIZE_MAX;
+    std::vector<size_t> strokes;
+    bool onlyStrokes = true;
+    for (size_t i = 0; i < count; ++i) {
+        const Change change = changeOf(m_document->layers[i], document.layers[i]);
+        if (change == Change::None)
+            continue;
+        lowest = std::min(lowest, i);
+        if (change == Change::Strokes)
+            strokes.push_back(i);
+        else
+            onlyStrokes = false;
+    }
+    if (lowest == SIZE_MAX)
+        return {};
+    if (m_belowLayer > lowest)
+        m_belowLayer = 0;
+    if (lowest > 0 && m_belowLayer != lowest && m_lastChanged == lowest && (!onlyStrokes || holdsWarp(document, lowest)))
+        keepBelow(document, lowest, job);
+    m_lastChanged = lowest;
+    if (!onlyStrokes) {
+        keepCanvases(document, job);
+        evaluateInto(document, whole(m_options.size), job);
+        return whole(m_options.size);
+    }
+
+    TexelRect dirty;
+    for (const size_t i : strokes) {
+        const auto canvas = m_canvases.find(i);
+        if (canvas == m_canvases.end())
+            continue; // hidden
+        const TexelRect touched = canvas->second.update(
+            strokesAt(std::get<PaintLayer>(document.layers[i].content),
+                      {.size = m_options.size, .levelSize = m_options.levelSize > 0 ? m_options.levelSize : m_options.size}),
+            job);
+        dirty = dirty.united(touchedBy(document, i, touched, m_options));
+    }
+    for (auto& [layer, canvas] : m_canvases)
+        if (std::find(strokes.begin(), strokes.end(), layer) == strokes.end())
+            canvas.settle();
+    if (!dirty.empty())
+        evaluateInto(document, dirty, job);
+    return dirty;
+}
+
+/// A canvas for every visible paint layer, taken over from whichever layer had the same strokes.
+void SphereMapCache::keepCanvases(const SphereMapDocument& document, const JobControl& job)
+{
+    std::map<size_t, StrokeCanvas> old = std::move(m_canvases);
+    m_canvases.clear();
+    for (size_t i = 0; i < document.layers.size(); ++i) {
+        const auto* paint = std::get_if<PaintLayer>(&document.layers[i].content);
+        if (!paint || !document.layers[i].visible)
+            continue;
+        const std::vector<Stroke> strokes = strokesAt(
+            *paint, {.size = m_options.size, .levelSize = m_options.levelSize > 0 ? m_options.levelSize : m_options.size});
+        auto found = std::find_if(old.begin(), old.end(), [&](const auto& entry) { return entry.second.strokes() == strokes; });
+        if (found == old.end())
+            found = old.find(i);
+        if (found == old.end()) {
+            m_canvases.emplace(i, StrokeCanvas(m_options.size)).first->second.update(strokes, job);
+        } else {
+            auto node = old.extract(found);
+            node.key() = i;
+            m_canvases.insert(std::move(node)).position->second.update(strokes, job);
+        }
+    }
+}
+
+void SphereMapCache::keepBelow(const SphereMapDocument& document, size_t layer, const JobControl& job)
+{
+    EvaluateOptions options = m_options;
+    options.endLayer = layer;
+    options.raster = [this](size_t i) -> const Image* {
+        const auto canvas = m_canvases.find(i);
+        return canvas == m_canvases.end() ? nullptr : &canvas->second.image();
+    };
+    if (m_belowLayer > 0) {
+        options.firstLayer = m_belowLayer;
+        options.below = &m_below;
+    }
+    m_below = evaluate(document, options, job);
+    m_belowLayer = layer;
+}
+
+void SphereMapCache::evaluateInto(const SphereMapDocument& document, const TexelRect& rect, const JobControl& job)
+{
+    EvaluateOptions options = m_options;
+    options.raster = [this](size_t i) -> const Image* {
+        const auto canvas = m_canvases.find(i);
+        return canvas == m_canvases.end() ? nullptr : &canvas->second.image();
+    };
+    if (m_belowLayer > 0) {
+        options.firstLayer = m_belowLayer;
+        options.below = &m_below;
+    }
+    if (rect == whole(m_options.size)) {
+        m_image = evaluate(document, options, job);
+        return;
+    }
+    options.region = rect;
+    const Image part = evaluate(document, options, job);
+    for (int y = 0; y < part.height; ++y)
+        std::copy_n(part.row(y), static_cast<size_t>(part.width) * 4, m_image.texel(rect.x0, rect.y0 + y));
+}
+
+} // namespace mirrorball

@@ -1,0 +1,114 @@
+#include "stroke_json.h"
+
+#include <charconv>
+
+namespace mirrorball {
+
+using namespace field_json;
+
+namespace {
+
+/// Reads one point off the front of a text; what is left begins at the comma after it.
+StrokePoint takePoint(std::string_view& text, const std::string& path, size_t index)
+{
+    double numbers[3] = {0.0, 0.0, 1.0};
+    int count = 0;
+    for (;;) {
+        text.remove_prefix(std::min(text.find_first_not_of(" \n\r\t"), text.size()));
+        if (text.empty() || text.front() == ',')
+            break;
+        double value = 0.0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const auto used = static_cast<size_t>(end - text.data());
+        const bool ends = used == text.size() || std::string_view(" \n\r\t,").find(text[used]) != std::string_view::npos;
+        if (error != std::errc() || !ends || count == 3)
+            throw InvalidArgument(path + "[" + std::to_string(index) + "]: must be \"x y pressure\", points apart by commas; it goes on " +
+                                  inQuotes(text.substr(0, 20)));
+        numbers[count++] = value;
+        text.remove_prefix(used);
+    }
+    if (count < 2)
+        throw InvalidArgument(path + "[" + std::to_string(index) + "]: must be \"x y pressure\"; a number is missing");
+    return {{numbers[0], numbers[1]}, numbers[2]};
+}
+
+std::vector<StrokePoint> pointsFromText(const std::string& path, std::string_view text)
+{
+    std::vector<StrokePoint> points;
+    while (text.find_first_not_of(" \n\r\t") != std::string_view::npos) {
+        if (points.size() == mostStrokePoints)
+            throw InvalidArgument(path + ": are more than " + std::to_string(mostStrokePoints) + "; thin the stroke out");
+        points.push_back(takePoint(text, path, points.size()));
+        if (!text.empty())
+            text.remove_prefix(1); // the comma
+    }
+    return points;
+}
+
+std::vector<StrokePoint> pointsFromList(const std::string& path, const Json& list)
+{
+    if (list.size() > mostStrokePoints)
+        throw InvalidArgument(path + ": are more than " + std::to_string(mostStrokePoints) + "; thin the stroke out");
+    std::vector<StrokePoint> points;
+    points.reserve(list.size());
+    for (const Json& entry : list) {
+        const bool numbers = entry.is_array() && (entry.size() == 2 || entry.size() == 3) &&
+                             std::all_of(entry.begin(), entry.end(), [](const Json& number) { return number.is_number(); });
+        if (!numbers)
+            refuse(path + "[" + std::to_string(points.size()) + "]", "a list [x, y, pressure]", entry);
+        points.push_back({{entry[0].get<double>(), entry[1].get<double>()}, entry.size() == 3 ? entry[2].get<double>() : 1.0});
+    }
+    return points;
+}
+
+std::string pointsToText(const std::vector<StrokePoint>& points)
+{
+    std::string text;
+    char digits[32];
+    const auto add = [&](double value, char after) {
+        text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+        text += after;
+    };
+    for (const StrokePoint& point : points) {
+        add(point.q.x, ' ');
+        add(point.q.y, ' ');
+        add(point.pressure, ',');
+    }
+    if (!text.empty())
+        text.pop_back();
+    return text;
+}
+
+} // namespace
+
+void readJson(const std::string& path, const nlohmann::json& json, Stroke& stroke)
+{
+    Reader reader(path, json);
+    reader(Field{.name = "brush", .help = ""}, stroke.brush);
+    reader(Field{.name = "symmetry", .help = ""}, stroke.symmetry);
+    reader.known().insert("points");
+    const auto points = json.find("points");
+    if (points == json.end())
+        throw InvalidArgument(path + ".points: are missing; write \"points\": \"x y pressure, ...\"");
+    if (points->is_string())
+        stroke.points = pointsFromText(path + ".points", points->get_ref<const std::string&>());
+    else if (points->is_array())
+        stroke.points = pointsFromList(path + ".points", *points);
+    else
+        refuse(path + ".points", "a text \"x y pressure, ...\" or a list of lists", *points);
+    stroke.unknown = reader.unknownKeys();
+    checkFields(path, stroke);
+}
+
+nlohmann::ordered_json writeJson(const Stroke& stroke)
+{
+    OrderedJson json;
+    Writer writer(json);
+    json["brush"] = Writer::toJson(stroke.brush);
+    json["symmetry"] = Writer::toJson(stroke.symmetry);
+    json["points"] = pointsToText(stroke.points);
+    writer.writeUnknown(stroke.unknown);
+    return json;
+}
+
+} // namespace mirrorball

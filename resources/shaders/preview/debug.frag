@@ -1,0 +1,75 @@
+// What a material is computed from: SHADING 1 wireframe, 2 normals, 3 texture coordinates, 4 seams, 5 mip levels; HAS_SPECULAR says
+// whether there is a map to have levels. Colours are meant for the display: neither exposed nor tone-mapped.
+#include "lib/surface_point.glsl"
+#if SHADING == 4
+#include "lib/seams.glsl"
+#elif SHADING == 5
+#include "lib/level_color.glsl"
+#if HAS_SPECULAR
+#define MAP_RADIANCE specularRadiance
+#define MAP_LOD specularLod
+#define MAP_SAMPLER specularMap
+#define MAP_LEVELS specularLevels
+#define MAP_SETTINGS specularSettings
+#define MAP_KIND SPECULAR_KIND
+#define MAP_MIPS SPECULAR_MIPS
+#define MAP_ANISOTROPY SPECULAR_ANISOTROPY
+#include "lib/environment_map.glsl"
+uniform float lambda;
+#endif
+#endif
+
+uniform vec4 viewer;
+uniform mat3 specularRotation; // world to map
+uniform float pixelRatio;
+#if SHADING == 1
+in vec3 facePosition;
+in vec3 faceNormal;
+#define worldPosition facePosition
+#define worldNormal faceNormal
+noperspective in vec3 edgeDistance; // in pixels, to each side of the triangle
+#else
+in vec3 worldPosition;
+in vec3 worldNormal;
+#if SHADING == 3
+in vec2 texCoord;
+#endif
+#endif
+layout(location = 0) out vec4 color;
+
+// Coverage of a line of this width in pixels of the window, at a distance from its middle in device pixels.
+float line(float distance, float width)
+{
+    return clamp(0.5 * width * pixelRatio + 0.5 - distance, 0.0, 1.0);
+}
+
+void main()
+{
+    SurfacePoint p = surfacePoint(viewer, worldPosition, worldNormal);
+    float light = 0.25 + 0.75 * p.c;
+#if SHADING == 1
+    float distance = min(edgeDistance.x, min(edgeDistance.y, edgeDistance.z));
+    color = vec4(mix(vec3(0.22 * light), vec3(0.9), line(distance, 1.0)), 1.0);
+#elif SHADING == 2
+    color = vec4(0.5 + 0.5 * p.n, 1.0);
+#elif SHADING == 3
+    // The chequer's edges are as soft as a pixel; where squares are smaller than that, it is their mean.
+    vec2 cell = 16.0 * texCoord;
+    vec2 width = max(fwidth(cell), 1e-6);
+    vec2 wave = clamp((abs(fract(0.5 * cell) - 0.5) - 0.25) * 2.0 / width, -1.0, 1.0) * clamp(2.0 - 2.0 * width, 0.0, 1.0);
+    color = vec4(vec3(texCoord - floor(texCoord), 0.1) * light * (0.75 + 0.25 * wave.x * wave.y), 1.0);
+#elif SHADING == 4
+    const vec3 charts[6] = vec3[6](vec3(0.75, 0.12, 0.1), vec3(0.1, 0.5, 0.55), vec3(0.2, 0.55, 0.1), vec3(0.5, 0.12, 0.5),
+                                   vec3(0.12, 0.25, 0.75), vec3(0.75, 0.55, 0.08));
+    vec3 d = specularRotation * p.r;
+    Seam s = seam(d);
+    float slope = max(length(vec2(dot(s.across, dFdx(d)), dot(s.across, dFdy(d)))), 1e-6);
+    color = vec4(mix(light * charts[s.chart], vec3(1.0), line(abs(dot(s.across, d)) / slope, 2.0)), 1.0);
+#else
+#if HAS_SPECULAR
+    color = vec4(levelColor(specularLod(specularRotation * p.r, lambda)), 1.0);
+#else
+    color = vec4(vec3(0.1), 1.0);
+#endif
+#endif
+}

@@ -1,0 +1,174 @@
+#include "core/filter/paraboloid.h"
+
+#include "core/error.h"
+#include "core/filter/prefilter.h"
+#include "core/filter/reference.h"
+#include "core/image/image_io.h"
+#include "core/report/error_metrics.h"
+#include "support/probe_builders.h"
+#include "support/shared_data.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+namespace mirrorball {
+namespace {
+
+/// Directions spread evenly over the sphere: a Fibonacci spiral.
+std::vector<glm::dvec3> evenDirections(int count)
+{
+    std::vector<glm::dvec3> directions;
+    for (int i = 0; i < count; ++i) {
+        const double z = 1.0 - (2.0 * i + 1.0) / count, s = std::sqrt(1.0 - z * z), turn = 2.399963229728653 * i;
+        directions.emplace_back(s * std::cos(turn), s * std::sin(turn), z);
+    }
+    return directions;
+}
+
+ErrorMetrics errorOf(const EnvironmentMap& probe, const Lobe& lobe, const ParaboloidKnobs& knobs, const std::vector<glm::dvec3>& directions,
+                     const std::vector<glm::dvec3>& reference)
+{
+    return errorMetrics(paraboloidSum(layOutHalves(probe, lobe, resolved(knobs, probe.layout.size)), directions), reference);
+}
+
+TEST(Paraboloid, AConstantEnvironmentStaysConstant)
+{
+    const EnvironmentMap furnace = test::constantProbe(32, 0.7f);
+    const std::vector<glm::dvec3> directions = evenDirections(200);
+    for (const ParaboloidKernel kernel : {ParaboloidKernel::Blended, ParaboloidKernel::Exact})
+        for (const Lobe& lobe : {phongLobe(0), phongLobe(1), phongLobe(20), phongLobe(300), diffuseLobe(), ggxLobe(0.3), ggxLobe(1.0),
+                                 tabulatedLobe({0.0, 0.0, 1.0, 0.5})})
+            for (const int border : {0, 4}) {
+                const ParaboloidKnobs knobs{.kernel = kernel, .half = 64, .border = border};
+                for (const glm::dvec3& value : paraboloidSum(layOutHalves(furnace, lobe, resolved(knobs, 32)), directions))
+                    for (int c = 0; c < 3; ++c)
+                        ASSERT_NEAR(value[c], static_cast<double>(0.7f), 1e-6) << describe(lobe);
+            }
+}
+
+/// Blended, the geometry of the map limits the error, however many texels the kernel has; exact, cubic interpolation has an error of the
+/// fourth order, so that twice the kernel takes most of it away.
+TEST(Paraboloid, TheExactKernelConvergesToTheReferenceAndTheBlendedOneDoesNot)
+{
+    const EnvironmentMap probe = test::sunProbe(64, 1e4f, 40, 20);
+    const std::vector<glm::dvec3> directions = evenDirections(1500);
+    const Lobe lobe = phongLobe(40);
+    const std::vector<glm::dvec3> reference = referenceSum(probe, lobe, directions);
+    double previous = 0.0;
+    for (const int kernel : {12, 24, 48}) {
+        const double error = errorOf(probe, lobe, {.clamp = 1e-7, .largestKernel = kernel}, directions, reference).relRms;
+        if (previous > 0.0) {
+            EXPECT_LT(error, previous / 10.0) << kernel;
+        }
+        previous = error;
+    }
+    EXPECT_LT(previous, 3e-4);
+    const ParaboloidKnobs blended{.kernel = ParaboloidKernel::Blended, .clamp = 1e-4, .largestKernel = 63, .half = 256};
+    EXPECT_GT(errorOf(probe, lobe, blended, directions, reference).relRms, 0.03);
+}
+
+/// Same clamp, same kernel size: what is left is the clamp, which is the same for both.
+TEST(Paraboloid, TheExactKernelRemovesMostOfTheError)
+{
+    const EnvironmentMap probe = test::sunProbe(64, 1e4f, 30, 15);
+    const std::vector<glm::dvec3> directions = evenDirections(1500);
+    for (const double exponent : {10.0, 50.0}) {
+        const Lobe lobe = phongLobe(exponent);
+        const std::vector<glm::dvec3> reference = referenceSum(probe, lobe, directions);
+        const double blended = errorOf(probe, lobe, {.kernel = ParaboloidKernel::Blended, .half = 256}, directions, reference).relRms;
+        const double sameKnobs = errorOf(probe, lobe, {.clamp = 0.1, .largestKernel = 7}, directions, reference).relRms;
+        const double ownKnobs = errorOf(probe, lobe, {}, directions, reference).relRms;
+        EXPECT_LT(sameKnobs, 0.75 * blended) << exponent;
+        EXPECT_LT(ownKnobs, 0.05 * blended) << exponent;
+    }
+}
+
+/// A sun is the probe that the prediction is for; noise and real probes show less. The first stands behind, the second in the middle of the
+/// front half, the last at the rim.
+TEST(Paraboloid, PredictsItsErrorForTheWorstSun)
+{
+    const std::vector<glm::dvec3> directions = evenDirections(1500);
+    constexpr std::array<std::array<int, 2>, 4> suns{{{5, 15}, {64, 32}, {100, 45}, {32, 32}}};
+    const std::vector<ParaboloidKnobs> knobs{
+        {.kernel = ParaboloidKernel::Blended, .half = 256}, {.clamp = 0.1, .largestKernel = 7}, {}, {.clamp = 1e-5, .largestKernel = 31}};
+    for (const double exponent : {10.0, 50.0}) {
+        std::vector<double> worst(knobs.size(), 0.0);
+        for (const auto& [x, y] : suns) {
+            EnvironmentMap probe(MapLayout{Parameterization::Latlong, 64, 0});
+            std::fill_n(probe.image.texel(x, y), 3, 1e4f);
+            const std::vector<glm::dvec3> reference = referenceSum(probe, phongLobe(exponent), directions);
+            for (size_t i = 0; i < knobs.size(); ++i)
+                worst[i] = std::max(worst[i], errorOf(probe, phongLobe(exponent), knobs[i], directions, reference).relRms);
+        }
+        for (size_t i = 0; i < knobs.size(); ++i) {
+            const double predicted = paraboloidError(phongLobe(exponent), resolved(knobs[i], 64));
+            EXPECT_LT(worst[i], 1.1 * predicted) << exponent << ' ' << i;
+            EXPECT_GT(worst[i], 0.3 * predicted) << exponent << ' ' << i;
+        }
+    }
+}
+
+/// Nothing shows where the halves meet: the sum is over both, whatever side of the equator the lookup is on.
+TEST(Paraboloid, TheExactKernelHasNoSeamAtTheEquator)
+{
+    const EnvironmentMap probe = test::noiseProbe(32, 3);
+    const ParaboloidHalves halves = layOutHalves(probe, phongLobe(20), resolved({}, 32));
+    std::vector<glm::dvec3> directions;
+    for (int i = 0; i < 64; ++i)
+        for (const double z : {-1e-7, 1e-7})
+            directions.push_back(glm::normalize(glm::dvec3(std::cos(0.1 * i), std::sin(0.1 * i), z)));
+    const std::vector<glm::dvec3> values = paraboloidSum(halves, directions);
+    for (size_t i = 0; i < values.size(); i += 2)
+        EXPECT_NEAR(values[i].x, values[i + 1].x, 1e-5 * values[i].x);
+}
+
+TEST(Paraboloid, DoesNotDependOnTheNumberOfThreads)
+{
+    const EnvironmentMap probe = test::noiseProbe(32, 5);
+    const std::vector<glm::dvec3> directions = evenDirections(500);
+    for (const ParaboloidKernel kernel : {ParaboloidKernel::Blended, ParaboloidKernel::Exact}) {
+        const ParaboloidKnobs knobs = resolved({.kernel = kernel}, 32);
+        const ParaboloidHalves one = layOutHalves(probe, phongLobe(30), knobs, {.threads = 1});
+        const ParaboloidHalves two = layOutHalves(probe, phongLobe(30), knobs, {.threads = 2});
+        EXPECT_EQ(one.texels, two.texels);
+        EXPECT_EQ(paraboloidSum(one, directions, {.threads = 1}), paraboloidSum(one, directions, {.threads = 3}));
+    }
+}
+
+TEST(Paraboloid, RefusesLobesItHasNoTexelsFor)
+{
+    EXPECT_EQ(paraboloidRefusal(phongLobe(500), resolved({}, 512)), "");
+    EXPECT_NE(paraboloidRefusal(phongLobe(1e9), resolved({}, 512)), "");
+    EXPECT_NE(paraboloidRefusal(ggxLobe(0.0), resolved({}, 512)), "");
+    EXPECT_NE(paraboloidRefusal(phongLobe(1e6), resolved({.kernel = ParaboloidKernel::Blended}, 512)), "");
+    EXPECT_NE(paraboloidRefusal(phongLobe(50), resolved({.largestKernel = 2}, 512)), "");
+    EXPECT_THROW(layOutHalves(test::constantProbe(16), phongLobe(1e9), resolved({}, 16)), InvalidArgument);
+}
+
+TEST(Paraboloid, IsExactOnRealProbesToItsPrediction)
+{
+    const MapLayout target{Parameterization::Octahedral, 48, 0};
+    const std::vector<glm::dvec3> directions = lookupDirections(target, 0.0);
+    for (const char* name : {"probes/kloppenheim_05_1k.hdr", "probes/studio_small_03_1k.hdr"}) {
+        SHARED_DATA_OR_SKIP(path, name);
+        FilterSource source(EnvironmentMap({Parameterization::Latlong, 512, 0}, readImage(path)));
+        for (const double exponent : {10.0, 50.0, 500.0}) {
+            const Lobe lobe = phongLobe(exponent);
+            const EnvironmentMap reference = prefilter(source, {.lobe = lobe, .target = target, .method = Method::Spectral}).map; // to 1e-5
+            std::vector<glm::dvec3> values;
+            for (size_t i = 0; i < directions.size(); ++i)
+                values.emplace_back(reference.image.texels[3 * i], reference.image.texels[3 * i + 1], reference.image.texels[3 * i + 2]);
+            const ParaboloidKnobs blended{.kernel = ParaboloidKernel::Blended};
+            const double published = errorOf(*source.latlong(), lobe, blended, directions, values).relRms;
+            const double exact = errorOf(*source.latlong(), lobe, {}, directions, values).relRms;
+            EXPECT_LT(exact, paraboloidError(lobe, resolved({}, 512))) << name << ' ' << exponent;
+            EXPECT_LT(published, paraboloidError(lobe, resolved(blended, 512))) << name << ' ' << exponent;
+            EXPECT_LT(exact, 0.1 * published) << name << ' ' << exponent;
+        }
+    }
+}
+
+} // namespace
+} // namespace mirrorball

@@ -1,0 +1,140 @@
+#include "core/spheremap/sphere_map_cache.h"
+
+#include "core/error.h"
+#include "support/stroke_builders.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace mirrorball {
+namespace {
+
+SphereMapDocument paintedDocument()
+{
+    SphereMapDocument document;
+    document.layers = {
+        {.content = GradientLayer{}},
+        {.opacity = 0.8, .content = PaintLayer{.strokes = handDrawnStrokes(8, 5, 0.06, 0.5, 15)}},
+        {.opacity = 0.5, .content = InvertLayer{}},
+        {.blend = BlendMode::Multiply, .content = PaintLayer{.strokes = handDrawnStrokes(5, 6, 0.1, 0.7)},
+         .mask = Mask{.content = GradientLayer{.shape = GradientShape::Radial}}},
+        {.content = SilhouetteLayer{}},
+    };
+    return document;
+}
+
+bool equalOutside(const TexelRect& rect, const Image& a, const Image& b)
+{
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x) {
+            if (x >= rect.x0 && x < rect.x1 && y >= rect.y0 && y < rect.y1)
+                continue;
+            if (!std::equal(a.texel(x, y), a.texel(x, y) + 4, b.texel(x, y)))
+                return false;
+        }
+    return true;
+}
+
+TEST(SphereMapCache, GivesTheBytesOfAFullEvaluationAfterEveryKindOfChange)
+{
+    const std::vector<Stroke> pool = handDrawnStrokes(40, 8, 0.08, 0.7, 20);
+    std::mt19937 random(11);
+    SphereMapCache cache({.size = 144});
+    SphereMapDocument document = paintedDocument();
+    cache.update(document);
+    for (int step = 0; step < 60; ++step) {
+        const Image before = cache.image();
+        const size_t painted = random() % 2u ? 1 : 3;
+        const auto choice = random() % 10u;
+        std::vector<PaintLayer*> papers;
+        for (Layer& layer : document.layers)
+            if (auto* paper = std::get_if<PaintLayer>(&layer.content))
+                papers.push_back(paper);
+        std::vector<Stroke>& strokes = papers[painted % papers.size()]->strokes;
+        if (choice < 3 || strokes.empty())
+            strokes.push_back(pool[random() % pool.size()]);
+        else if (choice < 5)
+            strokes.back().points.push_back({strokes.back().points.back().q * 0.9 + 0.02, 1.0});
+        else if (choice == 5)
+            strokes.pop_back();
+        else if (choice == 6)
+            document.layers[random() % document.layers.size()].opacity = 0.1 * (1.0 + static_cast<double>(random() % 10u));
+        else if (choice == 7)
+            document.layers[random() % document.layers.size()].visible = random() % 4u != 0;
+        else if (choice == 8)
+            std::swap(document.layers[random() % document.layers.size()], document.layers[random() % document.layers.size()]);
+        else if (auto* gradient = std::get_if<GradientLayer>(&document.layers[0].content))
+            gradient->polarDeg += 5.0;
+        const TexelRect dirty = cache.update(document, {.threads = 1 + step % 2});
+        ASSERT_EQ(cache.image(), evaluate(document, {.size = 144})) << "step " << step << " choice " << choice;
+        ASSERT_TRUE(equalOutside(dirty, before, cache.image())) << "step " << step << " choice " << choice;
+    }
+}
+
+TEST(SphereMapCache, AStrokeEvaluatesOnlyItsTilesAndWhatContinuesThemPastTheRim)
+{
+    SphereMapDocument document = paintedDocument();
+    SphereMapCache cache({.size = 1024});
+    cache.update(document);
+    std::get<PaintLayer>(document.layers[1].content).strokes.push_back(dab({0.1, 0.1}, {.radius = 0.02}));
+    const TexelRect inside = cache.update(document);
+    EXPECT_EQ(inside, (TexelRect{512, 448, 576, 512})); // 0.1 is texel 563 and, upwards, 461
+    std::get<PaintLayer>(document.layers[1].content).strokes.push_back(dab({0.7, 0.7}, {.radius = 0.02}));
+    const TexelRect rim = cache.update(document);
+    EXPECT_EQ(rim.x1, 1024); // the corner outside takes the rim's colour
+    EXPECT_EQ(rim.y0, 0);
+    EXPECT_LE(rim.width(), 256);
+}
+
+TEST(SphereMapCache, IsUnchangedByNamesAndStartsAfreshAfterItWasStopped)
+{
+    SphereMapDocument document = paintedDocument();
+    SphereMapCache cache({.size = 64});
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_THROW(cache.update(document, {.stop = stop.get_token()}), Cancelled);
+    EXPECT_EQ(cache.update(document), (TexelRect{0, 0, 64, 64}));
+    EXPECT_EQ(cache.image(), evaluate(document, {.size = 64}));
+    document.layers[1].name = "shine";
+    EXPECT_TRUE(cache.update(document).empty());
+    EXPECT_THROW(SphereMapCache({.size = 0}), InvalidArgument);
+}
+
+TEST(PaintLayer, ContinuesTheRimsColourOutsideTheDiscWhateverWasPaintedThere)
+{
+    const Brush hard{.color = {1, 0, 0}, .radius = 0.5, .hardness = 1.0, .flow = 1.0};
+    Brush other = hard;
+    other.color = {0, 1, 0};
+    SphereMapDocument document;
+    document.layers = {{.content = PaintLayer{.strokes = {dab({0.7, 0.7}, hard), dab({1.0, 1.0}, other)}}}};
+    std::get<PaintLayer>(document.layers[0].content).strokes[1].brush.radius = 0.3; // green in the corner, outside the disc only
+    const Image map = evaluate(document, {.size = 256});
+    EXPECT_EQ(map.texel(254, 1)[0], 1.0f);
+    EXPECT_EQ(map.texel(254, 1)[1], 0.0f);
+    // A region is a cut of the whole, though its rim lies elsewhere.
+    const TexelRect corner{230, 0, 256, 20};
+    const Image part = evaluate(document, {.size = 256, .region = corner});
+    for (int y = 0; y < part.height; ++y)
+        for (int x = 0; x < part.width; ++x)
+            EXPECT_TRUE(std::equal(part.texel(x, y), part.texel(x, y) + 4, map.texel(corner.x0 + x, corner.y0 + y)));
+}
+
+TEST(PaintLayer, InPixelsATipKeepsItsWidthOnEveryLevel)
+{
+    SphereMapDocument document;
+    document.layers = {{.content = PaintLayer{.unit = WidthUnit::Pixels,
+                                              .reference = 512,
+                                              .strokes = {straightStroke({-2, 0}, {2, 0}, {.radius = 4.0 / 256.0, .hardness = 1.0, .flow = 1.0})}}}};
+    ASSERT_TRUE(hasAuthoredLevels(document));
+    for (const int size : {512, 128, 32}) {
+        const Image map = evaluate(document, {.size = size});
+        double width = 0.0;
+        for (int y = 0; y < size; ++y)
+            width += static_cast<double>(map.texel(size / 2, y)[3]);
+        EXPECT_NEAR(width, 8.0, 0.6) << size; // dabs a tenth of a diameter apart leave the edge a little uneven
+    }
+}
+
+} // namespace
+} // namespace mirrorball

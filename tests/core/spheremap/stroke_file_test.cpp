@@ -1,0 +1,114 @@
+#include "core/spheremap/stroke_file.h"
+
+#include "core/error.h"
+#include "core/spheremap/sphere_map_file.h"
+#include "support/stroke_builders.h"
+#include "support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace mirrorball {
+namespace {
+
+class StrokeFile : public ::testing::Test {
+protected:
+    std::filesystem::path write(const std::string& text) const
+    {
+        const std::filesystem::path path = m_folder / "test.strokes";
+        std::ofstream(path) << text;
+        return path;
+    }
+    /// What loading says, without the file's name.
+    std::string refusal(const std::string& text) const
+    {
+        const std::filesystem::path path = write(text);
+        try {
+            loadStrokes(path);
+        } catch (const FileError& error) {
+            const std::string message = error.what();
+            EXPECT_TRUE(message.starts_with(path.string() + ": ")) << message;
+            EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+            return message.substr(path.string().size() + 2);
+        }
+        return {};
+    }
+    std::string refusalOfStroke(const std::string& stroke) const { return refusal("{\"version\": 1, \"strokes\": [" + stroke + "]}"); }
+
+    test::TemporaryFolder m_folder;
+};
+
+TEST_F(StrokeFile, SurvivesARoundTripToTheLastBit)
+{
+    std::vector<Stroke> strokes = handDrawnStrokes(20, 6, 0.05, 0.4, 20);
+    strokes[3].symmetry = {.radial = 6, .mirror = true, .axisDeg = 30.0};
+    strokes[4].points.clear();
+    saveStrokes(strokes, m_folder / "a.strokes");
+    EXPECT_EQ(loadStrokes(m_folder / "a.strokes"), strokes);
+}
+
+TEST_F(StrokeFile, KeepsKeysThatThisVersionDoesNotKnow)
+{
+    const std::vector<Stroke> strokes =
+        loadStrokes(write(R"({"version": 1, "strokes": [{"points": "0 0 1", "tilt": [1, 2], "brush": {"bristles": 7}}]})"));
+    saveStrokes(strokes, m_folder / "b.strokes");
+    EXPECT_EQ(loadStrokes(m_folder / "b.strokes"), strokes);
+    EXPECT_EQ(strokes[0].unknown.at("tilt"), "[1,2]");
+    EXPECT_EQ(strokes[0].brush.unknown.at("bristles"), "7");
+}
+
+TEST_F(StrokeFile, ReadsPointsAsTextOrAsAListWithPressureOneWhereItIsMissing)
+{
+    const std::vector<StrokePoint> expected{{{0.25, -0.5}, 0.75}, {{1e-3, 1.0}, 1.0}};
+    const auto points = [&](const std::string& json) { return loadStrokes(write("{\"version\":1,\"strokes\":[{\"points\":" + json + "}]}"))[0].points; };
+    EXPECT_EQ(points("\"0.25 -0.5 0.75, 1e-3 1\""), expected);
+    EXPECT_EQ(points("\"  0.25   -0.5\\n0.75,1e-3 1 1,\""), expected);
+    EXPECT_EQ(points("[[0.25, -0.5, 0.75], [1e-3, 1]]"), expected);
+    EXPECT_TRUE(points("\"\"").empty());
+}
+
+TEST_F(StrokeFile, IsASphereMapOfOnePaintLayer)
+{
+    const std::vector<Stroke> strokes = handDrawnStrokes(5, 6);
+    saveStrokes(strokes, m_folder / "a.strokes");
+    const SphereMapDocument document = loadSphereMap(m_folder / "a.strokes");
+    ASSERT_EQ(document.layers.size(), 1u);
+    EXPECT_EQ(std::get<PaintLayer>(document.layers[0].content).strokes, strokes);
+}
+
+TEST_F(StrokeFile, WhatIsWrongIsNamedInOneLine)
+{
+    EXPECT_EQ(refusalOfStroke("{}"), "strokes[0].points: are missing; write \"points\": \"x y pressure, ...\"");
+    EXPECT_EQ(refusalOfStroke("{\"points\": \"0 0, 0.5\"}"), "strokes[0].points[1]: must be \"x y pressure\"; a number is missing");
+    EXPECT_EQ(refusalOfStroke("{\"points\": \"0 0 1 4\"}"),
+              "strokes[0].points[0]: must be \"x y pressure\", points apart by commas; it goes on \"4\"");
+    EXPECT_EQ(refusalOfStroke("{\"points\": \"0 zero\"}"),
+              "strokes[0].points[0]: must be \"x y pressure\", points apart by commas; it goes on \"zero\"");
+    EXPECT_EQ(refusalOfStroke("{\"points\": \"nan 0\"}"), "strokes[0].points[0]: must lie within 4 disc radii of the centre, as finite numbers");
+    EXPECT_EQ(refusalOfStroke("{\"points\": \"1e999 0\"}"),
+              "strokes[0].points[0]: must be \"x y pressure\", points apart by commas; it goes on \"1e999 0\"");
+    EXPECT_EQ(refusalOfStroke("{\"points\": \"0 0 2\"}"),
+              "strokes[0].points[0]: has a pressure outside [0, 1]; pressure is the third number of a point");
+    EXPECT_EQ(refusalOfStroke("{\"points\": [[0, 0, null]]}"), "strokes[0].points[0]: must be a list [x, y, pressure]; it is a list of 3");
+    EXPECT_EQ(refusalOfStroke("{\"points\": 7}"), "strokes[0].points: must be a text \"x y pressure, ...\" or a list of lists; it is 7");
+    EXPECT_EQ(refusalOfStroke("{\"points\": \"\", \"brush\": {\"mode\": \"spray\"}}"),
+              "strokes[0].brush.mode: must be paint, erase or smudge; it is \"spray\"");
+    EXPECT_NE(refusalOfStroke("{\"points\": \"\", \"brush\": {\"radius\": 0}}").find("strokes[0].brush.radius: must"), std::string::npos);
+    EXPECT_EQ(refusal("{\"version\": 1}"), "strokes: are missing; a file of strokes is {\"version\": 1, \"strokes\": [...]}");
+    EXPECT_NE(refusal("{\"version\": 2, \"strokes\": []}").find("version: is 2"), std::string::npos);
+}
+
+TEST_F(StrokeFile, AMillionPointsAreReadOrRefusedInBoundedTime)
+{
+    std::string zigzag;
+    for (int i = 0; i < 1000000; ++i)
+        zigzag += i % 2 ? "1 0," : "-1 0,";
+    EXPECT_NE(refusalOfStroke("{\"points\": \"" + zigzag + "\"}").find("strokes[0]: needs more than 2097152 dabs"), std::string::npos);
+    for (int i = 0; i < 100000; ++i)
+        zigzag += "0 0,";
+    EXPECT_EQ(refusalOfStroke("{\"points\": \"" + zigzag + "\"}"), "strokes[0].points: are more than 1048576; thin the stroke out");
+}
+
+} // namespace
+} // namespace mirrorball

@@ -1,0 +1,284 @@
+#include "options_form.h"
+
+#include "text.h"
+
+#include <QCheckBox>
+#include <QColorDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QSignalBlocker>
+#include <QStyle>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirrorball::studio {
+
+namespace {
+
+/// A label that resets its field by a double click, as the slider does.
+class FieldLabel : public QLabel {
+public:
+    FieldLabel(const QString& text, std::function<void()> reset) : QLabel(text), m_reset(std::move(reset)) {}
+
+protected:
+    void mouseDoubleClickEvent(QMouseEvent*) override
+    {
+        if (m_reset)
+            m_reset();
+    }
+
+private:
+    std::function<void()> m_reset;
+};
+
+QColor toScreen(const glm::dvec3& linear)
+{
+    const auto encode = [](double x) { return encodeSrgb(static_cast<float>(std::clamp(x, 0.0, 1.0))); };
+    return QColor::fromRgbF(encode(linear.r), encode(linear.g), encode(linear.b));
+}
+
+glm::dvec3 fromScreen(const QColor& color)
+{
+    const auto decode = [](double x) { return std::round(static_cast<double>(decodeSrgb(static_cast<float>(x))) * 1e5) / 1e5; };
+    return {decode(color.redF()), decode(color.greenF()), decode(color.blueF())};
+}
+
+} // namespace
+
+QuietCombo::QuietCombo(QWidget* parent) : QComboBox(parent)
+{
+    setFocusPolicy(Qt::StrongFocus);
+    setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    setMinimumContentsLength(6);
+}
+
+void QuietCombo::wheelEvent(QWheelEvent* event)
+{
+    if (hasFocus())
+        QComboBox::wheelEvent(event);
+    else
+        event->ignore();
+}
+
+ColorButton::ColorButton(QWidget* parent) : QPushButton(parent)
+{
+    setMinimumWidth(64);
+    connect(this, &QPushButton::clicked, this, &ColorButton::choose);
+}
+
+void ColorButton::setColor(const glm::dvec3& linear)
+{
+    m_color = linear;
+    update();
+}
+
+void ColorButton::choose()
+{
+    const glm::dvec3 before = m_color;
+    QColorDialog dialog(toScreen(m_color), this);
+    dialog.setWindowTitle(accessibleName());
+    dialog.setOption(QColorDialog::DontUseNativeDialog);
+    connect(&dialog, &QColorDialog::currentColorChanged, this, [this](const QColor& color) { emit edited(fromScreen(color)); });
+    if (dialog.exec() != QDialog::Accepted)
+        emit edited(before);
+    emit finished();
+}
+
+void ColorButton::paintEvent(QPaintEvent* event)
+{
+    QPushButton::paintEvent(event);
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(palette().color(QPalette::Shadow), 1.0));
+    painter.setBrush(toScreen(m_color));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(5.5, 4.5, -5.5, -4.5), 2.0, 2.0);
+}
+
+OptionsForm::OptionsForm(Document& document, QWidget* parent) : QWidget(parent), m_document(document), m_layout(new QFormLayout(this))
+{
+    m_layout->setContentsMargins(0, 0, 0, 0);
+    m_layout->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    m_layout->setLabelAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    connect(&m_document, &Document::changed, this, &OptionsForm::refresh);
+}
+
+void OptionsForm::addControl(const QString& path, const Field& field, const FieldStyle& style, QWidget* control,
+                             std::function<void(const Scene&)> show)
+{
+    const QString name = style.label.isEmpty() ? labelText(field.name) : style.label;
+    control->setObjectName(path);
+    auto* number = qobject_cast<NumberField*>(control);
+    if (number) {
+        number->describe(name, labelText(field.help));
+    } else {
+        control->setAccessibleName(name);
+        control->setToolTip(labelText(field.help));
+    }
+    auto* label = new FieldLabel(name, number ? std::function<void()>([number] { number->reset(); }) : nullptr);
+    label->setBuddy(control);
+    label->setToolTip(labelText(field.help));
+    m_layout->addRow(label, control);
+    m_controls.insert(path, control);
+    show(m_document.scene());
+    m_rows.push_back({control, std::move(show), style.isShown});
+    if (style.isShown)
+        m_layout->setRowVisible(control, style.isShown(m_document.scene()));
+}
+
+void OptionsForm::addNumber(const QString& path, const Field& field, const FieldStyle& style, double initial, const Access<double>& access)
+{
+    const NumberStyle number{.low = field.low,
+                             .high = field.high,
+                             .sliderLow = style.sliderLow.value_or(field.low),
+                             .sliderHigh = style.sliderHigh.value_or(field.high),
+                             .scale = style.scale,
+                             .initial = initial,
+                             .digits = style.digits,
+                             .step = style.step,
+                             .unit = field.unit == "degrees" ? QStringLiteral("°") : fieldText(field.unit)};
+    auto* control = new NumberField(number, this);
+    const QString label = tr("Change %1").arg((style.label.isEmpty() ? labelText(field.name) : style.label).toLower());
+    connect(control, &NumberField::edited, this, [this, path, label, access](double value) {
+        m_document.edit(label, path, [&](Scene& scene) { access.set(scene, value); });
+    });
+    connect(control, &NumberField::finished, &m_document, &Document::finishEdit);
+    addControl(path, field, style, control, [control, access](const Scene& scene) { control->setValue(access.get(scene)); });
+}
+
+void OptionsForm::addWhole(const QString& path, const Field& field, const FieldStyle& style, const Access<int>& access)
+{
+    const QString label = tr("Change %1").arg((style.label.isEmpty() ? labelText(field.name) : style.label).toLower());
+    if (!style.choices.isEmpty()) {
+        auto* control = new QuietCombo(this);
+        for (const int choice : style.choices)
+            control->addItem(QString::number(choice) + (field.unit.empty() ? QString() : u' ' + fieldText(field.unit)), choice);
+        connect(control, &QComboBox::activated, this, [this, control, label, access](int) {
+            m_document.edit(label, {}, [&](Scene& scene) { access.set(scene, control->currentData().toInt()); });
+        });
+        const QString unit = field.unit.empty() ? QString() : u' ' + fieldText(field.unit);
+        addControl(path, field, style, control, [control, access, unit](const Scene& scene) {
+            const int value = access.get(scene);
+            if (control->findData(value) < 0) // a size that a file brought
+                control->addItem(QString::number(value) + unit, value);
+            control->setCurrentIndex(control->findData(value));
+        });
+        return;
+    }
+    auto* control = new QSpinBox(this);
+    control->setRange(static_cast<int>(field.low), static_cast<int>(field.high));
+    control->setKeyboardTracking(false);
+    control->setFocusPolicy(Qt::StrongFocus);
+    if (!field.unit.empty())
+        control->setSuffix(u' ' + fieldText(field.unit));
+    connect(control, &QSpinBox::valueChanged, this, [this, path, label, access](int value) {
+        m_document.edit(label, path, [&](Scene& scene) { access.set(scene, value); });
+        m_document.finishEdit();
+    });
+    addControl(path, field, style, control, [control, access](const Scene& scene) {
+        const QSignalBlocker quiet(control);
+        control->setValue(access.get(scene));
+    });
+}
+
+void OptionsForm::addSwitch(const QString& path, const Field& field, const FieldStyle& style, const Access<bool>& access)
+{
+    auto* control = new QCheckBox(this);
+    const QString label = tr("Switch %1").arg((style.label.isEmpty() ? labelText(field.name) : style.label).toLower());
+    connect(control, &QCheckBox::clicked, this, [this, label, access](bool on) {
+        m_document.edit(label, {}, [&](Scene& scene) { access.set(scene, on); });
+    });
+    addControl(path, field, style, control, [control, access](const Scene& scene) { control->setChecked(access.get(scene)); });
+}
+
+void OptionsForm::addColor(const QString& path, const Field& field, const FieldStyle& style, const Access<glm::dvec3>& access)
+{
+    auto* control = new ColorButton(this);
+    const QString label = tr("Change %1").arg((style.label.isEmpty() ? labelText(field.name) : style.label).toLower());
+    connect(control, &ColorButton::edited, this, [this, path, label, access](const glm::dvec3& color) {
+        m_document.edit(label, path, [&](Scene& scene) { access.set(scene, color); });
+    });
+    connect(control, &ColorButton::finished, &m_document, &Document::finishEdit);
+    addControl(path, field, style, control, [control, access](const Scene& scene) { control->setColor(access.get(scene)); });
+}
+
+void OptionsForm::addChoice(const QString& path, const Field& field, const FieldStyle& style, std::span<const std::string_view> names,
+                            const Access<int>& access)
+{
+    auto* control = new QuietCombo(this);
+    for (const std::string_view word : names)
+        control->addItem(labelText(word));
+    const QString label = tr("Change %1").arg((style.label.isEmpty() ? labelText(field.name) : style.label).toLower());
+    connect(control, &QComboBox::activated, this, [this, label, access](int index) {
+        m_document.edit(label, {}, [&](Scene& scene) { access.set(scene, index); });
+    });
+    addControl(path, field, style, control, [control, access](const Scene& scene) { control->setCurrentIndex(access.get(scene)); });
+}
+
+void OptionsForm::addVector(const QString& path, const Field& field, const FieldStyle& style, const Access<glm::dvec3>& access)
+{
+    const QString name = style.label.isEmpty() ? labelText(field.name) : style.label;
+    const QString label = tr("Change %1").arg(name.toLower());
+    const NumberStyle number{.low = field.low, .high = field.high, .digits = style.digits, .step = style.step};
+    auto* control = new QWidget(this);
+    auto* row = new QHBoxLayout(control);
+    row->setContentsMargins(0, 0, 0, 0);
+    QVector<NumberBox*> boxes;
+    for (int c = 0; c < 3; ++c) {
+        auto* box = new NumberBox(number, control);
+        box->setMinimumWidth(48);
+        box->setAccessibleName(QStringLiteral("%1 %2").arg(name).arg(c + 1));
+        box->setToolTip(labelText(field.help));
+        connect(box, &QDoubleSpinBox::valueChanged, this, [this, path, label, access, c](double value) {
+            m_document.edit(label, path, [&](Scene& scene) {
+                glm::dvec3 changed = access.get(scene);
+                changed[c] = value;
+                access.set(scene, changed);
+            });
+            m_document.finishEdit();
+        });
+        row->addWidget(box, 1);
+        boxes.push_back(box);
+    }
+    control->setFocusProxy(boxes.front());
+    addControl(path, field, style, control, [boxes, access](const Scene& scene) {
+        for (int c = 0; c < 3; ++c) {
+            const QSignalBlocker quiet(boxes[c]);
+            boxes[c]->setValue(access.get(scene)[c]);
+        }
+    });
+}
+
+void OptionsForm::addRow(QWidget* widget, Span span, std::function<bool(const Scene&)> isShown)
+{
+    if (span == Span::Whole)
+        m_layout->addRow(widget);
+    else
+        m_layout->addRow(new QLabel, widget);
+    if (isShown) {
+        m_rows.push_back({widget, {}, isShown});
+        m_layout->setRowVisible(widget, isShown(m_document.scene()));
+    }
+}
+
+void OptionsForm::addHeading(const QString& text)
+{
+    auto* heading = new QLabel(text);
+    heading->setProperty("role", QStringLiteral("heading"));
+    m_layout->addRow(heading);
+}
+
+void OptionsForm::refresh()
+{
+    for (const Row& row : m_rows) {
+        if (row.show)
+            row.show(m_document.scene());
+        if (row.isShown)
+            m_layout->setRowVisible(row.field, row.isShown(m_document.scene()));
+    }
+}
+
+} // namespace mirrorball::studio
