@@ -13,6 +13,11 @@ constexpr double smallestShare = 1.0 / 2000.0;
 
 } // namespace
 
+bool splitsBrightTexels(const Lobe& lobe)
+{
+    return lobe.kind != LobeKind::Phong || lobe.exponent < 8.0;
+}
+
 BrightTexels takeBrightTexels(EnvironmentMap& latlong)
 {
     Image& image = latlong.image;

@@ -18,6 +18,9 @@ struct BrightTexels {
     std::vector<glm::dvec3> flux{};  ///< excess radiance times texel solid angle, RGB
 };
 
+/// Whether a lobe is applied to the bright texels one by one: those with a long spectrum of their own, whose kernel is cheap.
+bool splitsBrightTexels(const Lobe& lobe);
+
 /// Takes the excess of the texels that hold more than 1/2000 of the probe's energy each, at most 96 of them, out of `latlong`.
 /// @param latlong the whole probe on entry, the calm part on return
 BrightTexels takeBrightTexels(EnvironmentMap& latlong);

@@ -97,6 +97,29 @@ const Spectrum& FilterSource::calmSpectrum(int bandLimit, const JobControl& job)
     return *m_calmSpectrum;
 }
 
+const LookupPyramid& FilterSource::lookupPyramid(const JobControl& job)
+{
+    if (!m_lookupPyramid)
+        m_lookupPyramid = std::make_shared<const LookupPyramid>(*m_latlong, job);
+    return *m_lookupPyramid;
+}
+
+const RadianceTree& FilterSource::radianceTree(const JobControl& job)
+{
+    if (!m_radianceTree)
+        m_radianceTree = std::make_shared<const RadianceTree>(*m_latlong, job);
+    return *m_radianceTree;
+}
+
+const MipPyramid& FilterSource::blurPyramid(MipFiltering filtering, const JobControl& job)
+{
+    auto& pyramid = m_blurPyramids[static_cast<size_t>(filtering)];
+    if (!pyramid)
+        pyramid = std::make_shared<const MipPyramid>(
+            mirrorball::blurPyramid(reproject(*m_latlong, {.target = environmentCube(m_width)}, job), filtering, job));
+    return *pyramid;
+}
+
 std::span<const SpherePoint> FilterSource::points(const MapLayout& target, const JobControl& job)
 {
     if (!m_points || m_pointsLayout != target) {

@@ -1,6 +1,9 @@
 #pragma once
 
 #include "bright_texels.h"
+#include "hierarchical.h"
+#include "importance.h"
+#include "mip_blur.h"
 #include "paraboloid.h"
 #include "ring_grid.h"
 #include "spectrum.h"
@@ -8,6 +11,7 @@
 #include "../image/environment_map.h"
 #include "../job.h"
 
+#include <array>
 #include <memory>
 #include <span>
 #include <utility>
@@ -46,6 +50,15 @@ public:
     /// What calmSpectrum() leaves out; filled by its first call.
     const BrightTexels& brightTexels() const { return m_bright; }
 
+    /// Those two as far as they are known; null: not at all.
+    std::shared_ptr<const Spectrum> knownSpectrum() const { return m_spectrum; }
+    std::shared_ptr<const Spectrum> knownCalmSpectrum() const { return m_calmSpectrum; }
+
+    /// What importance, hierarchical and mip work on, made by the first call and kept. Not for a streamed probe.
+    const LookupPyramid& lookupPyramid(const JobControl& job = {});
+    const RadianceTree& radianceTree(const JobControl& job = {});
+    const MipPyramid& blurPyramid(MipFiltering filtering, const JobControl& job = {});
+
     /// What the paraboloid method runs on; null: it is refused.
     ParaboloidDevice* paraboloidDevice() const { return m_paraboloidDevice.get(); }
     void useParaboloidDevice(std::shared_ptr<ParaboloidDevice> device) { m_paraboloidDevice = std::move(device); }
@@ -62,6 +75,9 @@ private:
     std::shared_ptr<const EnvironmentMap> m_calm{};
     std::shared_ptr<const Spectrum> m_calmSpectrum{};
     BrightTexels m_bright{};
+    std::shared_ptr<const LookupPyramid> m_lookupPyramid{};
+    std::shared_ptr<const RadianceTree> m_radianceTree{};
+    std::array<std::shared_ptr<const MipPyramid>, 2> m_blurPyramids{}; ///< by MipFiltering
     std::shared_ptr<ParaboloidDevice> m_paraboloidDevice{};
     MapLayout m_pointsLayout{};
     std::shared_ptr<const std::vector<SpherePoint>> m_points{};

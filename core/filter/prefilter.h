@@ -3,6 +3,7 @@
 #include "filter_source.h"
 #include "lobe.h"
 #include "method.h"
+#include "prediction.h"
 
 #include "../image/environment_map.h"
 #include "../job.h"
@@ -13,16 +14,6 @@
 
 /// Prefiltering: the one interface over the methods. Each method has a file of its own; `Auto` chooses among them.
 namespace mirrorball {
-
-struct PrefilterOptions {
-    Lobe lobe{};
-    MapLayout target{.kind = Parameterization::Cube, .size = 128};
-    Method method = Method::Auto;
-    double tolerance = 1e-5; ///< rel_rms, (0, 1]
-    double yaw = 0.0;        ///< radians about +Y, see direction.h
-    MethodKnobs knobs{};     ///< of the method, where it has some
-    bool operator==(const PrefilterOptions&) const = default;
-};
 
 /// What was done, and how well.
 struct PrefilterOutcome {
@@ -41,21 +32,9 @@ struct PrefilterPlan {
     bool filtered = true;
     int bandLimit = 0;           ///< spectral: from the lobe alone; a probe's own spectrum may lower it
     double predictedError = 0.0;
-    double predictedSeconds = 0.0;
+    double predictedSeconds = 0.0; ///< of one thread, see predictedSeconds()
     std::string why{};
 };
-
-/// What a plan must know of a probe. traits() tells it of one that is open.
-struct ProbeTraits {
-    int width = 1024;            ///< columns of the probe's latlong form
-    bool streamed = false;       ///< the texels are not in memory, so that only the spectral method can run
-    int knownBandLimit = -1;     ///< of a spectrum of the probe that is there already and costs nothing; -1: none
-    bool hasParaboloidDevice = false;
-};
-ProbeTraits traits(const FilterSource& source);
-
-/// Why a method cannot do this: one line that names the method and the field. Empty where it can; `Auto` always can.
-std::string refusal(Method method, const PrefilterOptions& options, const ProbeTraits& probe);
 
 /// @throws InvalidArgument naming the field; for a method that refuses, with the reason
 PrefilterPlan planPrefilter(const PrefilterOptions& options, const ProbeTraits& probe);

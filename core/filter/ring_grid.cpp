@@ -1,5 +1,7 @@
 #include "ring_grid.h"
 
+#include "multiversion.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -39,14 +41,6 @@ inline std::array<float, taps> splineWeights(float t)
 
 /// Two neighbouring samples of RGB and the norm as one vector of the compiler's; loads need no alignment.
 typedef float TwoTexels __attribute__((vector_size(32), aligned(4), may_alias)); // an attribute that `using` cannot carry
-
-// The loop over taps is the hot one of every export: it is built for AVX2 as well and chosen when the program starts. Sanitizers
-// cannot run such start-up code.
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define MIRRORBALL_CLONES __attribute__((target_clones("arch=x86-64-v3", "default")))
-#else
-#define MIRRORBALL_CLONES
-#endif
 
 constexpr int lanes = 8; ///< great circles filtered side by side
 using Lanes = std::array<double, lanes>;
@@ -103,17 +97,21 @@ int goodRings(int n)
 int RingGrid::ringsFor(const std::vector<double>& share, double tolerance)
 {
     const int bandLimit = static_cast<int>(share.size()) - 1;
-    for (int rings = goodRings(bandLimit + 1);; rings = goodRings(rings + rings / 16 + 1)) {
-        double lost = 0.0;
-        for (int l = 0; l <= bandLimit; ++l) {
-            // The strongest alias of a frequency x (in samples) that a spline of degree 5 lets through, (x/(1-x))^6; one from either
-            // side, along the azimuth and along the meridian.
-            const double x = l / (2.0 * rings);
-            lost += 4.0 * std::pow(x / (1.0 - x), 12) * share[static_cast<size_t>(l)];
-        }
-        if (lost <= tolerance * tolerance)
+    for (int rings = goodRings(bandLimit + 1);; rings = goodRings(rings + rings / 16 + 1))
+        if (interpolationError(share, rings) <= tolerance)
             return rings;
+}
+
+double RingGrid::interpolationError(const std::vector<double>& share, int rings)
+{
+    double lost = 0.0;
+    for (size_t l = 0; l < share.size(); ++l) {
+        // The strongest alias of a frequency x (in samples) that a spline of degree 5 lets through, (x/(1-x))^6; one from either
+        // side, along the azimuth and along the meridian.
+        const double x = static_cast<double>(l) / (2.0 * rings);
+        lost += 4.0 * std::pow(x / (1.0 - x), 12) * share[l];
     }
+    return std::sqrt(lost);
 }
 
 RingGrid::RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int rings, double yaw, const JobControl& job)
@@ -169,7 +167,7 @@ RingGrid::RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int r
     }
 }
 
-MIRRORBALL_CLONES
+MIRRORBALL_CLONES // the loop over taps is the hot one of every export
 void interpolate(const float* texels, int stride, double perRadian, std::span<const SpherePoint> points, float* rgbn)
 {
     for (const SpherePoint& p : points) {

@@ -27,6 +27,9 @@ public:
     /// (0 .. band limit); at least one more than the band limit, a length FFTs like.
     static int ringsFor(const std::vector<double>& share, double tolerance);
 
+    /// That error for a number of rings, at most.
+    static double interpolationError(const std::vector<double>& share, int rings);
+
     /// @param yaw radians, as yawed(): the function is turned about +Y
     RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int rings, double yaw, const JobControl& job = {});
 

@@ -88,8 +88,39 @@ BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance)
 
 BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance, const Spectrum& spectrum, int least)
 {
-    const int length = static_cast<int>(k.size()) - 1, known = std::min(spectrum.bandLimit, length);
-    const std::vector<double> power = spectrum.powerAboutMean();
+    return planBandLimit(k, tolerance, spectrum.powerAboutMean(), least);
+}
+
+double spectralError(const BandLimitPlan& plan, const MapLayout& target, double tolerance, const std::vector<double>& power)
+{
+    constexpr double floatRounding = 1e-7; // that of the ring grid's samples and of the map
+    std::vector<double> share = plan.share;
+    double truncation = plan.predictedError;
+    if (!power.empty() && power.size() >= plan.k.size()) {
+        double total = 0.0;
+        for (size_t l = 0; l < share.size(); ++l)
+            total += share[l] = power[l] * plan.k[l] * plan.k[l];
+        if (total > 0.0)
+            for (double& s : share)
+                s /= total;
+        // What lies beyond goes on as the last octave does, at the power that non-negative probes have at most in each.
+        double last = 0.0, white = 0.0;
+        for (size_t l = (share.size() + 1) / 2; l < share.size(); ++l) {
+            last += share[l];
+            white += plan.share[l];
+        }
+        if (white > 0.0)
+            truncation *= std::sqrt(last / white);
+    }
+    double interpolation = 0.0;
+    if (target.kind != Parameterization::Latlong)
+        interpolation = RingGrid::interpolationError(share, RingGrid::ringsFor(plan.share, interpolationShare * tolerance));
+    return std::sqrt(truncation * truncation + interpolation * interpolation + floatRounding * floatRounding);
+}
+
+BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance, const std::vector<double>& power, int least)
+{
+    const int length = static_cast<int>(k.size()) - 1, known = std::min(static_cast<int>(power.size()) - 1, length);
     double strongest = 0.0; // power per coefficient among the last degrees known
     for (int l = known * 7 / 10; l <= known; ++l)
         strongest = std::max(strongest, power[static_cast<size_t>(l)] / (2.0 * l + 1.0));

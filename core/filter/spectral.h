@@ -34,6 +34,12 @@ BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance);
 /// degrees beyond. Lobes with a kink at the horizon (diffuse, rough ggx) decay slowly and gain most.
 /// @param least  the band limit is never below this
 BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance, const Spectrum& spectrum, int least = 0);
+/// @param power  per degree about the mean, as Spectrum::powerAboutMean()
+BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance, const std::vector<double>& power, int least = 0);
+
+/// rel_rms of the filtered map to be expected: truncation, reading off a target that is not on rings, and rounding to float.
+/// @param power  per degree about the mean, as far as it is known; empty: the worst a non-negative probe can have
+double spectralError(const BandLimitPlan& plan, const MapLayout& target, double tolerance, const std::vector<double>& power = {});
 
 /// The filtered map. The rows of a latlong target are rings, on which it is synthesised in place; other targets are read off a
 /// RingGrid at `points`, the target's spherePoints() (unused for latlong).

@@ -74,6 +74,33 @@ TEST(CommandLine, NamesTheCommandsWhenItDoesNotKnowOne)
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1);
 }
 
+TEST(CommandLine, ReachesEveryMethodAndItsKnobs)
+{
+    const TemporaryFolder folder;
+    const EnvironmentMap probe = test::noiseProbe(32, 3);
+    writeImage(folder / "probe.exr", probe.image);
+    struct Call {
+        const char *options, *method;
+        double error; // of white noise, coarsely approximated by some
+    };
+    for (const Call& call : {Call{"--lobe phong --exponent 20 --method reference", "reference", 1e-6}, Call{"--lobe phong --exponent 20 --method direct", "direct", 1e-6},
+                             Call{"--lobe phong --exponent 20 --method hierarchical --tolerance 1e-3", "hierarchical", 1e-3},
+                             Call{"--lobe phong --exponent 20 --method importance --samples 4096", "importance", 0.05},
+                             Call{"--lobe phong --exponent 20 --method mip", "mip", 0.5}, Call{"--lobe phong --exponent 20 --method mip --lambda 2.5", "mip", 0.5},
+                             Call{"--lobe phong --exponent 20 --method mip --mip-filtering per-face", "mip", 0.5},
+                             Call{"--lobe diffuse --method sh9", "sh9", 0.05}}) {
+        const ProgramRun run = mirrorballRuns("filter " + quoted(folder / "probe.exr") + " -o " + quoted(folder / "out.exr") + " --to cube --size 8 " +
+                                              call.options + " --stats " + quoted(folder / "stats.json"));
+        ASSERT_EQ(run.status, 0) << run.err;
+        EXPECT_EQ(parsed(folder / "stats.json").at("method").get<std::string>(), call.method);
+        const MapLayout cube{Parameterization::Cube, 8, 0};
+        FilterSource source(probe);
+        const Lobe lobe = std::string_view(call.method) == "sh9" ? diffuseLobe() : phongLobe(20);
+        const EnvironmentMap reference = prefilter(source, {.lobe = lobe, .target = cube, .method = Method::Reference}).map;
+        EXPECT_LE(errorMetrics({cube, readImage(folder / "out.exr")}, reference).relRms, call.error) << call.options;
+    }
+}
+
 TEST(CommandLine, GivesTheSameBytesOnOneAndTwoThreads)
 {
     const TemporaryFolder folder;
@@ -286,6 +313,11 @@ TEST(CommandLine, RefusesBadArgumentsInOneLine)
     EXPECT_FAILS(mirrorballRuns(filter + "--lobe diffuse --method magic"), 2, "--method");
     EXPECT_FAILS(mirrorballRuns(filter + "--lobe diffuse --tolerance 0"), 2, "--tolerance");
     EXPECT_FAILS(mirrorballRuns(filter + "--lobe diffuse --samples 16"), 2, "--samples");
+    EXPECT_FAILS(mirrorballRuns(filter + "--lobe diffuse --method importance --samples 0"), 2, "samples");
+    EXPECT_FAILS(mirrorballRuns(filter + "--lobe diffuse --method importance --lambda 2"), 2, "--lambda");
+    EXPECT_FAILS(mirrorballRuns(filter + "--lobe diffuse --method mip --lambda -1"), 2, "lambda");
+    EXPECT_FAILS(mirrorballRuns(filter + "--lobe diffuse --method mip --mip-filtering sideways"), 2, "--mip-filtering");
+    EXPECT_FAILS(mirrorballRuns(filter + "--lobe phong --exponent 20 --method sh9"), 2, "sh9");
     EXPECT_FAILS(mirrorballRuns(filter + "--lobe diffuse --paraboloid-kernel 9"), 2, "--paraboloid-kernel");
     const std::string paraboloid = filter + "--lobe phong --exponent 50 --method paraboloid ";
     EXPECT_FAILS(mirrorballRuns(paraboloid + "--paraboloid round"), 2, "blended or exact");

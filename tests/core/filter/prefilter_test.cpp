@@ -351,14 +351,6 @@ TEST(Prefilter, StopsWhenAsked)
     EXPECT_THROW(prefilter(source, {}, {.stop = stop.get_token()}), Cancelled);
 }
 
-TEST(Prefilter, AutoTakesDirectForVeryNarrowLobesOnly)
-{
-    const MapLayout cube{Parameterization::Cube, 64, 0};
-    EXPECT_EQ(planPrefilter({.lobe = phongLobe(50), .target = cube}, {.width = 1024}).method, Method::Spectral);
-    EXPECT_EQ(planPrefilter({.lobe = phongLobe(60000), .target = cube}, {.width = 1024}).method, Method::Direct);
-    EXPECT_EQ(planPrefilter({.lobe = ggxLobe(0.01), .target = cube}, {.width = 1024}).method, Method::Spectral);
-}
-
 TEST(Prefilter, AGgxChainRunsFromMirrorToFullyRough)
 {
     EXPECT_EQ(chainRoughness(0, 9), 0.0);

@@ -1,0 +1,129 @@
+#include "core/filter/prefilter.h"
+#include "core/filter/ring_grid.h"
+#include "core/image/builtin_probes.h"
+#include "core/image/image_io.h"
+#include "core/image/reproject.h"
+#include "core/report/error_metrics.h"
+#include "support/probe_builders.h"
+#include "support/shared_data.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace mirrorball {
+namespace {
+
+constexpr MapLayout cube16{Parameterization::Cube, 16, 0};
+constexpr MapLayout cube8{Parameterization::Cube, 8, 0};
+
+EnvironmentMap exactMap(FilterSource& source, PrefilterOptions options)
+{
+    options.method = Method::Spectral;
+    options.tolerance = 1e-7;
+    return prefilter(source, options).map;
+}
+
+struct Claim {
+    Method method;
+    double tolerance;
+    MethodKnobs knobs;
+    double tooLow, tooHigh; ///< largest measured/predicted and predicted/measured
+    double floor = 0.0;     ///< a share of the tolerance that no prediction is asked to go below
+};
+
+/// Error as predicted against error as measured, over the test probes at a quarter of their size. The methods that approximate are
+/// predicted within a factor of 5 or less; those that hold a tolerance from above, down to a twentieth of it.
+TEST(Prediction, OfTheErrorIsCalibratedOnTheTestProbes)
+{
+    std::vector<EnvironmentMap> probes{renderBuiltinProbe("sky", {Parameterization::Latlong, 128, 0})};
+    const auto paths = test::sharedProbes1k();
+    for (size_t i = 0; i < paths.size(); i += 2)
+        probes.push_back(reproject(EnvironmentMap({Parameterization::Latlong, 512, 0}, readImage(paths[i])), {.target = {Parameterization::Latlong, 128, 0}}));
+    const std::vector<Claim> claims{
+        {Method::Spectral, 1e-3, {}, 1.5, 1e9, 0.05},
+        {Method::Hierarchical, 1e-2, {}, 2.0, 1e9, 0.05},
+        {Method::Importance, 1e-3, {.samples = 64}, 5.0, 5.0},
+        {Method::Importance, 1e-3, {.samples = 1024}, 5.0, 5.0},
+        {Method::Mip, 1e-3, {}, 4.0, 4.0},
+        {Method::Sh9, 1e-3, {}, 1.15, 1.15},
+    };
+    for (size_t i = 0; i < probes.size(); ++i) {
+        FilterSource source(probes[i]);
+        source.spectrum(256);
+        for (const Lobe& lobe : {phongLobe(10), phongLobe(50), ggxLobe(0.09), diffuseLobe()}) {
+            const EnvironmentMap exact = exactMap(source, {.lobe = lobe, .target = cube8});
+            for (const Claim& claim : claims) {
+                const PrefilterOptions options{
+                    .lobe = lobe, .target = cube8, .method = claim.method, .tolerance = claim.tolerance, .knobs = claim.knobs};
+                if (!refusal(claim.method, options, traits(source)).empty())
+                    continue;
+                const double predicted = predictedError(claim.method, options, traits(source));
+                const double measured = errorMetrics(prefilter(source, options).map, exact).relRms;
+                EXPECT_LE(measured / std::max(predicted, claim.floor * claim.tolerance), claim.tooLow) << "probe " << i << ' ' << describe(lobe) << ' ' << name(claim.method) << ' ' << claim.knobs.samples;
+                EXPECT_LE(predicted / measured, claim.tooHigh) << "probe " << i << ' ' << describe(lobe) << ' ' << name(claim.method) << ' ' << claim.knobs.samples;
+            }
+        }
+    }
+}
+
+TEST(Prediction, AutoMeetsItsToleranceOnEveryTestProbe)
+{
+    const auto paths = test::sharedProbes1k();
+    if (paths.empty())
+        GTEST_SKIP() << "needs the probes in " << test::sharedDataFolder() << ", which is not beside this checkout";
+    for (const auto& path : paths) {
+        FilterSource source(EnvironmentMap({Parameterization::Latlong, 512, 0}, readImage(path)));
+        for (const double n : {10.0, 50.0, 500.0}) {
+            const PrefilterOptions options{.lobe = phongLobe(n), .target = {Parameterization::Cube, 64, 0}, .tolerance = 1e-3};
+            const PrefilterOutcome outcome = prefilter(source, options);
+            EXPECT_LE(errorMetrics(outcome.map, exactMap(source, options)).relRms, 1e-3) << path.filename() << ' ' << n;
+            EXPECT_LE(outcome.predictedError, 1e-3) << path.filename() << ' ' << n;
+        }
+    }
+}
+
+TEST(Prediction, AutoTakesWhatIsCheapest)
+{
+    const MapLayout cube{Parameterization::Cube, 64, 0}, tiny{Parameterization::Cube, 4, 0};
+    EXPECT_EQ(planPrefilter({.lobe = phongLobe(50), .target = cube}, {.width = 1024}).method, Method::Spectral);
+    EXPECT_EQ(planPrefilter({.lobe = phongLobe(60000), .target = cube}, {.width = 1024}).method, Method::Direct);
+    EXPECT_EQ(planPrefilter({.lobe = ggxLobe(0.01), .target = cube}, {.width = 1024}).method, Method::Spectral);
+    // A step at the horizon has a spectrum without end; a few thousand texels are soon summed.
+    const PrefilterPlan step = planPrefilter({.lobe = phongLobe(0), .target = tiny}, {.width = 64});
+    EXPECT_NE(step.method, Method::Spectral);
+    EXPECT_LE(step.predictedError, 1e-5);
+}
+
+TEST(Prediction, AutoNeverTakesWhatMissesTheTolerance)
+{
+    for (const double tolerance : {0.5, 0.1, 1e-2, 1e-3, 1e-5, 1e-6})
+        for (const Lobe& lobe : {phongLobe(1), phongLobe(50), phongLobe(5000), diffuseLobe(), ggxLobe(0.01), ggxLobe(0.5)}) {
+            const PrefilterOptions options{.lobe = lobe, .target = cube16, .tolerance = tolerance};
+            const PrefilterPlan plan = planPrefilter(options, {.width = 512});
+            EXPECT_LE(plan.predictedError, tolerance) << describe(lobe) << ' ' << name(plan.method) << ": " << plan.why;
+        }
+}
+
+TEST(Prediction, RingGridReadsInFloatWhatTheRingsHoldInDouble)
+{
+    const Spectrum spectrum = analyse(test::sunProbe(64, 1e5f, 20, 17), 64);
+    const std::vector<double> k = legendreCoefficients(phongLobe(60), 64);
+    const MapLayout layout{Parameterization::Latlong, 20, 0};
+    std::vector<double> theta;
+    for (int y = 0; y < 20; ++y)
+        theta.push_back(pi * (y + 0.5) / 20);
+    const FilteredRings rings = synthesise(spectrum, k, theta, 40, pi / 40, std::vector<std::complex<double>>(65, 1.0), {});
+    const RingGrid grid(spectrum, k, 512, 0.0);
+    const std::vector<SpherePoint> points = spherePoints(layout);
+    std::vector<float> values(4 * points.size());
+    grid.read(points, values.data());
+    double peak = 0.0;
+    for (const double v : rings.rgb[0])
+        peak = std::max(peak, std::abs(v));
+    for (size_t i = 0; i < points.size(); ++i)
+        ASSERT_NEAR(values[4 * i], rings.rgb[0][i], 1e-6 * peak); // a few roundings of float at the peak's size
+}
+
+} // namespace
+} // namespace mirrorball
