@@ -261,11 +261,11 @@ TEST(ImageLayer, TintsTheDiffusePassOfABlenderMatcapAndAddsTheSpecularOne)
         const auto value = [&](ImagePass pass) {
             return picture({{.content = ImageLayer{.source = (folder / "two.exr").string(), .pass = pass, .tint = {1.0, 0.5, 0.0}}}}, 8);
         };
-        EXPECT_EQ(value(ImagePass::All).texel(4, 4)[0], 0.75f);
-        EXPECT_EQ(value(ImagePass::All).texel(4, 4)[1], 0.5f);
-        EXPECT_EQ(value(ImagePass::All).texel(4, 4)[2], 0.25f);
-        EXPECT_EQ(value(ImagePass::Diffuse).texel(4, 4)[1], 0.25f);
-        EXPECT_EQ(value(ImagePass::Specular).texel(4, 4)[1], 0.25f);
+        EXPECT_FLOAT_EQ(value(ImagePass::All).texel(4, 4)[0], 0.75f);
+        EXPECT_FLOAT_EQ(value(ImagePass::All).texel(4, 4)[1], 0.5f);
+        EXPECT_FLOAT_EQ(value(ImagePass::All).texel(4, 4)[2], 0.25f);
+        EXPECT_FLOAT_EQ(value(ImagePass::Diffuse).texel(4, 4)[1], 0.25f);
+        EXPECT_FLOAT_EQ(value(ImagePass::Specular).texel(4, 4)[1], 0.25f);
     }
 }
 
