@@ -1,5 +1,11 @@
 #include "live_scene.h"
 
+#include "core/error.h"
+#include "core/preview/mesh_file.h"
+#include "core/preview/scene_settings.h"
+
+#include <filesystem>
+
 namespace mirrorball::studio {
 
 namespace {
@@ -21,11 +27,51 @@ Scene mapsOnly(Scene scene)
 
 } // namespace
 
+/// What the worker keeps from one scene to the next.
+struct LiveScene::Maker {
+    LiveMaps maps{};
+    std::filesystem::path meshPath{};
+    std::filesystem::file_time_type meshTime{};
+    std::shared_ptr<const preview::Mesh> mesh{};
+    std::string meshProblem{};
+
+    std::shared_ptr<const PreparedScene> make(const Scene& scene, const MapDetail& detail, const JobControl& job)
+    {
+        PreparedScene prepared{maps.update(scene, detail, job)};
+        if (const auto path = preview::meshFile(scene)) {
+            readMesh(*path, job, prepared.record);
+            prepared.mesh = mesh;
+            prepared.meshProblem = meshProblem;
+        }
+        return std::make_shared<const PreparedScene>(std::move(prepared));
+    }
+
+private:
+    void readMesh(const std::filesystem::path& path, const JobControl& job, WorkRecord& record)
+    {
+        std::error_code missing;
+        const auto time = std::filesystem::last_write_time(path, missing);
+        if (mesh && path == meshPath && time == meshTime)
+            return;
+        meshProblem.clear();
+        try {
+            mesh = timedStage(record.stages, "read mesh", [&] { return std::make_shared<const preview::Mesh>(preview::readMesh(path, job)); });
+        } catch (const Cancelled&) {
+            throw;
+        } catch (const Error& error) {
+            mesh = std::make_shared<const preview::Mesh>(preview::boxMesh());
+            meshProblem = error.what();
+        }
+        meshPath = path;
+        meshTime = time;
+    }
+};
+
 LiveScene::LiveScene(Document& document, QObject* parent)
-    : QObject(parent), m_document(document), m_runner(this), m_maps(std::make_shared<LiveMaps>())
+    : QObject(parent), m_document(document), m_runner(this), m_maker(std::make_shared<Maker>())
 {
     connect(&m_document, &Document::changed, this, &LiveScene::follow);
-    connect(&m_document, &Document::dragFinished, this, [this] { follow(Part::All); });
+    connect(&m_document, &Document::dragFinished, this, &LiveScene::follow);
     connect(&m_runner, &JobRunner::failed, this, [this](const QString& message) {
         m_isUpToDate = false;
         emit failed(message);
@@ -33,9 +79,9 @@ LiveScene::LiveScene(Document& document, QObject* parent)
     request();
 }
 
-void LiveScene::follow(Parts)
+void LiveScene::follow()
 {
-    const MapDetail detail = m_document.isDragging() ? coarse : MapDetail{};
+    const MapDetail detail = m_document.isDragging() || startsAnew() ? coarse : MapDetail{};
     const bool isFineEnough = m_requestedDetail == detail || m_requestedDetail == MapDetail{};
     if (isFineEnough && mapsOnly(m_requested) == mapsOnly(m_document.scene()) && (m_runner.isBusy() || m_made))
         return;
@@ -47,22 +93,28 @@ void LiveScene::refresh()
     request();
 }
 
+// Another probe takes a while: a coarse picture of it comes first, the full one follows.
+bool LiveScene::startsAnew() const
+{
+    return !m_made || m_made->scene.probe.source != m_document.scene().probe.source;
+}
+
 void LiveScene::request()
 {
-    const bool dragging = m_document.isDragging();
+    const bool dragging = m_document.isDragging() || startsAnew();
     // A coarse result of a moment ago is better than none; a full one would only be in the way.
     const Running running = dragging && m_requestedDetail == coarse ? Running::Finish : Running::Stop;
     m_requested = m_document.scene();
     m_requestedDetail = dragging ? coarse : MapDetail{};
     m_isUpToDate = false;
     m_runner.start(
-        [maps = m_maps, scene = m_requested, detail = m_requestedDetail](const JobControl& job) {
-            return std::make_shared<const MadeScene>(maps->update(scene, detail, job));
-        },
-        [this](std::shared_ptr<const MadeScene> made) {
+        [maker = m_maker, scene = m_requested, detail = m_requestedDetail](const JobControl& job) { return maker->make(scene, detail, job); },
+        [this](std::shared_ptr<const PreparedScene> made) {
             m_made = std::move(made);
             m_isUpToDate = m_made->detail == MapDetail{} && mapsOnly(m_made->scene) == mapsOnly(m_document.scene());
             emit updated();
+            if (m_made->detail == coarse && !m_document.isDragging())
+                follow();
         },
         running);
 }

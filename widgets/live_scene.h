@@ -3,6 +3,7 @@
 #include "document.h"
 #include "job_runner.h"
 
+#include "core/preview/mesh.h"
 #include "core/scene/live_maps.h"
 
 #include <QTimer>
@@ -10,6 +11,12 @@
 #include <memory>
 
 namespace mirrorball::studio {
+
+/// A scene with its maps and the mesh that it is shown on: all that a picture needs.
+struct PreparedScene : MadeScene {
+    std::shared_ptr<const preview::Mesh> mesh{}; ///< null for a built-in body
+    std::string meshProblem{};                   ///< why the mesh file could not be read: a box then stands in for it
+};
 
 /// Follows a document: makes its plan and its maps in the background, coarse while a control is dragged and full when it comes to rest.
 /// What widgets show of maps, plan and times comes from made().
@@ -20,7 +27,7 @@ public:
     explicit LiveScene(Document& document, QObject* parent = nullptr);
 
     /// The newest result; null before the first. It may be of an older scene than the document's.
-    std::shared_ptr<const MadeScene> made() const { return m_made; }
+    std::shared_ptr<const PreparedScene> made() const { return m_made; }
     /// Whether made() is of the document's scene, in full.
     bool isUpToDate() const { return m_isUpToDate; }
     JobRunner& runner() { return m_runner; }
@@ -36,13 +43,15 @@ signals:
     void failed(const QString& message);
 
 private:
-    void follow(Parts parts);
+    struct Maker;
+    void follow();
     void request();
+    bool startsAnew() const;
 
     Document& m_document;
     JobRunner m_runner;
-    std::shared_ptr<LiveMaps> m_maps; ///< touched on the worker only
-    std::shared_ptr<const MadeScene> m_made;
+    std::shared_ptr<Maker> m_maker; ///< touched on the worker only
+    std::shared_ptr<const PreparedScene> m_made;
     Scene m_requested{}; ///< what the newest request is of
     MapDetail m_requestedDetail{};
     bool m_isUpToDate = false;

@@ -4,6 +4,7 @@
 
 #include <QCheckBox>
 #include <QColorDialog>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPainter>
@@ -17,26 +18,6 @@
 namespace mirrorball::studio {
 
 namespace {
-
-/// A list that lets the wheel scroll the panel unless it was clicked into.
-class QuietCombo : public QComboBox {
-public:
-    explicit QuietCombo(QWidget* parent) : QComboBox(parent)
-    {
-        setFocusPolicy(Qt::StrongFocus);
-        setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        setMinimumContentsLength(6);
-    }
-
-protected:
-    void wheelEvent(QWheelEvent* event) override
-    {
-        if (hasFocus())
-            QComboBox::wheelEvent(event);
-        else
-            event->ignore();
-    }
-};
 
 /// A label that resets its field by a double click, as the slider does.
 class FieldLabel : public QLabel {
@@ -67,6 +48,21 @@ glm::dvec3 fromScreen(const QColor& color)
 }
 
 } // namespace
+
+QuietCombo::QuietCombo(QWidget* parent) : QComboBox(parent)
+{
+    setFocusPolicy(Qt::StrongFocus);
+    setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    setMinimumContentsLength(6);
+}
+
+void QuietCombo::wheelEvent(QWheelEvent* event)
+{
+    if (hasFocus())
+        QComboBox::wheelEvent(event);
+    else
+        event->ignore();
+}
 
 ColorButton::ColorButton(QWidget* parent) : QPushButton(parent)
 {
@@ -222,9 +218,46 @@ void OptionsForm::addChoice(const QString& path, const Field& field, const Field
     addControl(path, field, style, control, [control, access](const Scene& scene) { control->setCurrentIndex(access.get(scene)); });
 }
 
-void OptionsForm::addRow(QWidget* widget, std::function<bool(const Scene&)> isShown)
+void OptionsForm::addVector(const QString& path, const Field& field, const FieldStyle& style, const Access<glm::dvec3>& access)
 {
-    m_layout->addRow(widget);
+    const QString name = style.label.isEmpty() ? labelText(field.name) : style.label;
+    const QString label = tr("Change %1").arg(name.toLower());
+    const NumberStyle number{.low = field.low, .high = field.high, .digits = style.digits, .step = style.step};
+    auto* control = new QWidget(this);
+    auto* row = new QHBoxLayout(control);
+    row->setContentsMargins(0, 0, 0, 0);
+    QVector<NumberBox*> boxes;
+    for (int c = 0; c < 3; ++c) {
+        auto* box = new NumberBox(number, control);
+        box->setMinimumWidth(48);
+        box->setAccessibleName(QStringLiteral("%1 %2").arg(name).arg(c + 1));
+        box->setToolTip(labelText(field.help));
+        connect(box, &QDoubleSpinBox::valueChanged, this, [this, path, label, access, c](double value) {
+            m_document.edit(label, path, [&](Scene& scene) {
+                glm::dvec3 changed = access.get(scene);
+                changed[c] = value;
+                access.set(scene, changed);
+            });
+            m_document.finishEdit();
+        });
+        row->addWidget(box, 1);
+        boxes.push_back(box);
+    }
+    control->setFocusProxy(boxes.front());
+    addControl(path, field, style, control, [boxes, access](const Scene& scene) {
+        for (int c = 0; c < 3; ++c) {
+            const QSignalBlocker quiet(boxes[c]);
+            boxes[c]->setValue(access.get(scene)[c]);
+        }
+    });
+}
+
+void OptionsForm::addRow(QWidget* widget, Span span, std::function<bool(const Scene&)> isShown)
+{
+    if (span == Span::Whole)
+        m_layout->addRow(widget);
+    else
+        m_layout->addRow(new QLabel, widget);
     if (isShown) {
         m_rows.push_back({widget, {}, isShown});
         m_layout->setRowVisible(widget, isShown(m_document.scene()));

@@ -35,6 +35,17 @@ struct FieldStyle {
 };
 using FieldStyles = std::map<std::string, FieldStyle, std::less<>>;
 
+/// A list that lets the wheel scroll the panel it stands in, unless it was clicked into.
+class QuietCombo : public QComboBox {
+    Q_OBJECT
+
+public:
+    explicit QuietCombo(QWidget* parent = nullptr);
+
+protected:
+    void wheelEvent(QWheelEvent* event) override;
+};
+
 /// A colour as a swatch that opens a chooser. Linear RGB outside, sRGB on the screen.
 class ColorButton : public QPushButton {
     Q_OBJECT
@@ -89,7 +100,7 @@ public:
             else if constexpr (std::is_same_v<T, bool>)
                 addSwitch(fieldPath, field, style, access);
             else if constexpr (std::is_same_v<T, glm::dvec3>)
-                addColor(fieldPath, field, style, access);
+                field.name == "color" ? addColor(fieldPath, field, style, access) : addVector(fieldPath, field, style, access);
             else if constexpr (std::is_enum_v<T>)
                 addChoice(fieldPath, field, style, words(value),
                           {[access](const Scene& scene) { return static_cast<int>(access.get(scene)); },
@@ -97,8 +108,11 @@ public:
         });
     }
 
-    /// A full-width row of its own between the fields.
-    void addRow(QWidget* widget, std::function<bool(const Scene&)> isShown = {});
+    /// A control made elsewhere, as a row like the others. @param show shows the scene's value in it
+    void addControl(const QString& path, const Field& field, const FieldStyle& style, QWidget* control, std::function<void(const Scene&)> show);
+    /// A row of its own between the fields, where the controls are, or across the whole width.
+    enum class Span { Controls, Whole };
+    void addRow(QWidget* widget, Span span, std::function<bool(const Scene&)> isShown = {});
     /// A heading above the rows that follow.
     void addHeading(const QString& text);
     /// The control of a field, or null.
@@ -133,7 +147,7 @@ private:
     void addColor(const QString& path, const Field& field, const FieldStyle& style, const Access<glm::dvec3>& access);
     void addChoice(const QString& path, const Field& field, const FieldStyle& style, std::span<const std::string_view> names,
                    const Access<int>& access);
-    void addControl(const QString& path, const Field& field, const FieldStyle& style, QWidget* control, std::function<void(const Scene&)> show);
+    void addVector(const QString& path, const Field& field, const FieldStyle& style, const Access<glm::dvec3>& access);
     void refresh();
 
     struct Row {

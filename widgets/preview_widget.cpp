@@ -3,8 +3,10 @@
 #include "core/error.h"
 #include "core/preview/scene_settings.h"
 
+#include <QElapsedTimer>
 #include <QMouseEvent>
 #include <QOpenGLContext>
+#include <QPainter>
 #include <QSurfaceFormat>
 #include <QWheelEvent>
 
@@ -12,6 +14,14 @@
 #include <cmath>
 
 namespace mirrorball::studio {
+
+namespace {
+
+constexpr double degreesPerPixel = 0.4;
+constexpr int wipeGrip = 6; ///< pixels to either side of the line
+constexpr float differenceGain = 4.0f;
+
+} // namespace
 
 QSurfaceFormat previewFormat()
 {
@@ -28,14 +38,23 @@ PreviewWidget::PreviewWidget(Workspace& workspace, QWidget* parent) : QOpenGLWid
 {
     setFormat(previewFormat());
     setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
     setObjectName(QStringLiteral("preview"));
     setAccessibleName(tr("Preview"));
+    setAccessibleDescription(tr("Drag to orbit, middle drag to pan, wheel to zoom, Shift and right drag to turn the environment"));
     m_rest.setSingleShot(true);
     m_rest.setInterval(400);
+    m_pointing.setSingleShot(true);
+    m_pointing.setInterval(40);
     connect(&m_rest, &QTimer::timeout, &m_workspace.document, &Document::finishEdit);
+    connect(&m_pointing, &QTimer::timeout, this, &PreviewWidget::point);
     connect(&m_workspace.live, &LiveScene::updated, this, qOverload<>(&QWidget::update));
     connect(&m_workspace.document, &Document::changed, this, [this](Parts parts) {
         if (parts & (Part::View | Part::Probe))
+            update();
+    });
+    connect(&m_workspace.cursor, &DirectionCursor::moved, this, [this] {
+        if (!m_isPointing)
             update();
     });
 }
@@ -48,13 +67,7 @@ PreviewWidget::~PreviewWidget()
 void PreviewWidget::initializeGL()
 {
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &PreviewWidget::releaseGL);
-    try {
-        m_renderer = std::make_unique<preview::Renderer>();
-        m_problem.clear();
-    } catch (const Error& error) {
-        m_problem = QString::fromUtf8(error.what());
-        m_workspace.notices.set({.subject = QStringLiteral("preview"), .text = m_problem});
-    }
+    m_renderer = std::make_unique<preview::Renderer>();
 }
 
 void PreviewWidget::releaseGL()
@@ -63,11 +76,19 @@ void PreviewWidget::releaseGL()
         return;
     makeCurrent();
     m_renderer.reset();
+    m_snapshotRenderer.reset();
+    m_difference = {};
     doneCurrent();
 }
 
+QSize PreviewWidget::deviceSize() const
+{
+    const double ratio = devicePixelRatioF();
+    return {std::max(1, static_cast<int>(std::lround(width() * ratio))), std::max(1, static_cast<int>(std::lround(height() * ratio)))};
+}
+
 // The maps are of the scene that was made; what needs no map is of this moment.
-preview::RenderSettings PreviewWidget::settings(const MadeScene& made) const
+preview::RenderSettings PreviewWidget::settings(const PreparedScene& made) const
 {
     const Scene& now = m_workspace.document.scene();
     Scene shown = made.scene;
@@ -76,24 +97,73 @@ preview::RenderSettings PreviewWidget::settings(const MadeScene& made) const
     shown.view.toneCurve = now.view.toneCurve;
     if (shown.map.space == MapSpace::World)
         shown.probe.yawDeg = now.probe.yawDeg;
-    shown.view.width = std::max(1, static_cast<int>(std::lround(width() * devicePixelRatioF())));
-    shown.view.height = std::max(1, static_cast<int>(std::lround(height() * devicePixelRatioF())));
-    return preview::renderSettings(shown, made.plan);
+    const QSize size = deviceSize();
+    shown.view.width = size.width();
+    shown.view.height = size.height();
+    preview::RenderSettings settings = preview::renderSettings(shown, made.plan, made.mesh);
+    settings.pixelRatio = static_cast<float>(devicePixelRatioF());
+    if (const auto& direction = m_workspace.cursor.direction(); direction && !m_isPointing)
+        settings.marker = glm::vec3(*direction);
+    return settings;
+}
+
+void PreviewWidget::draw(preview::Renderer& renderer, const PreparedScene& made, const preview::Destination& destination)
+{
+    renderer.drawDisplay(settings(made), preview::renderMaps(made.maps), destination);
+}
+
+void PreviewWidget::paintComparison(const PreparedScene& made)
+{
+    const QSize size = deviceSize();
+    const unsigned screen = defaultFramebufferObject();
+    if (!m_snapshotRenderer)
+        m_snapshotRenderer = std::make_unique<preview::Renderer>();
+    switch (m_comparison) {
+    case Comparison::Off:
+        break;
+    case Comparison::Hold:
+        draw(*m_snapshotRenderer, *m_snapshot, {.framebuffer = screen});
+        break;
+    case Comparison::Wipe: {
+        const int line = static_cast<int>(std::lround(m_wipe * size.width()));
+        draw(*m_snapshotRenderer, *m_snapshot, {.framebuffer = screen, .clip = preview::PixelRectangle{0, 0, line, size.height()}});
+        draw(*m_renderer, made, {.framebuffer = screen, .clip = preview::PixelRectangle{line, 0, size.width() - line, size.height()}});
+        break;
+    }
+    case Comparison::Difference:
+        draw(*m_renderer, made, {.framebuffer = m_difference.target(0, size.width(), size.height())});
+        draw(*m_snapshotRenderer, *m_snapshot, {.framebuffer = m_difference.target(1, size.width(), size.height())});
+        m_difference.draw(screen, differenceGain);
+        break;
+    }
 }
 
 void PreviewWidget::paintGL()
 {
-    const std::shared_ptr<const MadeScene> made = m_workspace.live.made();
+    const std::shared_ptr<const PreparedScene> made = m_workspace.live.made();
     if (!m_renderer || !made)
         return;
+    QElapsedTimer clock;
+    clock.start();
     try {
-        m_renderer->drawDisplay(settings(*made), preview::renderMaps(made->maps), {.framebuffer = defaultFramebufferObject()});
+        if (m_comparison == Comparison::Off)
+            draw(*m_renderer, *made, {.framebuffer = defaultFramebufferObject()});
+        else
+            paintComparison(*made);
         m_workspace.notices.clear(QStringLiteral("preview"));
     } catch (const Error& error) {
         m_workspace.notices.set({.subject = QStringLiteral("preview"), .text = QString::fromUtf8(error.what())});
         return;
     }
-    emit painted(made);
+    if (m_comparison == Comparison::Wipe) {
+        QPainter painter(this);
+        const double x = m_wipe * width();
+        painter.setPen(QPen(QColor(20, 20, 20, 160), 3.0));
+        painter.drawLine(QPointF(x, 0), QPointF(x, height()));
+        painter.setPen(QPen(QColor(235, 235, 235), 1.0));
+        painter.drawLine(QPointF(x, 0), QPointF(x, height()));
+    }
+    emit painted(made, static_cast<double>(clock.nsecsElapsed()) * 1e-9);
 }
 
 void PreviewWidget::frame()
@@ -121,11 +191,37 @@ void PreviewWidget::changeExposure(double ev)
     m_rest.start();
 }
 
+void PreviewWidget::takeSnapshot()
+{
+    m_snapshot = m_workspace.live.made();
+    if (m_comparison != Comparison::Off)
+        update();
+    emit comparisonChanged();
+}
+
+void PreviewWidget::setComparison(Comparison comparison)
+{
+    m_comparison = m_snapshot ? comparison : Comparison::Off;
+    update();
+    emit comparisonChanged();
+}
+
+void PreviewWidget::setWipe(double fraction)
+{
+    m_wipe = std::clamp(fraction, 0.0, 1.0);
+    update();
+}
+
+bool PreviewWidget::isOnWipe(const QPointF& position) const
+{
+    return m_comparison == Comparison::Wipe && std::abs(position.x() - m_wipe * width()) <= wipeGrip;
+}
+
 void PreviewWidget::mousePressEvent(QMouseEvent* event)
 {
     m_last = event->position();
     if (event->button() == Qt::LeftButton)
-        m_drag = Drag::Orbit;
+        m_drag = isOnWipe(m_last) ? Drag::Wipe : Drag::Orbit;
     else if (event->button() == Qt::MiddleButton)
         m_drag = Drag::Pan;
     else if (event->button() == Qt::RightButton && event->modifiers().testFlag(Qt::ShiftModifier))
@@ -136,6 +232,17 @@ void PreviewWidget::mouseMoveEvent(QMouseEvent* event)
 {
     const QPointF moved = event->position() - m_last;
     m_last = event->position();
+    if (m_drag != Drag::None) {
+        drag(moved);
+        return;
+    }
+    setCursor(isOnWipe(m_last) ? Qt::SplitHCursor : Qt::ArrowCursor);
+    if (!m_pointing.isActive())
+        m_pointing.start();
+}
+
+void PreviewWidget::drag(const QPointF& moved)
+{
     Document& document = m_workspace.document;
     switch (m_drag) {
     case Drag::None:
@@ -143,8 +250,8 @@ void PreviewWidget::mouseMoveEvent(QMouseEvent* event)
     case Drag::Orbit:
         document.edit(tr("Orbit"), QStringLiteral("view.camera.orbit"), [&](Scene& scene) {
             CameraSettings& camera = scene.view.camera;
-            camera.yawDeg = std::remainder(camera.yawDeg - 0.4 * moved.x(), 360.0);
-            camera.pitchDeg = std::clamp(camera.pitchDeg + 0.4 * moved.y(), -90.0, 90.0);
+            camera.yawDeg = std::remainder(camera.yawDeg - degreesPerPixel * moved.x(), 360.0);
+            camera.pitchDeg = std::clamp(camera.pitchDeg + degreesPerPixel * moved.y(), -90.0, 90.0);
         });
         return;
     case Drag::Pan: {
@@ -152,18 +259,21 @@ void PreviewWidget::mouseMoveEvent(QMouseEvent* event)
         if (!made)
             return;
         const preview::Camera camera = settings(*made).camera;
-        const double perPixel = 2.0 * camera.distance * static_cast<double>(camera.halfExtent(1.0f).y) / std::max(1, height());
+        const double perPixel = 2.0 * static_cast<double>(camera.distance * camera.halfExtent(1.0f).y) / std::max(1, height());
         const glm::dmat3 axes(camera.cameraToWorld());
         document.edit(tr("Pan"), QStringLiteral("view.camera.pan"), [&](Scene& scene) {
-            scene.view.camera.target =
-                glm::clamp(scene.view.camera.target + perPixel * (-moved.x() * axes[0] + moved.y() * axes[1]), -1000.0, 1000.0);
+            glm::dvec3& target = scene.view.camera.target;
+            target = glm::clamp(target + perPixel * (-moved.x() * axes[0] + moved.y() * axes[1]), -1000.0, 1000.0);
         });
         return;
     }
     case Drag::TurnEnvironment:
         document.edit(tr("Turn the environment"), QStringLiteral("probe.yaw"), [&](Scene& scene) {
-            scene.probe.yawDeg = std::remainder(scene.probe.yawDeg + 0.4 * moved.x(), 360.0);
+            scene.probe.yawDeg = std::remainder(scene.probe.yawDeg + degreesPerPixel * moved.x(), 360.0);
         });
+        return;
+    case Drag::Wipe:
+        setWipe(m_last.x() / std::max(1, width()));
         return;
     }
 }
@@ -185,6 +295,56 @@ void PreviewWidget::wheelEvent(QWheelEvent* event)
     });
     m_rest.start();
     event->accept();
+}
+
+void PreviewWidget::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() != Qt::Key_B || event->modifiers() != Qt::NoModifier || !m_snapshot) {
+        QOpenGLWidget::keyPressEvent(event);
+        return;
+    }
+    if (!event->isAutoRepeat() && !m_beforeHold) {
+        m_beforeHold = m_comparison;
+        setComparison(Comparison::Hold);
+    }
+}
+
+void PreviewWidget::keyReleaseEvent(QKeyEvent* event)
+{
+    if (event->key() != Qt::Key_B || event->isAutoRepeat() || !m_beforeHold) {
+        QOpenGLWidget::keyReleaseEvent(event);
+        return;
+    }
+    setComparison(*m_beforeHold);
+    m_beforeHold.reset();
+}
+
+void PreviewWidget::leaveEvent(QEvent*)
+{
+    m_pointing.stop();
+    m_isPointing = false;
+    m_workspace.cursor.set(std::nullopt);
+}
+
+// Where the reflection under the mouse comes from: the map shows it. The picture itself needs no mark there.
+void PreviewWidget::point()
+{
+    const auto made = m_workspace.live.made();
+    if (!made || !m_renderer || m_drag != Drag::None || !underMouse())
+        return;
+    const double ratio = devicePixelRatioF();
+    std::optional<glm::dvec3> direction;
+    makeCurrent();
+    try {
+        if (const auto hit = m_renderer->pick(settings(*made), static_cast<int>(m_last.x() * ratio), static_cast<int>(m_last.y() * ratio)))
+            direction = glm::dvec3(hit->lookup);
+    } catch (const Error&) {
+        // the next picture says what is wrong
+    }
+    doneCurrent();
+    m_isPointing = true;
+    m_workspace.cursor.set(direction);
+    m_isPointing = direction.has_value();
 }
 
 } // namespace mirrorball::studio

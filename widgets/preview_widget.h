@@ -1,10 +1,10 @@
 #pragma once
 
+#include "picture_comparison.h"
 #include "workspace.h"
 
 #include "core/preview/renderer.h"
 
-#include <QElapsedTimer>
 #include <QOpenGLWidget>
 #include <QPointF>
 #include <QTimer>
@@ -16,8 +16,9 @@ namespace mirrorball::studio {
 
 /// The picture, live: core/preview's renderer in a window's context.
 ///
-/// Left drag orbits, middle drag pans, the wheel zooms, F frames, R resets, Shift and right drag turns the environment, E and Shift+E
-/// change the exposure. Every move is an edit of the document's view, one undo step a drag.
+/// Left drag orbits, middle drag pans, the wheel zooms, Shift and right drag turns the environment. Every move is an edit of the
+/// document's view, one undo step a drag. A snapshot keeps a scene with its maps, to be compared from where the camera is now; while B is
+/// held it is shown.
 class PreviewWidget : public QOpenGLWidget {
     Q_OBJECT
 
@@ -27,17 +28,27 @@ public:
 
     QSize sizeHint() const override { return {960, 540}; }
     QSize minimumSizeHint() const override { return {160, 120}; }
-    /// Why there is no picture; empty when there is one.
-    const QString& problem() const { return m_problem; }
+
+    bool hasSnapshot() const { return m_snapshot != nullptr; }
+    Comparison comparison() const { return m_comparison; }
+    /// Where the wipe's line stands, as a fraction of the width.
+    double wipe() const { return m_wipe; }
 
 public slots:
+    /// Brings the object back to the middle, at the size it has at first.
     void frame();
     void resetView();
     void changeExposure(double ev);
+    /// Keeps what is shown now, for comparison.
+    void takeSnapshot();
+    /// Off without a snapshot.
+    void setComparison(mirrorball::studio::Comparison comparison);
+    void setWipe(double fraction);
 
 signals:
-    /// A picture of this scene is on its way to the screen.
-    void painted(std::shared_ptr<const mirrorball::MadeScene> made);
+    /// A picture of this scene is on its way to the screen. @param seconds that drawing it took
+    void painted(std::shared_ptr<const mirrorball::studio::PreparedScene> made, double seconds);
+    void comparisonChanged();
 
 protected:
     void initializeGL() override;
@@ -46,18 +57,35 @@ protected:
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
 
 private:
-    enum class Drag { None, Orbit, Pan, TurnEnvironment };
+    enum class Drag { None, Orbit, Pan, TurnEnvironment, Wipe };
+
     void releaseGL();
-    preview::RenderSettings settings(const MadeScene& made) const;
+    QSize deviceSize() const;
+    preview::RenderSettings settings(const PreparedScene& made) const;
+    void draw(preview::Renderer& renderer, const PreparedScene& made, const preview::Destination& destination);
+    void paintComparison(const PreparedScene& made);
+    void drag(const QPointF& moved);
+    void point();
+    bool isOnWipe(const QPointF& position) const;
 
     Workspace& m_workspace;
     std::unique_ptr<preview::Renderer> m_renderer;
-    QString m_problem;
+    std::unique_ptr<preview::Renderer> m_snapshotRenderer; ///< of its own, so that neither drops the other's textures
+    PictureDifference m_difference;
+    std::shared_ptr<const PreparedScene> m_snapshot;
+    Comparison m_comparison = Comparison::Off;
+    std::optional<Comparison> m_beforeHold{}; ///< while the key is held that shows the snapshot
+    double m_wipe = 0.5;
     Drag m_drag = Drag::None;
     QPointF m_last;
-    QTimer m_rest; ///< runs out when wheel and keys have come to rest
+    QTimer m_rest;     ///< runs out when wheel and keys have come to rest
+    QTimer m_pointing; ///< a moving mouse looks at the model this often
+    bool m_isPointing = false;
 };
 
 /// The format that windows must have: set as the default before the first one is made.

@@ -2,19 +2,13 @@
 #include "scene_stats.h"
 
 #include "core/error.h"
-#include "core/image/image_io.h"
-#include "core/preview/display_transform.h"
-#include "core/preview/mesh_file.h"
-#include "core/preview/offscreen_context.h"
-#include "core/preview/renderer.h"
-#include "core/preview/scene_settings.h"
+#include "core/preview/picture_file.h"
 #include "core/scene/material_presets.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/scene_maps.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <map>
 #include <memory>
 
@@ -45,6 +39,8 @@ constexpr std::array fieldOptions{
     FieldOption{"--metal", "material.fresnel.metal", "material.fresnel.kind", "conductor"},
     FieldOption{"--combine", "material.combine"},
     FieldOption{"--lambda", "material.lambda"},
+    FieldOption{"--lambda-grazing", "material.lambda_grazing"},
+    FieldOption{"--mip-filtering", "map.mip_filtering"},
     FieldOption{"--lod-bias", "material.lod_bias"},
     FieldOption{"--fov", "view.camera.fov"},
     FieldOption{"--projection", "view.camera.projection"},
@@ -156,29 +152,8 @@ Scene makeScene(const Options& o)
     return scene;
 }
 
-/// Radiance goes into formats that hold floats, the display picture into the others.
-bool holdsRadiance(const std::string& out)
-{
-    std::string extension = std::filesystem::path(out).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    constexpr std::array formats{".exr", ".hdr", ".tif", ".tiff", ".pfm"};
-    if (extension.empty())
-        throw InvalidArgument(out + ": has no extension that tells the format; use .png or .exr");
-    return std::find(formats.begin(), formats.end(), extension) != formats.end();
-}
-
-/// A picture without transparency has no use for its fourth channel.
-Image withoutOpacity(const Image& rgba)
-{
-    Image rgb(rgba.width, rgba.height, 3);
-    for (size_t i = 0; i < rgb.texels.size() / 3; ++i)
-        std::copy_n(&rgba.texels[4 * i], 3, &rgb.texels[3 * i]);
-    return rgb;
-}
-
 void run(const Options& o)
 {
-    const bool radiance = holdsRadiance(o.out);
     const Scene scene = makeScene(o);
     const JobControl job = jobWithProgress("render", o.threads);
     const Plan plan = makePlan(scene, probeLayout(scene));
@@ -186,24 +161,7 @@ void run(const Options& o)
         printStages(plan.stages);
 
     WorkRecord record;
-    std::shared_ptr<const preview::DisplayTransform> display;
-    if (const auto choice = preview::displayChoice(scene); choice && !radiance)
-        display = timedStage(record.stages, "read display configuration", [&] { return preview::displayTransform(*choice); });
-    std::shared_ptr<const preview::Mesh> mesh;
-    if (const auto file = preview::meshFile(scene))
-        mesh = timedStage(record.stages, "read mesh", [&] { return std::make_shared<const preview::Mesh>(preview::readMesh(*file, job)); });
-    const preview::RenderSettings settings = preview::renderSettings(scene, plan, std::move(mesh), display);
-    SceneProbe probe = openProbe(scene, plan, job, record);
-    const preview::RenderMaps maps = preview::renderMaps(buildMaps(scene, plan, probe, job, record));
-    Image picture = timedStage(record.stages, "draw", [&] {
-        preview::OffscreenContext context;
-        preview::Renderer renderer;
-        return radiance ? renderer.renderRadiance(settings, maps) : renderer.renderDisplay(settings, maps);
-    });
-    if (scene.view.background.kind != Backdrop::None)
-        picture = withoutOpacity(picture);
-    timedStage(record.stages, "save picture",
-               [&] { writeImage(o.out, picture, {.encoding = radiance ? Encoding::Linear : Encoding::Display}); });
+    preview::savePicture(scene, plan, o.out, job, record);
     if (!o.saved.empty())
         saveScene(scene, o.saved);
     if (!o.stats.empty())

@@ -21,4 +21,11 @@ struct DockEntry {
 /// All docks, in the order of the View menu. A new dock is one line here and a widget that takes the workspace.
 const std::vector<DockEntry>& dockEntries();
 
+/// Docks that stand behind one another at first.
+struct DockTabs {
+    const char* front;
+    const char* behind;
+};
+const std::vector<DockTabs>& dockTabs();
+
 } // namespace mirrorball::studio

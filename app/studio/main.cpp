@@ -1,25 +1,50 @@
 #include "main_window.h"
+#include "theme.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QSurfaceFormat>
 
+#include <algorithm>
+#include <cstring>
+#include <memory>
+
+namespace {
+
+/// Whether the program only says something and ends: that needs no display.
+bool asksForText(int count, char** arguments)
+{
+    return std::any_of(arguments + 1, arguments + count, [](const char* argument) {
+        return std::strcmp(argument, "--help") == 0 || std::strcmp(argument, "-h") == 0 || std::strcmp(argument, "--help-all") == 0 ||
+               std::strcmp(argument, "--version") == 0 || std::strcmp(argument, "-v") == 0;
+    });
+}
+
+} // namespace
+
 int main(int count, char** arguments)
 {
     using namespace mirrorball::studio;
+    QCoreApplication::setOrganizationName(QStringLiteral("mirrorball"));
+    QCoreApplication::setApplicationName(QStringLiteral("mirrorball-studio"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(MIRRORBALL_VERSION));
+    QGuiApplication::setDesktopFileName(QStringLiteral("org.mirrorball.Studio"));
     QSurfaceFormat::setDefaultFormat(previewFormat());
-    QApplication application(count, arguments);
-    QApplication::setApplicationName(QStringLiteral("mirrorball-studio"));
-    QApplication::setApplicationVersion(QStringLiteral(MIRRORBALL_VERSION));
+    const bool onlyText = asksForText(count, arguments);
+    const std::unique_ptr<QCoreApplication> application(onlyText ? new QCoreApplication(count, arguments) : new QApplication(count, arguments));
 
     QCommandLineParser parser;
-    parser.setApplicationDescription(QApplication::translate("main", "Author materials with environment maps."));
+    parser.setApplicationDescription(QCoreApplication::translate("main", "Author materials with environment maps: the desktop tool."));
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addPositionalArgument(QStringLiteral("FILE"), QApplication::translate("main", "scene file (.mirrorball), probe or mesh to open"));
-    parser.process(application);
+    parser.addPositionalArgument(QStringLiteral("FILE"),
+                                 QCoreApplication::translate("main", "A scene (.mirrorball), a light probe (.hdr, .exr, ...) or a mesh to open."),
+                                 QStringLiteral("[FILE...]"));
+    parser.process(*application);
 
+    applyTheme(static_cast<QApplication&>(*application));
     MainWindow window;
     window.show();
-    return QApplication::exec();
+    window.openFiles(parser.positionalArguments());
+    return QCoreApplication::exec();
 }

@@ -1,10 +1,19 @@
 #pragma once
 
+#include "file_actions.h"
+#include "recovery.h"
+#include "view_actions.h"
+
 #include "widgets/preview_widget.h"
 #include "widgets/workspace.h"
 
 #include <QDockWidget>
+#include <QLabel>
 #include <QMainWindow>
+#include <QProgressBar>
+#include <QToolButton>
+
+#include <memory>
 
 namespace mirrorball::studio {
 
@@ -13,21 +22,56 @@ class MainWindow : public QMainWindow {
     Q_OBJECT
 
 public:
-    explicit MainWindow(QWidget* parent = nullptr);
+    /// @param recoveryFolder where copies of unsaved changes go
+    explicit MainWindow(const QString& recoveryFolder = Recovery::defaultFolder(), QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    Workspace& workspace() { return m_workspace; }
+    Workspace& workspace() { return *m_workspace; }
     PreviewWidget& preview() { return *m_preview; }
+    FileActions& files() { return *m_files; }
+    Recovery& recovery() { return *m_recovery; }
     /// The dock of that id (docks.h), or null.
     QDockWidget* dock(const QString& id) const;
 
+    /// Opens files as if they were dropped: a scene, a mesh, a probe.
+    void openFiles(const QStringList& paths);
+    /// Draws the picture at its own size into a file, in the background.
+    void savePicture(const QString& path);
+
+public slots:
+    void hideOrShowDocks();
+    void resetLayout();
+    void openPalette();
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+
 private:
     void addDocks();
-    void addActions();
+    void addMenus();
+    void addStatus();
+    void arrange();
+    void watch();
+    void offerRecovery();
+    void askAndSavePicture();
     void showTitle();
+    void showProblems();
+    void showWork();
 
-    Workspace m_workspace; ///< outlives the widgets, which are children
+    std::unique_ptr<Workspace> m_workspace; ///< goes after the widgets that look at it
+    JobRunner m_pictures;                   ///< draws pictures into files
     PreviewWidget* m_preview;
+    FileActions* m_files;
+    ViewActions* m_views;
+    Recovery* m_recovery;
+    QMenu* m_dockMenu = nullptr;
+    QLabel* m_state = nullptr;
+    QProgressBar* m_progress = nullptr;
+    QToolButton* m_stop = nullptr;
+    QTimer m_showProgress; ///< work that is done at once shows none
+    QList<QDockWidget*> m_hiddenDocks;
+    QByteArray m_firstLayout;
+    double m_drawSeconds = -1.0;
 };
 
 } // namespace mirrorball::studio

@@ -51,6 +51,7 @@ struct SceneMaps {
     MapLevels diffuse{};
     MapLevels background{};
     std::vector<SphereMapChain> sphereMaps{}; ///< those of the plan
+    std::vector<MapLevels> others{}; ///< of PlanExtent::Everything
 };
 
 SphereMapTexels buildSphereMap(const Scene& scene, const SphereMapPlan& plan, const JobControl& job);

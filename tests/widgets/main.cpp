@@ -1,5 +1,7 @@
+#include "recovery_test.h"
 #include "test_class.h"
 
+#include "app/studio/theme.h"
 #include "widgets/preview_widget.h"
 
 #include <QApplication>
@@ -12,11 +14,17 @@
 /// widget_tests [CLASS [arguments of QtTest]]
 int main(int count, char** arguments)
 {
+    if (count == 4 && std::strcmp(arguments[1], "--save-forever") == 0) {
+        QCoreApplication killed(count, arguments);
+        mirrorball::test::saveForever(QString::fromLocal8Bit(arguments[2]), QString::fromLocal8Bit(arguments[3]));
+    }
     QStandardPaths::setTestModeEnabled(true); // settings and caches of a user are left alone
     QSurfaceFormat::setDefaultFormat(mirrorball::studio::previewFormat());
     QApplication application(count, arguments);
     QApplication::setOrganizationName(QStringLiteral("mirrorball-test"));
     QApplication::setApplicationName(QStringLiteral("widget_tests"));
+
+    mirrorball::studio::applyTheme(application);
 
     QStringList rest = QCoreApplication::arguments();
     const QString wanted = rest.size() > 1 ? rest.takeAt(1) : QString();

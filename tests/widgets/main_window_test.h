@@ -8,7 +8,18 @@ class MainWindowTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void init();
     void showsThePictureThatTheCommandLineDraws();
+    void savesThePictureThatTheCommandLineSaves();
+    void everyControlHasTooltipNameAndKeys();
+    void oneKeyHidesAndShowsAllDocks();
+    void keepsItsLayoutBetweenRuns();
+    void thePaletteFindsAndRunsCommands();
+    void everyViewCommandCanBeUndone();
+    void aMissingProbeIsNamedAndAPlaceholderShown();
+    void aMissingMeshIsNamedAndABoxShown();
+    void unsavedChangesAreGuarded();
+    void remembersRecentFiles();
 };
 
 } // namespace mirrorball::test

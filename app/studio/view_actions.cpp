@@ -1,0 +1,187 @@
+#include "view_actions.h"
+
+#include "theme.h"
+#include "widgets/text.h"
+
+#include <QToolButton>
+#include <QWidgetAction>
+
+namespace mirrorball::studio {
+
+ViewActions::ViewActions(PreviewWidget& preview, Workspace& workspace, QObject* parent)
+    : QObject(parent), m_preview(preview), m_workspace(workspace), m_geometry(this), m_shading(this), m_projection(this), m_background(this),
+      m_compare(this)
+{
+    makeGeometry();
+    makeShading();
+    makeCamera();
+    makeBackground();
+    makeComparison();
+    connect(&m_workspace.document, &Document::changed, this, &ViewActions::refresh);
+    refresh();
+}
+
+QAction* ViewActions::add(const char* id, const char* iconName, const QString& text, const QString& help, const QKeySequence& key,
+                          std::function<void()> act)
+{
+    auto* action = new QAction(icon(iconName), text, this);
+    action->setObjectName(QLatin1String(id));
+    action->setShortcut(key);
+    const QString keys = key.toString(QKeySequence::NativeText);
+    action->setToolTip(keys.isEmpty() ? help : QStringLiteral("%1 (%2)").arg(help, keys));
+    action->setStatusTip(help);
+    connect(action, &QAction::triggered, this, [act = std::move(act)] { act(); });
+    return action;
+}
+
+QAction* ViewActions::addChoice(QActionGroup& group, const char* id, const char* iconName, const QString& text, const QKeySequence& key,
+                                const QString& undoLabel, std::function<void(Scene&)> choose, std::function<bool(const Scene&)> isOn)
+{
+    QAction* action = add(id, iconName, text, text, key,
+                          [this, undoLabel, choose = std::move(choose)] { m_workspace.document.edit(undoLabel, {}, choose); });
+    action->setCheckable(true);
+    group.addAction(action);
+    m_choices.push_back({action, std::move(isOn)});
+    return action;
+}
+
+void ViewActions::makeGeometry()
+{
+    const auto body = [this](const char* word, const QString& text) {
+        addChoice(
+            m_geometry, word, word, text, {}, tr("Change geometry"), [word](Scene& scene) { scene.view.geometry = word; },
+            [word](const Scene& scene) { return scene.view.geometry == word; });
+    };
+    body("teapot", tr("Teapot"));
+    body("torus", tr("Torus"));
+    body("sphere", tr("Sphere"));
+    body("box", tr("Box"));
+}
+
+void ViewActions::makeShading()
+{
+    const auto view = [this](Shading shading, const char* iconName, const QString& text) {
+        addChoice(
+            m_shading, iconName, iconName, text, QKeySequence(Qt::Key_1 + static_cast<int>(shading)), tr("Change shading"),
+            [shading](Scene& scene) { scene.view.shading = shading; }, [shading](const Scene& scene) { return scene.view.shading == shading; });
+    };
+    view(Shading::Material, "material", tr("Material"));
+    view(Shading::Wireframe, "wireframe", tr("Wireframe"));
+    view(Shading::Normals, "normals", tr("Normals"));
+    view(Shading::TexCoords, "texcoords", tr("Texture coordinates"));
+    view(Shading::Seams, "seams", tr("Seams of the map"));
+    view(Shading::Mips, "mips", tr("Mip levels"));
+}
+
+void ViewActions::makeCamera()
+{
+    const auto project = [this](Projection projection, const char* iconName, const QString& text) {
+        addChoice(
+            m_projection, iconName, iconName, text, {}, tr("Change projection"),
+            [projection](Scene& scene) { scene.view.camera.projection = projection; },
+            [projection](const Scene& scene) { return scene.view.camera.projection == projection; });
+    };
+    project(Projection::Perspective, "perspective", tr("Perspective"));
+    project(Projection::Orthographic, "orthographic", tr("Orthographic"));
+    m_camera << add("view.frame", "frame", tr("&Frame the object"), tr("Bring the object back to the middle"), QKeySequence(Qt::Key_F),
+                    [this] { m_preview.frame(); })
+             << add("view.reset", "reset", tr("&Reset the view"), tr("The camera as it was at first"), QKeySequence(Qt::Key_R),
+                    [this] { m_preview.resetView(); });
+    m_exposure << add("view.brighter", "brighter", tr("&Brighter"), tr("Exposure half a stop up"), QKeySequence(Qt::Key_E),
+                      [this] { m_preview.changeExposure(0.5); })
+               << add("view.darker", "darker", tr("&Darker"), tr("Exposure half a stop down"), QKeySequence(Qt::SHIFT | Qt::Key_E),
+                      [this] { m_preview.changeExposure(-0.5); });
+}
+
+void ViewActions::makeBackground()
+{
+    const auto stand = [this](Backdrop kind, const char* iconName, const QString& text) {
+        addChoice(
+            m_background, iconName, iconName, text, {}, tr("Change background"), [kind](Scene& scene) { scene.view.background.kind = kind; },
+            [kind](const Scene& scene) { return scene.view.background.kind == kind; });
+    };
+    stand(Backdrop::Environment, "background-environment", tr("Environment"));
+    stand(Backdrop::Blurred, "background-blurred", tr("Environment, blurred"));
+    stand(Backdrop::Color, "background-color", tr("One colour"));
+    stand(Backdrop::None, "background-none", tr("None"));
+}
+
+void ViewActions::makeComparison()
+{
+    m_snapshot = add("compare.snapshot", "snapshot", tr("Keep a &snapshot"), tr("Keep this material and light to compare with"),
+                     QKeySequence(Qt::CTRL | Qt::Key_K), [this] { m_preview.takeSnapshot(); });
+    m_compare.setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
+    const auto compare = [this](Comparison comparison, const char* id, const char* iconName, const QString& text, const QString& help,
+                                const QKeySequence& key) {
+        QAction* action = add(id, iconName, text, help, key, [this, comparison] {
+            m_preview.setComparison(m_preview.comparison() == comparison ? Comparison::Off : comparison);
+        });
+        action->setCheckable(true);
+        m_compare.addAction(action);
+        const auto show = [this, action, comparison] {
+            action->setEnabled(m_preview.hasSnapshot());
+            action->setChecked(m_preview.comparison() == comparison);
+        };
+        connect(&m_preview, &PreviewWidget::comparisonChanged, this, show);
+        show();
+    };
+    compare(Comparison::Hold, "compare.show", "compare-hold", tr("S&how the snapshot"), tr("Show the snapshot; hold B to glance at it"), {});
+    compare(Comparison::Wipe, "compare.wipe", "compare-wipe", tr("&Wipe"), tr("Snapshot on the left, now on the right; drag the line"),
+            QKeySequence(Qt::Key_W));
+    compare(Comparison::Difference, "compare.difference", "compare-difference", tr("&Difference"),
+            tr("Difference to the snapshot, four times as bright"), QKeySequence(Qt::Key_D));
+}
+
+void ViewActions::addTo(QMenu& menu)
+{
+    const auto submenu = [&](const QString& title, const QList<QAction*>& actions) { menu.addMenu(title)->addActions(actions); };
+    submenu(tr("&Geometry"), m_geometry.actions());
+    submenu(tr("&Shading"), m_shading.actions());
+    submenu(tr("&Projection"), m_projection.actions());
+    submenu(tr("&Background"), m_background.actions());
+    submenu(tr("&Compare"), QList<QAction*>{m_snapshot} + m_compare.actions());
+    menu.addSeparator();
+    menu.addActions(m_camera);
+    menu.addActions(m_exposure);
+}
+
+void ViewActions::addTo(QToolBar& bar)
+{
+    const auto list = [&](const char* id, const QString& name, const QString& help, QActionGroup& group) {
+        auto* button = new QToolButton(&bar);
+        auto* menu = new QMenu(button);
+        menu->addActions(group.actions());
+        button->setMenu(menu);
+        button->setPopupMode(QToolButton::InstantPopup);
+        button->setObjectName(QLatin1String(id));
+        button->setAccessibleName(name);
+        button->setToolTip(help);
+        button->setFocusPolicy(Qt::TabFocus);
+        const auto show = [button, &group] {
+            if (const QAction* chosen = group.checkedAction())
+                button->setIcon(chosen->icon());
+        };
+        connect(&m_workspace.document, &Document::changed, button, show, Qt::QueuedConnection);
+        show();
+        bar.addWidget(button);
+    };
+    bar.addActions(m_geometry.actions());
+    bar.addSeparator();
+    list("bar.shading", tr("Shading"), tr("What the picture shows: the material, or what it is computed from"), m_shading);
+    list("bar.projection", tr("Projection"), tr("Perspective or orthographic"), m_projection);
+    list("bar.background", tr("Background"), tr("What stands behind the object"), m_background);
+    bar.addSeparator();
+    bar.addActions(m_camera);
+    bar.addActions(m_exposure);
+    bar.addSeparator();
+    bar.addAction(m_snapshot);
+    bar.addActions(m_compare.actions());
+}
+
+void ViewActions::refresh()
+{
+    for (const auto& [action, isOn] : m_choices)
+        action->setChecked(isOn(m_workspace.document.scene()));
+}
+
+} // namespace mirrorball::studio

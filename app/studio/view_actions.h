@@ -1,0 +1,46 @@
+#pragma once
+
+#include "widgets/preview_widget.h"
+
+#include <QActionGroup>
+#include <QMenu>
+#include <QObject>
+#include <QToolBar>
+
+#include <functional>
+
+namespace mirrorball::studio {
+
+/// The commands that act on the picture: geometry, shading, projection, background, camera, exposure, comparison. Each is an action of
+/// the View menu; the tool bar above the picture shows most of them.
+class ViewActions : public QObject {
+    Q_OBJECT
+
+public:
+    ViewActions(PreviewWidget& preview, Workspace& workspace, QObject* parent = nullptr);
+
+    void addTo(QMenu& menu);
+    void addTo(QToolBar& bar);
+
+private:
+    QAction* add(const char* id, const char* iconName, const QString& text, const QString& help, const QKeySequence& key,
+                 std::function<void()> act);
+    /// An action that is checked while `isOn` holds of the scene.
+    QAction* addChoice(QActionGroup& group, const char* id, const char* iconName, const QString& text, const QKeySequence& key,
+                       const QString& undoLabel, std::function<void(Scene&)> choose, std::function<bool(const Scene&)> isOn);
+    void makeGeometry();
+    void makeShading();
+    void makeCamera();
+    void makeBackground();
+    void makeComparison();
+    void refresh();
+
+    PreviewWidget& m_preview;
+    Workspace& m_workspace;
+    QActionGroup m_geometry, m_shading, m_projection, m_background, m_compare;
+    QList<QAction*> m_camera, m_exposure;
+    QAction* m_snapshot = nullptr;
+    QVector<std::pair<QAction*, std::function<bool(const Scene&)>>> m_choices;
+};
+
+} // namespace mirrorball::studio

@@ -1,0 +1,62 @@
+#include "picture_file.h"
+
+#include "mesh_file.h"
+#include "offscreen_context.h"
+#include "renderer.h"
+#include "scene_settings.h"
+
+#include "../error.h"
+#include "../image/image_io.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+
+namespace mirrorball::preview {
+
+namespace {
+
+bool holdsRadiance(const std::filesystem::path& path)
+{
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    constexpr std::array formats{".exr", ".hdr", ".tif", ".tiff", ".pfm"};
+    if (extension.empty())
+        throw InvalidArgument(path.string() + ": has no extension that tells the format; use .png or .exr");
+    return std::find(formats.begin(), formats.end(), extension) != formats.end();
+}
+
+/// A picture without transparency has no use for its fourth channel.
+Image withoutOpacity(const Image& rgba)
+{
+    Image rgb(rgba.width, rgba.height, 3);
+    for (size_t i = 0; i < rgb.texels.size() / 3; ++i)
+        std::copy_n(&rgba.texels[4 * i], 3, &rgb.texels[3 * i]);
+    return rgb;
+}
+
+} // namespace
+
+void savePicture(const Scene& scene, const Plan& plan, const std::filesystem::path& path, const JobControl& job, WorkRecord& record)
+{
+    const bool radiance = holdsRadiance(path);
+    std::shared_ptr<const Mesh> mesh;
+    if (const auto file = meshFile(scene))
+        mesh = timedStage(record.stages, "read mesh", [&] { return std::make_shared<const Mesh>(readMesh(*file, job)); });
+    const RenderSettings settings = renderSettings(scene, plan, std::move(mesh));
+    SceneProbe probe = openProbe(scene, plan, job, record);
+    const RenderMaps maps = renderMaps(buildMaps(scene, plan, probe, job, record));
+    job.checkStop();
+    Image picture = timedStage(record.stages, "draw", [&] {
+        OffscreenContext context;
+        Renderer renderer;
+        return radiance ? renderer.renderRadiance(settings, maps) : renderer.renderDisplay(settings, maps);
+    });
+    if (scene.view.background.kind != Backdrop::None)
+        picture = withoutOpacity(picture);
+    job.checkStop();
+    timedStage(record.stages, "save picture", [&] { writeImage(path, picture, {.encoding = radiance ? Encoding::Linear : Encoding::Display}); });
+}
+
+} // namespace mirrorball::preview

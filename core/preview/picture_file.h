@@ -1,0 +1,16 @@
+#pragma once
+
+#include "../job.h"
+#include "../scene/scene_maps.h"
+
+#include <filesystem>
+
+namespace mirrorball::preview {
+
+/// Draws a scene at its picture's size into a file: radiance into formats that hold floats (.exr .hdr .tif .pfm), the display picture
+/// (exposed, tone-mapped, sRGB) into the others. Makes an OpenGL context of its own, so that any thread can call it. The opacity is
+/// written only where the background is none. Appends its stages. What `mirrorball render` and the studio's "Save picture" do.
+/// @throws FileError, InvalidArgument, WorkError, Cancelled
+void savePicture(const Scene& scene, const Plan& plan, const std::filesystem::path& path, const JobControl& job, WorkRecord& record);
+
+} // namespace mirrorball::preview
