@@ -12,8 +12,18 @@ namespace {
 
 constexpr std::string_view onceMark = "#pragma once";
 
-// Appends the text of a file, and at the place of each #include the text of that one. A file that begins with the once mark is put in
-// only once; one without it may be put in several times under different macros.
+// "lib/fresnel.glsl" as a macro.
+std::string guardOf(std::string_view path)
+{
+    std::string guard = "INCLUDED_";
+    for (const char c : path)
+        guard += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+    return guard;
+}
+
+// Appends the text of a file, and at the place of each #include the text of that one. A file that begins with the once mark stands between
+// guards, so that it counts only once, and counts where the first #include of it stands under a condition that is false; one without
+// the mark may be put in several times under different macros.
 void append(ShaderSource& source, std::string_view name, std::string_view text)
 {
     const size_t number = source.files.size();
@@ -32,9 +42,12 @@ void append(ShaderSource& source, std::string_view name, std::string_view text)
         }
         const std::string path = line.substr(directive.size(), line.find('"', directive.size()) - directive.size());
         const std::string_view included = shaderText(path);
-        const bool isKnown = std::find(source.files.begin(), source.files.end(), path) != source.files.end();
-        if (!isKnown || !included.starts_with(onceMark))
-            append(source, path, included);
+        const bool isGuarded = included.starts_with(onceMark);
+        if (isGuarded)
+            source.text += "#ifndef " + guardOf(path) + "\n#define " + guardOf(path) + '\n';
+        append(source, path, included);
+        if (isGuarded)
+            source.text += "#endif\n";
         source.text += "#line " + std::to_string(lineNumber + 1) + ' ' + std::to_string(number) + '\n';
     }
 }

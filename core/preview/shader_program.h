@@ -27,7 +27,7 @@ std::string_view shaderText(std::string_view path);
 /// A macro defined ahead of the source: {"SPECULAR_KIND", "1"}.
 using ShaderDefine = std::pair<std::string, std::string>;
 
-/// GLSL of one stage with every `#include "lib/x.glsl"` put in (files that begin with `#pragma once` only once), under a #version and
+/// GLSL of one stage with every `#include "lib/x.glsl"` put in (files that begin with `#pragma once` count only once), under a #version and
 /// the defines.
 struct ShaderSource {
     std::string text{};

@@ -10,15 +10,15 @@ TEST_F(ShaderProgramTest, ContextDescribesItself)
     EXPECT_NE(OffscreenContext().description().find("4.5"), std::string::npos);
 }
 
-TEST(ShaderSource, PutsMarkedFilesInOnce)
+TEST_F(ShaderProgramTest, MarkedFilesCountOnceAndCountAfterAFalseCondition)
 {
-    const ShaderSource source = resolveIncludes("x", "#include \"lib/fresnel.glsl\"\n#include \"lib/fresnel.glsl\"\nvoid main() {}\n");
-    const std::string text = source.text;
-    const size_t first = text.find("float fresnelDielectric");
-    ASSERT_NE(first, std::string::npos);
-    EXPECT_EQ(text.find("float fresnelDielectric", first + 1), std::string::npos);
-    EXPECT_EQ(text.find("#include"), std::string::npos);
-    EXPECT_EQ(text.find("#pragma once"), std::string::npos);
+    const ShaderSource vertex = resolveIncludes("good.vert", "void main() { gl_Position = vec4(0.0); }\n");
+    const ShaderSource fragment = resolveIncludes("x", "#if 0\n#include \"lib/fresnel.glsl\"\n#endif\n#include \"lib/fresnel.glsl\"\n"
+                                                       "#include \"lib/fresnel.glsl\"\nout vec4 c;\n"
+                                                       "void main() { c = vec4(fresnelDielectric(0.5, 1.25)); }\n");
+    EXPECT_EQ(fragment.text.find("#include"), std::string::npos);
+    EXPECT_EQ(fragment.text.find("#pragma once"), std::string::npos);
+    EXPECT_NO_THROW(ShaderProgram(vertex, fragment));
 }
 
 TEST(ShaderSource, NamesAFileThatIsNotThere)

@@ -56,6 +56,6 @@ void main()
     vec3 d = fromPane * inversesqrt(distance2);
     float lit = 4.0 * pane.z * pane.w * max(d.z, 0.0) * max(-dot(n, d), 0.0) / (3.14159265 * distance2);
     vec3 albedo = part == 1 ? vec3(0.34, 0.2, 0.11) : part == 2 ? vec3(0.8, 0.79, 0.76) : vec3(0.62, 0.58, 0.52);
-    float scattered = part == 2 ? 0.45 : 0.2;
+    float scattered = part == 2 ? 0.6 : 0.32;
     color = vec4(toOutput(albedo * mean.rgb * (4.0 * lit + scattered)), 1.0);
 }
