@@ -85,6 +85,7 @@ void run(const Options& o, const CLI::App& command)
         unlessGiven("--growth-to", options.growthTo, 0);
     }
     validate(options);
+    checkReportFolder(o.folder);
 
     const Interrupt interrupt; // before the device, whose driver starts threads
     if (std::find(options.methods.begin(), options.methods.end(), Method::Paraboloid) != options.methods.end()) {

@@ -12,6 +12,8 @@
 #include <charconv>
 #include <cmath>
 
+#include <unistd.h>
+
 namespace mirrorball {
 
 namespace {
@@ -349,6 +351,18 @@ std::string stabilityCsv(const Report& report)
         csv.cell(why).endRow();
     }
     return std::move(csv).text();
+}
+
+void checkReportFolder(const std::filesystem::path& folder)
+{
+    std::error_code ignored;
+    std::filesystem::path nearest = std::filesystem::absolute(folder);
+    while (!std::filesystem::exists(nearest, ignored) && nearest.has_relative_path())
+        nearest = nearest.parent_path();
+    if (!std::filesystem::is_directory(nearest, ignored))
+        throw InvalidArgument(folder.string() + ": " + nearest.string() + " is no folder; choose another for the report");
+    if (access(nearest.c_str(), W_OK | X_OK) != 0)
+        throw InvalidArgument(folder.string() + ": " + nearest.string() + " is write-protected; choose another folder for the report");
 }
 
 std::vector<std::filesystem::path> writeReport(const Report& report, const std::filesystem::path& folder)

@@ -554,7 +554,7 @@ section("how", "How this was measured",
   element("p", {}, "Peak memory is what the process held at most during a run above what it held before: freed pages are given back to the system and the kernel's high-water mark is reset before each (Linux, /proc/self/clear_refs). The probe, in memory throughout, is not in it; neither is memory of a graphics card."),
   element("p", {}, "Errors are against the brute-force sum over every texel of the probe, in double precision. Where that would take minutes it is summed at a part of the map's texels: those that hold a Fibonacci lattice of directions, which lie evenly on the sphere, so each stands for an equal solid angle. " +
     "The largest error also looks around the brightest direction and at the cube's axes, edges and corners; between those it may miss a peak. The reference's own time is that of its sums, scaled to all texels."),
-  element("p", {}, "To make one of the maps again:"), element("pre", {}, element("code", {}, rows.find(r => r.m.command)?.m.command ?? "")),
+  ...(rows.length === 0 ? [] : [element("p", {}, "To make one of the maps again, such as the first:"), element("pre", {}, element("code", {}, rows[0].m.command))]),
   element("p", {class: "soft small"}, "Plots by Chart.js 3 (MIT licence; its text stands in the source of this page). This page makes no request of the network."));
 
 // --- one plot alone, themes ------------------------------------------------------------------------------------------------------

@@ -91,6 +91,8 @@ TEST(ReportCommand, RefusesWrongWordsInOneLine)
     EXPECT_FAILS(mirrorballRuns("report builtin:sky" + out + " --growth-to 100"), 2, "growth-to");
     EXPECT_FAILS(mirrorballRuns("report builtin:nothing" + out), 2, "nothing");
     EXPECT_FAILS(mirrorballRuns("report " + quoted(folder / "missing.hdr") + out), 2, "missing.hdr");
+    test::writeBytes(folder / "file", "x");
+    EXPECT_FAILS(mirrorballRuns("report builtin:sky -o " + quoted(folder / "file" / "deeper")), 2, "is no folder");
     EXPECT_FALSE(std::filesystem::exists(folder / "out")); // nothing half written
 }
 
