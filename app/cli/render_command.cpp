@@ -46,6 +46,8 @@ constexpr std::array fieldOptions{
     FieldOption{"--exposure", "view.exposure"},
     FieldOption{"--tone", "view.tone"},
     FieldOption{"--background", "view.background.kind"},
+    FieldOption{"--sphere-map", "material.sphere_map.source"},
+    FieldOption{"--use", "material.sphere_map.use"},
 };
 
 struct Options {
@@ -102,7 +104,7 @@ void setCamera(Scene& scene, const std::string& text)
 void setGeometry(Scene& scene, const std::string& word)
 {
     if (!isBuiltinGeometry(word) && word.find_first_of("./\\") == std::string::npos)
-        throw InvalidArgument("--geometry: '" + word + "' is neither teapot, torus, sphere or box nor a mesh file");
+        throw InvalidArgument("--geometry: '" + word + "' is neither teapot, torus, sphere, box or window nor a mesh file");
     scene.view.geometry = isBuiltinGeometry(word) ? word : std::filesystem::absolute(word).string();
 }
 
@@ -187,7 +189,7 @@ void addRenderCommand(CLI::App& program)
     command->add_option("-o,--output", o->out, "picture: .png (tone-mapped, sRGB) or .exr (linear radiance)")->required();
     command->add_option("--probe", o->probe, "image file, or builtin:NAME");
     command->add_option("--material", o->material, "preset (see mirrorball presets) or material file");
-    command->add_option("--geometry", o->geometry, "teapot, torus, sphere, box or a mesh file (.obj .ply .stl .gltf ...)");
+    command->add_option("--geometry", o->geometry, "teapot, torus, sphere, box, window, or a mesh file (.obj .ply .stl .gltf ...)");
     command->add_option("--size", o->size, "WIDTHxHEIGHT in pixels");
     command->add_option("--camera", o->camera, "YAW,PITCH[,DISTANCE]: degrees; the object's radius is 1");
     const std::vector<FieldEntry> entries = sceneFields();

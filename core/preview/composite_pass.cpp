@@ -14,7 +14,13 @@ glm::mat3 yawToMap(float yaw)
 void addOutputDefines(std::vector<ShaderDefine>& defines, const RenderSettings& settings, Output output)
 {
     defines.emplace_back("OUTPUT_RADIANCE", output == Output::Radiance ? "1" : "0");
+    defines.emplace_back("DISPLAY_OCIO", output == Output::Display && settings.display ? "1" : "0");
     defines.emplace_back("TONE_CURVE", output == Output::Radiance ? "0" : std::to_string(static_cast<int>(settings.toneCurve)));
+}
+
+std::string_view outputPrelude(const RenderSettings& settings, Output output)
+{
+    return output == Output::Display && settings.display ? std::string_view(settings.display->glsl) : std::string_view();
 }
 
 void Renderer::Resources::drawComposite(const RenderSettings& settings, const RenderMaps& maps, Output output,
@@ -41,7 +47,8 @@ void Renderer::Resources::drawComposite(const RenderSettings& settings, const Re
         break;
     }
 
-    const ShaderProgram& shader = programs.get({"preview/composite.vert", "preview/composite.frag"}, defines);
+    const ShaderProgram& shader = programs.get({"preview/composite.vert", "preview/composite.frag"}, defines, outputPrelude(settings, output));
+    displayTables.bind(shader, displayUnit);
     if (texture)
         bindMap(shader, "background", 2, *texture, yawToMap(settings.yaw));
     if (object) {

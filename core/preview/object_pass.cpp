@@ -93,6 +93,18 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
                                          {"COAT", material.combine == Combine::Coat ? "1" : "0"},
                                          {"MARKER", hasMarker ? "1" : "0"},
                                          {"HAS_TEXCOORD", "0"}};
+    const PaintSettings& paint = material.paint;
+    const bool hasFlecks = needed.sphereMap && paint.flecks.density > 0.0f;
+    defines.emplace_back("SPHERE_USE", number(static_cast<int>(paint.use)));
+    defines.emplace_back("SPHERE_VERTEX", needed.sphereMap && paint.place == PlaceAt::Vertex ? "1" : "0");
+    if (needed.sphereMap) {
+        sphereMaps[0].update(maps.sphereMaps.empty() ? nullptr : maps.sphereMaps[0], "sphere map");
+        const SphereMapTexels& texels = *sphereMaps[0].source();
+        defines.emplace_back("SPHERE_INDEX", number(static_cast<int>(texels.index)));
+        defines.emplace_back("SPHERE_SPACE", number(static_cast<int>(paint.space)));
+        defines.emplace_back("SPHERE_LEVELS", texels.hasAuthoredLevels ? "1" : "0");
+        defines.emplace_back("FLECKS", hasFlecks ? "1" : "0");
+    }
     addOutputDefines(defines, settings, output);
     if (needed.specular) {
         addMapDefines(defines, "SPECULAR", specular.update(maps.specular, format, "specular"));
@@ -101,7 +113,8 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
     if (needed.diffuse)
         addMapDefines(defines, "DIFFUSE", diffuse.update(maps.diffuse, format, "diffuse"));
 
-    const ShaderProgram& shader = programs.get({"preview/object.vert", "preview/object.frag"}, defines);
+    const ShaderProgram& shader = programs.get({"preview/object.vert", "preview/object.frag"}, defines, outputPrelude(settings, output));
+    displayTables.bind(shader, displayUnit);
     if (needed.specular) {
         bindMap(shader, "specular", 0, *specular.texture(), mapRotation(settings), material.lodBias);
         shader.set("specularColor", material.specular);
@@ -110,6 +123,15 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
     if (needed.diffuse) {
         bindMap(shader, "diffuse", 1, *diffuse.texture(), mapRotation(settings));
         shader.set("diffuseColor", material.diffuse);
+    }
+    if (needed.sphereMap) {
+        const bool isShifted = hasFlecks || sphereMaps[0].source()->hasAuthoredLevels;
+        sphereMaps[0].bind(4, isShifted ? SphereMapTexture::Filter::Even : SphereMapTexture::Filter::Anisotropic);
+        shader.set("paintedMap", 4);
+        shader.set("sphereOpacity", paint.opacity);
+        shader.set("sphereColor", paint.color);
+        shader.set("sphereRotation", paint.space == DiscSpace::Eye ? glm::transpose(settings.camera.cameraToWorld()) : yawToMap(settings.yaw));
+        shader.set("flecks", glm::vec4(paint.flecks.density, paint.flecks.size, paint.flecks.spread, float(paint.flecks.seed)));
     }
     if (hasMarker) {
         shader.set("marker", glm::normalize(*settings.marker));
@@ -124,11 +146,13 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
     drawMesh(settings, shader);
 }
 
-void Renderer::Resources::drawDebug(const RenderSettings& settings, const RenderMaps& maps)
+void Renderer::Resources::drawDebug(const RenderSettings& settings, const RenderMaps& maps, Output output)
 {
     const bool hasLevels = neededMaps(settings).specular;
     std::vector<ShaderDefine> defines = {{"SHADING", number(static_cast<int>(settings.shading))},
                                          {"HAS_TEXCOORD", settings.shading == Shading::TexCoords ? "1" : "0"},
+                                         {"SPHERE_VERTEX", "0"},
+                                         {"ENCODED", settings.display && output == Output::Display ? "1" : "0"},
                                          {"HAS_SPECULAR", hasLevels ? "1" : "0"}};
     if (settings.shading == Shading::Seams)
         defines.emplace_back("SEAMS_OF", number(static_cast<int>(settings.seamsOf)));
@@ -158,7 +182,7 @@ void Renderer::Resources::drawBuffers(const RenderSettings& settings, const Rend
     beginDrawing(target);
     const bool isPick = target.colors.size() > 3;
     const ShaderProgram& shader = programs.get({"preview/object.vert", "preview/buffers.frag"},
-                                               {{"HAS_TEXCOORD", isPick ? "1" : "0"}, {"HAS_EYE", isPick ? "1" : "0"}});
+                                               {{"HAS_TEXCOORD", isPick ? "1" : "0"}, {"SPHERE_VERTEX", "0"}, {"HAS_EYE", isPick ? "1" : "0"}});
     shader.set("specularRotation", mapRotation(settings));
     shader.set("worldToCamera", glm::transpose(settings.camera.cameraToWorld()));
     drawMesh(settings, shader);

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "bound_map.h"
+#include "display_tables.h"
 #include "mesh_buffer.h"
 #include "render_target.h"
 #include "renderer.h"
 #include "shader_program.h"
+#include "sphere_map_texture.h"
 
 namespace mirrorball::preview {
 
@@ -17,7 +19,9 @@ struct Renderer::Resources {
     TexelFormat format;
     GlObject emptyVertexArray;
     BoundMap specular{}, diffuse{}, background{};
+    SphereMapTexture sphereMaps[3]{};
     ProgramCache programs{};
+    DisplayTables displayTables{};
     Geometry geometry{};
     std::unique_ptr<MeshBuffer> meshBuffer{};
     RenderTarget objectTarget{}, pictureTarget{}, bufferTarget{}, pickTarget{};
@@ -33,7 +37,8 @@ struct Renderer::Resources {
     PixelRectangle beginObject(const RenderSettings& settings, const RenderTarget& target);
     void drawMesh(const RenderSettings& settings, const ShaderProgram& shader);
     void drawObject(const RenderSettings& settings, const RenderMaps& maps, Output output);
-    void drawDebug(const RenderSettings& settings, const RenderMaps& maps);
+    void drawWindow(const RenderSettings& settings, const RenderMaps& maps, Output output);
+    void drawDebug(const RenderSettings& settings, const RenderMaps& maps, Output output);
     /// Position, normal, direction and, with `count` 6, what else a SurfaceHit holds. @param corner pixel of the picture at (0, 0)
     void drawBuffers(const RenderSettings& settings, const RenderTarget& target, glm::ivec2 corner);
 
@@ -47,7 +52,11 @@ struct Renderer::Resources {
 /// The turn from world directions to the environment's: L'(d) = L(yawed(d, -yaw)).
 glm::mat3 yawToMap(float yaw);
 
-/// What lib/output.glsl needs to know when it is compiled.
+/// What lib/output.glsl needs to know when it is compiled, and the display transform that stands before it.
 void addOutputDefines(std::vector<ShaderDefine>& defines, const RenderSettings& settings, Output output);
+std::string_view outputPrelude(const RenderSettings& settings, Output output);
+
+/// Texture units: 0 specular, 1 diffuse, 2 background, 3 the object's samples, 4 to 6 painted maps, from here on tables of the display.
+inline constexpr GLuint displayUnit = 8;
 
 } // namespace mirrorball::preview

@@ -28,6 +28,12 @@ void validate(const RenderSettings& settings)
     require(std::isfinite(settings.material.lambda) && settings.material.lambda >= 0.0f, "lambda must be 0 or more");
     require(std::isfinite(settings.material.lodBias), "LOD bias must be finite");
     require(settings.material.anisotropy >= 1 && settings.material.anisotropy <= 16, "anisotropy must be 1 to 16");
+    const PaintSettings& paint = settings.material.paint;
+    require(paint.opacity >= 0.0f && paint.opacity <= 1.0f, "opacity of the sphere map must be 0 to 1");
+    require(paint.flecks.density >= 0.0f && paint.flecks.density <= 1.0f, "density of flecks must be 0 to 1");
+    require(paint.flecks.size > 0.0f && std::isfinite(paint.flecks.size), "size of flecks must be greater than 0");
+    require(paint.flecks.spread >= 0.0f && std::isfinite(paint.flecks.spread), "spread of flecks must be 0 or more");
+    require(glm::all(glm::greaterThanEqual(settings.windowDepths, glm::vec3(0.0f))), "depths outside a window must be 0 or more");
     require(std::isfinite(settings.exposure) && std::abs(settings.exposure) <= 64.0f, "exposure must lie between -64 and 64 EV");
     require(std::isfinite(settings.yaw), "yaw must be finite");
     validate(settings.material.fresnel);
@@ -52,11 +58,16 @@ glm::vec3 levelColor(float level)
 NeededMaps neededMaps(const RenderSettings& settings)
 {
     const MaterialSettings& material = settings.material;
-    const bool isMaterial = settings.shading == Shading::Material, isLevels = settings.shading == Shading::Mips;
+    const PaintUse paint = material.paint.use;
+    const bool isWindow = settings.geometry.kind == GeometryKind::Window && !settings.geometry.mesh;
+    const bool isShown = settings.shading == Shading::Material;
+    const bool isMaterial = isShown && !isWindow && paint != PaintUse::Replace && paint != PaintUse::Multiply;
+    const bool isLevels = settings.shading == Shading::Mips;
     const bool hidden = material.combine == Combine::Coat && material.fresnel.kind == FresnelKind::None;
     return {.specular = (isMaterial || isLevels) && material.specular != glm::vec3(0.0f),
             .diffuse = isMaterial && material.diffuse != glm::vec3(0.0f) && !hidden,
-            .background = settings.background.kind == BackgroundKind::Environment};
+            .background = settings.background.kind == BackgroundKind::Environment,
+            .sphereMap = isShown && (isWindow || paint != PaintUse::None)};
 }
 
 } // namespace mirrorball::preview

@@ -1,11 +1,15 @@
 #pragma once
 
 #include "camera.h"
+#include "disc_place.h"
+#include "display_transform.h"
+#include "flecks.h"
 #include "mesh.h"
 
 #include "../image/color.h"
 #include "../image/environment_map.h"
 #include "../shading/fresnel.h"
+#include "../spheremap/sphere_map_texels.h"
 
 #include <memory>
 #include <optional>
@@ -14,7 +18,7 @@
 /// What to draw: plain values.
 namespace mirrorball::preview {
 
-enum class GeometryKind { Teapot, Torus, Sphere, Box };
+enum class GeometryKind { Teapot, Torus, Sphere, Box, Window };
 
 /// What the material is shown on. A mesh read from a file comes in as `mesh`.
 struct Geometry {
@@ -31,6 +35,30 @@ enum class LookupSpace {
     Eye,   ///< the map turns with the camera, as a sphere map does that was photographed from the viewer's place (003 section 3.4.1)
 };
 
+/// How a painted sphere map M, of opacity a, meets the reflected radiance R or the colour C of the surface.
+enum class PaintUse {
+    None,
+    Replace,  ///< M + (1 - a) C
+    Multiply, ///< (M + 1 - a) C
+    Over,     ///< M + (1 - a) R: the two passes of 003 section 6.1
+    Tint,     ///< (M + 1 - a) R
+};
+
+/// Where the place in the sphere map is computed: at every pixel, or at vertices and interpolated between them as in 1999.
+enum class PlaceAt { Pixel, Vertex };
+
+/// A painted sphere map on the object. Its texels, and whether it is indexed by normal or by reflection, come with the maps.
+struct PaintSettings {
+    PaintUse use = PaintUse::None;
+    float opacity = 1.0f;
+    glm::vec3 color{0.8f};
+    DiscSpace space = DiscSpace::Eye;
+    PlaceAt place = PlaceAt::Pixel;
+    Flecks flecks{};
+
+    bool operator==(const PaintSettings&) const = default;
+};
+
 /// How the object reflects. L_m is the specular map looked up by the mirror direction, times `specular`; L_d the diffuse map looked up by
 /// the normal, times `diffuse`. A colour of 0 leaves its map out: it is not uploaded and its shader code not built.
 struct MaterialSettings {
@@ -42,6 +70,7 @@ struct MaterialSettings {
     float lodBias = 0.0f;             ///< moves that level where lambda does not hold it
     int anisotropy = 1;               ///< most lookups along the longer side of a pixel's footprint, where the map has levels; 1 to 16
     LookupSpace space = LookupSpace::World;
+    PaintSettings paint{};
 
     bool operator==(const MaterialSettings&) const = default;
 };
@@ -76,6 +105,7 @@ struct RenderSettings {
     Geometry geometry{};
     Shading shading = Shading::Material;
     Parameterization seamsOf = Parameterization::Cube; ///< for Shading::Seams
+    glm::vec3 windowDepths{4.0f, 12.0f, 1000.0f}; ///< GeometryKind::Window: of the layers outside, nearest first
     std::optional<glm::vec3> marker{}; ///< ringed where the object mirrors it: a direction in the specular map
     Camera camera{};
     MaterialSettings material{};
@@ -83,6 +113,8 @@ struct RenderSettings {
     float yaw = 0.0f;         ///< radians, turns the environment about +Y as direction.h says
     float exposure = 0.0f;    ///< EV: display pictures are multiplied by 2^exposure; radiance pictures are not
     ToneCurve toneCurve = ToneCurve::Filmic; ///< display pictures only
+    /// In place of tone curve and sRGB, display pictures only; a new pointer means a new transform.
+    std::shared_ptr<const DisplayTransform> display = nullptr;
 
     bool operator==(const RenderSettings&) const = default;
 };
@@ -99,6 +131,8 @@ struct RenderMaps {
     MapLevels specular{};   ///< the environment for a mirror, a filtered map for a glossy material
     MapLevels diffuse{};    ///< filtered with the diffuse lobe
     MapLevels background{}; ///< the environment, drawn behind the object
+    /// The painted sphere map; for a window the layers outside, one to three, nearest first.
+    std::vector<SphereMapChain> sphereMaps{};
 };
 
 /// @throws InvalidArgument naming the field that is out of range
@@ -107,6 +141,7 @@ void validate(const RenderSettings& settings);
 /// Which maps a picture with these settings reads.
 struct NeededMaps {
     bool specular, diffuse, background;
+    bool sphereMap = false;
     bool operator==(const NeededMaps&) const = default;
 };
 NeededMaps neededMaps(const RenderSettings& settings);

@@ -1,5 +1,7 @@
 #include "render_resources.h"
 
+#include "window_mesh.h"
+
 #include "../error.h"
 
 #include <epoxy/gl.h>
@@ -19,6 +21,8 @@ Mesh buildMesh(const Geometry& geometry)
         return sphereMesh(1.0f, 2 * geometry.level);
     case GeometryKind::Box:
         return boxMesh();
+    case GeometryKind::Window:
+        return windowMesh();
     case GeometryKind::Teapot:
         break;
     }
@@ -73,15 +77,22 @@ void Renderer::Resources::drawScene(const RenderSettings& settings, const Render
     if (!needed.background)
         background.release();
 
+    displayTables.update(output == Output::Display ? settings.display : nullptr);
+    if (!needed.sphereMap)
+        for (SphereMapTexture& map : sphereMaps)
+            map.release();
+
     // Tone-mapped values fit a half; radiance may hold a sun of 1e6.
     const GLenum colorFormat = output == Output::Radiance ? GL_RGBA32F : GL_RGBA16F;
     const RenderTarget& object =
         target(objectTarget, settings.width, settings.height, settings.samples, colorFormat, 1, GL_DEPTH_COMPONENT32F);
     const PixelRectangle inside = beginObject(settings, object);
-    if (settings.shading == Shading::Material)
+    if (settings.shading == Shading::Material && settings.geometry.kind == GeometryKind::Window && !settings.geometry.mesh)
+        drawWindow(settings, maps, output);
+    else if (settings.shading == Shading::Material)
         drawObject(settings, maps, output);
     else
-        drawDebug(settings, maps);
+        drawDebug(settings, maps, output);
 
     glDisable(GL_DEPTH_TEST);
     glBindFramebuffer(GL_FRAMEBUFFER, destination.framebuffer);
@@ -118,6 +129,15 @@ Renderer::Resources& Renderer::resources()
 void Renderer::release()
 {
     m_resources.reset();
+}
+
+void Renderer::patchSphereMap(const Image& texels, int x, int y, int level)
+{
+    const SphereMapTexture& map = resources().sphereMaps[0];
+    const int size = map.source() ? map.source()->levels.front().width >> level : 0;
+    if (texels.channels != 4 || x < 0 || y < 0 || x + texels.width > size || y + texels.height > size)
+        throw InvalidArgument("sphere map: the new texels do not lie inside level " + std::to_string(level) + " of the map that is shown");
+    resources().sphereMaps[0].patch(texels, x, y, level);
 }
 
 Image Renderer::renderRadiance(const RenderSettings& settings, const RenderMaps& maps)

@@ -72,6 +72,10 @@ public:
     /// What one pixel of the picture shows, x and y from the upper left; nothing beside the object. Draws that pixel only.
     std::optional<SurfaceHit> pick(const RenderSettings& settings, int x, int y);
 
+    /// Puts new texels into one level of the painted sphere map that the last picture read, their upper left one at (x, y): what a stroke
+    /// touched, without a new map. The next picture must be handed the same pointer. @param texels RGBA, colours multiplied by opacity
+    void patchSphereMap(const Image& texels, int x, int y, int level);
+
     /// Gives back all that it holds in the current context. The next picture makes it anew, in whichever context is current then.
     void release();
 

@@ -19,6 +19,8 @@ GeometryKind geometryKind(const std::string& word)
         return GeometryKind::Torus;
     if (word == "sphere")
         return GeometryKind::Sphere;
+    if (word == "window")
+        return GeometryKind::Window;
     return word == "box" ? GeometryKind::Box : GeometryKind::Teapot;
 }
 
@@ -27,6 +29,21 @@ GeometryKind geometryKind(const std::string& word)
 int tessellation(int height)
 {
     return std::clamp(height / 80, 9, 48);
+}
+
+PaintSettings paintSettings(const mirrorball::SphereMapSettings& map)
+{
+    if (map.isNone())
+        return {};
+    return {.use = static_cast<PaintUse>(static_cast<int>(map.use) + 1),
+            .opacity = static_cast<float>(map.opacity),
+            .color = map.color,
+            .space = map.space == MapSpace::Eye ? DiscSpace::Eye : DiscSpace::World,
+            .place = map.lookup == LookupAt::Vertex ? PlaceAt::Vertex : PlaceAt::Pixel,
+            .flecks = {.density = static_cast<float>(map.flecks.density),
+                       .size = static_cast<float>(map.flecks.size),
+                       .spread = static_cast<float>(map.flecks.spread),
+                       .seed = map.flecks.seed}};
 }
 
 } // namespace
@@ -38,11 +55,20 @@ std::optional<std::filesystem::path> meshFile(const Scene& scene)
     return resolved(scene, scene.view.geometry);
 }
 
-RenderSettings renderSettings(const Scene& scene, const Plan& plan, std::shared_ptr<const Mesh> mesh)
+std::optional<DisplayChoice> displayChoice(const Scene& scene)
+{
+    const DisplaySettings& display = scene.view.display;
+    if (display.config.empty())
+        return std::nullopt;
+    return DisplayChoice{display.config == "env" ? display.config : resolved(scene, display.config), display.display, display.view};
+}
+
+RenderSettings renderSettings(const Scene& scene, const Plan& plan, std::shared_ptr<const Mesh> mesh,
+                              std::shared_ptr<const DisplayTransform> display)
 {
     const ViewSettings& view = scene.view;
     RenderSettings settings{.width = view.width, .height = view.height};
-    settings.geometry = {.kind = geometryKind(view.geometry), .level = tessellation(view.height)};
+    settings.geometry = {.kind = geometryKind(view.geometry), .level = view.tessellation > 0 ? view.tessellation : tessellation(view.height)};
     if (!isBuiltinGeometry(view.geometry)) {
         if (!mesh)
             throw InvalidArgument("view.geometry: the mesh of '" + view.geometry + "' must be read first");
@@ -66,6 +92,9 @@ RenderSettings renderSettings(const Scene& scene, const Plan& plan, std::shared_
                          .lodBias = static_cast<float>(scene.material.lodBias),
                          .anisotropy = scene.map.anisotropy,
                          .space = scene.map.space == MapSpace::Eye ? LookupSpace::Eye : LookupSpace::World};
+    settings.material.paint = paintSettings(scene.material.sphereMap);
+    settings.windowDepths = {view.window.depth, view.window.middle.empty() ? view.window.farDepth : view.window.middleDepth,
+                             view.window.farDepth};
     const BackdropSettings& background = view.background;
     settings.background = {.kind = background.kind == Backdrop::Color  ? BackgroundKind::Color
                                    : background.kind == Backdrop::None ? BackgroundKind::None
@@ -73,6 +102,7 @@ RenderSettings renderSettings(const Scene& scene, const Plan& plan, std::shared_
                            .color = background.color};
     settings.yaw = toRadians(scene.probe.yawDeg);
     settings.exposure = static_cast<float>(view.exposure);
+    settings.display = std::move(display);
     settings.toneCurve = static_cast<ToneCurve>(view.toneCurve);
     validate(settings);
     return settings;
@@ -80,7 +110,7 @@ RenderSettings renderSettings(const Scene& scene, const Plan& plan, std::shared_
 
 RenderMaps renderMaps(const SceneMaps& maps)
 {
-    return {.specular = maps.specular, .diffuse = maps.diffuse, .background = maps.background};
+    return {.specular = maps.specular, .diffuse = maps.diffuse, .background = maps.background, .sphereMaps = maps.sphereMaps};
 }
 
 } // namespace mirrorball::preview

@@ -15,9 +15,14 @@ namespace mirrorball::preview {
 std::optional<std::filesystem::path> meshFile(const Scene& scene);
 
 /// The settings that draw a scene as planned.
+/// @param display what displayTransform() made of displayChoice()
 /// @param mesh what readMesh() made of meshFile(); not looked at for a built-in body
 /// @throws InvalidArgument for a mesh that is needed and missing
-RenderSettings renderSettings(const Scene& scene, const Plan& plan, std::shared_ptr<const Mesh> mesh = nullptr);
+RenderSettings renderSettings(const Scene& scene, const Plan& plan, std::shared_ptr<const Mesh> mesh = nullptr,
+                              std::shared_ptr<const DisplayTransform> display = nullptr);
+
+/// The display that the scene names, its paths as they can be opened; nothing for tone curve and sRGB.
+std::optional<DisplayChoice> displayChoice(const Scene& scene);
 
 /// The maps of a scene as the renderer takes them.
 RenderMaps renderMaps(const SceneMaps& maps);

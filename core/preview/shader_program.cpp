@@ -84,12 +84,14 @@ std::string_view shaderText(std::string_view path)
     throw WorkError("shader file " + std::string(path) + " is not compiled in: list it in resources/shaders/CMakeLists.txt");
 }
 
-ShaderSource resolveIncludes(std::string_view name, std::string_view text, const std::vector<ShaderDefine>& defines)
+ShaderSource resolveIncludes(std::string_view name, std::string_view text, const std::vector<ShaderDefine>& defines,
+                             std::string_view prelude)
 {
     ShaderSource source;
     source.text = "#version 450 core\n";
     for (const auto& [macro, value] : defines)
         source.text += "#define " + macro + ' ' + value + '\n';
+    source.text += prelude;
     append(source, name, text);
     return source;
 }
@@ -120,26 +122,27 @@ ShaderProgram::ShaderProgram(const ShaderSource& vertex, const ShaderSource& fra
 
 namespace {
 
-ShaderSource sourceOf(const char* path, const std::vector<ShaderDefine>& defines)
+ShaderSource sourceOf(const char* path, const std::vector<ShaderDefine>& defines, std::string_view prelude = {})
 {
-    return resolveIncludes(path, shaderText(path), defines);
+    return resolveIncludes(path, shaderText(path), defines, prelude);
 }
 
 } // namespace
 
-ShaderProgram::ShaderProgram(const ShaderStages& stages, const std::vector<ShaderDefine>& defines)
-    : ShaderProgram(sourceOf(stages.vertex, defines), sourceOf(stages.fragment, defines),
+ShaderProgram::ShaderProgram(const ShaderStages& stages, const std::vector<ShaderDefine>& defines, std::string_view prelude)
+    : ShaderProgram(sourceOf(stages.vertex, defines), sourceOf(stages.fragment, defines, prelude),
                     stages.geometry ? std::optional(sourceOf(stages.geometry, defines)) : std::nullopt)
 {
 }
 
-const ShaderProgram& ProgramCache::get(const ShaderStages& stages, const std::vector<ShaderDefine>& defines)
+const ShaderProgram& ProgramCache::get(const ShaderStages& stages, const std::vector<ShaderDefine>& defines, std::string_view prelude)
 {
     std::string key = std::string(stages.vertex) + ' ' + stages.fragment + (stages.geometry ? std::string(" ") + stages.geometry : "");
     for (const auto& [name, value] : defines)
         key += ' ' + name + '=' + value;
+    key += prelude;
     const auto found = m_programs.find(key);
-    return found != m_programs.end() ? found->second : m_programs.emplace(key, ShaderProgram(stages, defines)).first->second;
+    return found != m_programs.end() ? found->second : m_programs.emplace(key, ShaderProgram(stages, defines, prelude)).first->second;
 }
 
 void ShaderProgram::use() const

@@ -33,8 +33,10 @@ struct ShaderSource {
     std::string text{};
     std::vector<std::string> files{}; ///< GLSL's source string number i is files[i]
 };
-/// @param name what error logs call the text
-ShaderSource resolveIncludes(std::string_view name, std::string_view text, const std::vector<ShaderDefine>& defines = {});
+/// @param name    what error logs call the text
+/// @param prelude GLSL from elsewhere, between the defines and the text
+ShaderSource resolveIncludes(std::string_view name, std::string_view text, const std::vector<ShaderDefine>& defines = {},
+                             std::string_view prelude = {});
 
 /// Files below resources/shaders that make a program; the geometry stage may be missing.
 struct ShaderStages {
@@ -48,7 +50,8 @@ class ShaderProgram {
 public:
     /// @throws WorkError with the compiler's log, in which the source numbers are replaced by file names
     ShaderProgram(const ShaderSource& vertex, const ShaderSource& fragment, const std::optional<ShaderSource>& geometry = {});
-    explicit ShaderProgram(const ShaderStages& stages, const std::vector<ShaderDefine>& defines = {});
+    /// @param prelude of the fragment shader
+    explicit ShaderProgram(const ShaderStages& stages, const std::vector<ShaderDefine>& defines = {}, std::string_view prelude = {});
 
     void use() const;
     void set(const char* name, int value) const;
@@ -67,7 +70,7 @@ private:
 /// Programs by everything that they were compiled from: each is compiled when first asked for.
 class ProgramCache {
 public:
-    const ShaderProgram& get(const ShaderStages& stages, const std::vector<ShaderDefine>& defines = {});
+    const ShaderProgram& get(const ShaderStages& stages, const std::vector<ShaderDefine>& defines = {}, std::string_view prelude = {});
 
 private:
     std::map<std::string, ShaderProgram> m_programs;

@@ -157,6 +157,7 @@ MadeScene LiveMaps::update(const Scene& scene, const MapDetail& detail, const Jo
     made.maps = {.specular = levels(m_specular, made.plan.specular, probe, scene.probe.exposure, job, made.record),
                  .diffuse = levels(m_diffuse, made.plan.diffuse, probe, scene.probe.exposure, job, made.record),
                  .background = levels(m_background, made.plan.background, probe, scene.probe.exposure, job, made.record)};
+    made.maps.sphereMaps = sphereMaps(scene, made.plan, job, made.record);
     made.probeLayout = m_layout;
     made.environment = m_isStreamed ? m_probe.environment : m_environment;
     made.repaired = m_probe.repaired;
@@ -164,6 +165,39 @@ MadeScene LiveMaps::update(const Scene& scene, const MapDetail& detail, const Jo
     made.certain = m_certain;
     made.problem = m_problem;
     return made;
+}
+
+// A map that cannot be read must not stop the picture: a texel of magenta stands in for it, and the problem is named.
+std::vector<SphereMapChain> LiveMaps::sphereMaps(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record)
+{
+    std::vector<KeptSphereMap> kept;
+    std::vector<SphereMapChain> maps;
+    for (const SphereMapPlan& wanted : plan.sphereMaps) {
+        std::error_code ignored;
+        KeptSphereMap map{.plan = wanted};
+        if (!wanted.document && isSphereMapFile(wanted.source)) {
+            map.path = resolved(scene, wanted.source);
+            map.time = std::filesystem::last_write_time(map.path, ignored);
+        }
+        for (const KeptSphereMap& old : m_sphereMaps)
+            if (old.plan == map.plan && old.path == map.path && old.time == map.time)
+                map.texels = old.texels;
+        if (!map.texels)
+            map.texels = timedStage(record.stages, "sphere map " + wanted.source, [&] {
+                try {
+                    return std::make_shared<const SphereMapTexels>(buildSphereMap(scene, wanted, job));
+                } catch (const InvalidArgument& error) {
+                    m_problem += (m_problem.empty() ? "" : "; ") + std::string(error.what());
+                    Image magenta(1, 1, 4);
+                    magenta.texels = {1.0f, 0.0f, 1.0f, 1.0f};
+                    return std::make_shared<const SphereMapTexels>(SphereMapTexels{.levels = {magenta}});
+                }
+            });
+        maps.push_back(map.texels);
+        kept.push_back(std::move(map));
+    }
+    m_sphereMaps = std::move(kept);
+    return maps;
 }
 
 } // namespace mirrorball

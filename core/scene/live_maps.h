@@ -73,6 +73,14 @@ private:
     std::shared_ptr<const EnvironmentMap> m_environment{}; ///< the probe as it is
     bool m_certain = true;
     KeptMap m_specular{}, m_diffuse{}, m_background{};
+    struct KeptSphereMap {
+        SphereMapPlan plan{};
+        std::string path{};
+        std::filesystem::file_time_type time{};
+        SphereMapChain texels{};
+    };
+    std::vector<KeptSphereMap> m_sphereMaps{};
+    std::vector<SphereMapChain> sphereMaps(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record);
 };
 
 /// What stands in for a probe that is missing: a checkerboard of magenta and dark grey, that nobody takes for light.

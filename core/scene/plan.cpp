@@ -141,9 +141,19 @@ private:
     }
 
     /// A debug view shows what the material is computed from, and not the material.
-    bool readsMaterial() const { return m_scene.view.shading == Shading::Material; }
+    bool showsMaterial() const { return m_scene.view.shading == Shading::Material; }
+    bool isWindow() const { return m_scene.view.geometry == "window"; }
+    /// Nor does a sphere map that replaces the material show it, nor a room.
+    bool readsMaterial() const
+    {
+        const SphereMapSettings& map = m_scene.material.sphereMap;
+        const bool isHidden = !map.isNone() && (map.use == SphereMapUse::Replace || map.use == SphereMapUse::Multiply);
+        return showsMaterial() && !isHidden && !isWindow();
+    }
     std::string whyNoMaterial() const
     {
+        if (showsMaterial())
+            return isWindow() ? "a room with a window has no material" : "the sphere map stands in for the reflection";
         return text("the view shows ", words(Shading{})[static_cast<size_t>(m_scene.view.shading)], " and not the material");
     }
 
@@ -171,8 +181,7 @@ private:
             leaveOut("fresnel term", m_scene.material.fresnel.kind == FresnelKind::Dielectric && m_scene.material.fresnel.index == 1.0
                                          ? "the index is 1: F is 0 at every angle"
                                          : whyNoSpecular());
-        if (!m_scene.material.sphereMap.source.empty())
-            leaveOut("sphere map", "painted sphere maps are kept in the scene, but not shown yet");
+        planSphereMaps();
         if (m_plan.specular || m_plan.diffuse) {
             std::string others;
             for (const Parameterization p : allParameterizations)
@@ -185,6 +194,37 @@ private:
         else
             need("read mesh", m_scene.view.geometry);
         need("draw", text(m_scene.view.geometry, ", ", m_scene.view.width, " x ", m_scene.view.height));
+    }
+
+    void planSphereMap(const std::string& name, const std::string& field, const std::string& source, SphereMapLevels levels,
+                       const EmbeddedSphereMap& document = {})
+    {
+        const SphereMapSettings& map = m_scene.material.sphereMap;
+        const bool isNone = source.empty() && !document;
+        if (!showsMaterial() || isNone) {
+            leaveOut(name, isNone ? "none is named" : whyNoMaterial());
+            return;
+        }
+        need(name, text(document ? "the scene's own" : source, ", ", map.size, " x ", map.size, ", ", words(levels)[static_cast<size_t>(levels)], " levels"));
+        m_plan.sphereMaps.push_back({field, source, document, map.size, levels});
+    }
+
+    void planSphereMaps()
+    {
+        const SphereMapSettings& map = m_scene.material.sphereMap;
+        const WindowSettings& window = m_scene.view.window;
+        planSphereMap("sphere map", "material.sphere_map.source", map.source, isWindow() ? SphereMapLevels::Plain : map.levels,
+                      map.document);
+        if (map.isNone() || !showsMaterial())
+            return;
+        if (isWindow()) {
+            planSphereMap("sphere map, middle", "view.window.middle", window.middle, SphereMapLevels::Plain);
+            planSphereMap("sphere map, far", "view.window.far", window.far, SphereMapLevels::Plain);
+        } else if (map.flecks.density > 0.0) {
+            need("flecks", text("density ", map.flecks.density, ", cells of ", map.flecks.size));
+        } else {
+            leaveOut("flecks", "density is 0");
+        }
     }
 
     /// The environment's yaw belongs to the picture's lookups, so that turning it makes no map anew; a map in eye space has no such turn.

@@ -41,12 +41,23 @@ struct PlanRequest {
     std::optional<std::vector<std::string>> exports{}; ///< names of exports; empty list: all of them; nothing: none
 };
 
+/// One sphere map to evaluate.
+struct SphereMapPlan {
+    std::string field{};  ///< for messages: "material.sphere_map.source"
+    std::string source{};
+    EmbeddedSphereMap document{}; ///< in place of the source
+    int size = 512;
+    SphereMapLevels levels = SphereMapLevels::Authored;
+    bool operator==(const SphereMapPlan&) const = default;
+};
+
 struct Plan {
     std::vector<Stage> stages{};        ///< in order; seconds are 0
     PlannedMaterial material{};
     std::optional<MapPlan> specular{};
     std::optional<MapPlan> diffuse{};
     std::optional<MapPlan> background{};
+    std::vector<SphereMapPlan> sphereMaps{}; ///< the material's, and behind it the layers of a window
     std::vector<ExportPlan> exports{};
 
     bool needsProbe() const { return specular || diffuse || background || !exports.empty(); }

@@ -14,7 +14,9 @@ namespace {
 
 using namespace std::string_view_literals;
 constexpr std::array surfaceLobeWords{"mirror"sv, "phong"sv, "ggx"sv};
-constexpr std::array sphereMapUseWords{"replace"sv, "multiply"sv, "over"sv};
+constexpr std::array sphereMapUseWords{"replace"sv, "multiply"sv, "over"sv, "tint"sv};
+constexpr std::array sphereMapLevelsWords{"authored"sv, "plain"sv};
+constexpr std::array lookupAtWords{"pixel"sv, "vertex"sv};
 constexpr std::array mapSpaceWords{"world"sv, "eye"sv};
 constexpr std::array projectionWords{"perspective"sv, "orthographic"sv};
 constexpr std::array backdropWords{"environment"sv, "blurred"sv, "color"sv, "none"sv};
@@ -84,6 +86,8 @@ void checkExports(const std::vector<ExportTarget>& exports)
 
 std::span<const std::string_view> words(SurfaceLobe) { return surfaceLobeWords; }
 std::span<const std::string_view> words(SphereMapUse) { return sphereMapUseWords; }
+std::span<const std::string_view> words(SphereMapLevels) { return sphereMapLevelsWords; }
+std::span<const std::string_view> words(LookupAt) { return lookupAtWords; }
 std::span<const std::string_view> words(MapSpace) { return mapSpaceWords; }
 std::span<const std::string_view> words(Projection) { return projectionWords; }
 std::span<const std::string_view> words(Backdrop) { return backdropWords; }
@@ -113,7 +117,7 @@ void validate(const Scene& scene)
     if (scene.probe.source.empty())
         throw InvalidArgument("probe.source: must be an image file or builtin:NAME; it is empty");
     if (scene.view.geometry.empty())
-        throw InvalidArgument("view.geometry: must be teapot, torus, sphere, box or a mesh file; it is empty");
+        throw InvalidArgument("view.geometry: must be teapot, torus, sphere, box, window or a mesh file; it is empty");
 }
 
 void validate(const Material& material)
@@ -128,7 +132,7 @@ std::string resolved(const Scene& scene, const std::string& path)
 
 bool isBuiltinGeometry(std::string_view geometry)
 {
-    constexpr std::array bodies{"teapot"sv, "torus"sv, "sphere"sv, "box"sv};
+    constexpr std::array bodies{"teapot"sv, "torus"sv, "sphere"sv, "box"sv, "window"sv};
     return std::find(bodies.begin(), bodies.end(), geometry) != bodies.end();
 }
 

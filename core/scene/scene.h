@@ -22,7 +22,9 @@
 namespace mirrorball {
 
 enum class SurfaceLobe { Mirror, Phong, Ggx };
-enum class SphereMapUse { Replace, Multiply, Over };
+enum class SphereMapUse { Replace, Multiply, Over, Tint };
+enum class SphereMapLevels { Authored, Plain };
+enum class LookupAt { Pixel, Vertex };
 enum class MapSpace { World, Eye };
 enum class Projection { Perspective, Orthographic };
 enum class Backdrop { Environment, Blurred, Color, None };
@@ -31,7 +33,9 @@ enum class ExportKind { Source, Specular, Diffuse, Chain };
 
 /// The words of files and command line for an enum's values, in their order.
 std::span<const std::string_view> words(SurfaceLobe);      // mirror phong ggx
-std::span<const std::string_view> words(SphereMapUse);     // replace multiply over
+std::span<const std::string_view> words(SphereMapUse);     // replace multiply over tint
+std::span<const std::string_view> words(SphereMapLevels);  // authored plain
+std::span<const std::string_view> words(LookupAt);         // pixel vertex
 std::span<const std::string_view> words(MapSpace);         // world eye
 std::span<const std::string_view> words(Projection);       // perspective orthographic
 std::span<const std::string_view> words(Backdrop);         // environment blurred color none
@@ -142,20 +146,57 @@ struct DiffuseSettings {
     }
 };
 
-/// A painted sphere map and how it meets the reflection.
+/// Flecks: cells on the surface, each of which looks the sphere map up elsewhere, as facets that are turned at random. Source: 003
+/// section 6.2
+struct FleckSettings {
+    double density = 0.0;
+    double size = 0.02;
+    double spread = 0.4;
+    int seed = 0;
+    UnknownKeys unknown{};
+
+    bool operator==(const FleckSettings&) const = default;
+    template <typename Self, typename Visit>
+    static void visitFields(Self& self, Visit&& visit)
+    {
+        visit(Field{"density", "share of the cells that are flecks; 0: none", 0, 1}, self.density);
+        visit(Field{"size", "of a cell; the object's radius is 1", 1e-3, 1}, self.size);
+        visit(Field{"spread", "how far a fleck's lookup may lie from the surface's own, in radii of the disc", 0, 2}, self.spread);
+        visit(Field{"seed", "another number, another arrangement", 0, 1000000}, self.seed);
+    }
+};
+
+/// A painted sphere map and how it meets the reflection. Transparent parts of the map and an opacity below 1 let show what lies below.
 struct SphereMapSettings {
     std::string source{};
     EmbeddedSphereMap document{};
     SphereMapUse use = SphereMapUse::Replace;
+    double opacity = 1.0;
+    glm::dvec3 color{0.8};
+    MapSpace space = MapSpace::Eye;
+    int size = 512;
+    SphereMapLevels levels = SphereMapLevels::Authored;
+    LookupAt lookup = LookupAt::Pixel;
+    FleckSettings flecks{};
     UnknownKeys unknown{};
 
+    bool isNone() const { return source.empty() && !document; }
     bool operator==(const SphereMapSettings&) const = default;
     template <typename Self, typename Visit>
     static void visitFields(Self& self, Visit&& visit)
     {
-        visit(Field{"source", "painted sphere map: a file or a preset; empty: none"}, self.source);
+        visit(Field{"source", "painted sphere map: a .spheremap file, a picture of one, or a preset; empty: none"}, self.source);
         visit(Field{"document", "a sphere map that is part of the scene, in place of the source; null: none"}, self.document);
-        visit(Field{"use", "replaces the reflection, multiplies it, or lies over it"}, self.use);
+        visit(Field{"use", "replace: shown alone, over the colour below; multiply: times that colour; over: over the reflecting material; "
+                           "tint: times the reflecting material"},
+              self.use);
+        visit(Field{"opacity", "of the map", 0, 1}, self.opacity);
+        visit(Field{"color", "replace, multiply: of the surface, linear RGB", 0, 1000}, self.color);
+        visit(Field{"space", "eye: the map turns with the camera; world: it stands still, looked up by world directions"}, self.space);
+        visit(Field{"size", "texels along the edge of the map that the picture reads", 16, 8192, "texels"}, self.size);
+        visit(Field{"levels", "authored: coarser levels as the document makes them; plain: averages, as hardware makes them"}, self.levels);
+        visit(Field{"lookup", "pixel: exact; vertex: coordinates interpolated between vertices, as hardware of 1999 did"}, self.lookup);
+        visit(Field{"flecks", "cells of the surface that look the map up elsewhere"}, self.flecks);
     }
 };
 
@@ -227,13 +268,56 @@ struct BackdropSettings {
     }
 };
 
+/// A window in a room, view.geometry "window": what lies outside is the material's sphere map, and behind it up to two more, each a layer
+/// at its depth. Source: 003 section 4
+struct WindowSettings {
+    double depth = 4.0;
+    std::string middle{};
+    double middleDepth = 12.0;
+    std::string far{};
+    double farDepth = 1000.0;
+    UnknownKeys unknown{};
+
+    bool operator==(const WindowSettings&) const = default;
+    template <typename Self, typename Visit>
+    static void visitFields(Self& self, Visit&& visit)
+    {
+        visit(Field{"depth", "of the material's sphere map behind the pane; the pane is 1.2 wide", 0, 1e6}, self.depth);
+        visit(Field{"middle", "sphere map behind that one, seen where it is transparent; empty: none"}, self.middle);
+        visit(Field{"middle_depth", "its depth", 0, 1e6}, self.middleDepth);
+        visit(Field{"far", "sphere map behind both; empty: none"}, self.far);
+        visit(Field{"far_depth", "its depth", 0, 1e6}, self.farDepth);
+    }
+};
+
+/// What brings radiance to the display: an OpenColorIO configuration's display and view in place of tone curve and sRGB.
+struct DisplaySettings {
+    std::string config{};
+    std::string display{};
+    std::string view{};
+    UnknownKeys unknown{};
+
+    bool operator==(const DisplaySettings&) const = default;
+    template <typename Self, typename Visit>
+    static void visitFields(Self& self, Visit&& visit)
+    {
+        visit(Field{"config", "OpenColorIO configuration: a .ocio file, or env for the one that $OCIO names; empty: tone curve and sRGB"},
+              self.config);
+        visit(Field{"display", "of the configuration; empty: its default"}, self.display);
+        visit(Field{"view", "of the display; empty: its default"}, self.view);
+    }
+};
+
 /// How the picture is taken.
 struct ViewSettings {
     std::string geometry = "teapot";
+    int tessellation = 0;
     Shading shading = Shading::Material;
     CameraSettings camera{};
+    WindowSettings window{};
     ToneCurve toneCurve = ToneCurve::Filmic;
     double exposure = 0.0;
+    DisplaySettings display{};
     BackdropSettings background{};
     int width = 1280;
     int height = 720;
@@ -243,12 +327,15 @@ struct ViewSettings {
     template <typename Self, typename Visit>
     static void visitFields(Self& self, Visit&& visit)
     {
-        visit(Field{"geometry", "teapot, torus, sphere, box, or a mesh file (.obj .ply .stl .off .gltf .glb .fbx .dae .3ds)"}, self.geometry);
+        visit(Field{"geometry", "teapot, torus, sphere, box, window, or a mesh file (.obj .ply .stl .off .gltf .glb .fbx .dae .3ds)"}, self.geometry);
+        visit(Field{"tessellation", "quads along a quarter of a circumference; 0: as fine as the picture needs", 0, 256}, self.tessellation);
         visit(Field{"shading", "the material, or what it is computed from: triangles, normals, texture coordinates, seams or levels of the map"},
               self.shading);
         visit(Field{"camera", "where the eye is"}, self.camera);
+        visit(Field{"window", "the window of the geometry of that name"}, self.window);
         visit(Field{"tone", "curve that brings radiance to the display"}, self.toneCurve);
         visit(Field{"exposure", "brightness of the display picture: times 2^exposure", -64, 64, "EV"}, self.exposure);
+        visit(Field{"display", "display through OpenColorIO"}, self.display);
         visit(Field{"background", "what stands behind the object"}, self.background);
         visit(Field{"width", "of the picture", 1, 16384, "pixels"}, self.width);
         visit(Field{"height", "of the picture", 1, 16384, "pixels"}, self.height);

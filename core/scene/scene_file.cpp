@@ -1,5 +1,7 @@
 #include "scene_file.h"
 
+#include "sphere_map_source.h"
+
 #include "../error.h"
 #include "../field_json.h"
 #include "../spheremap/sphere_map_json.h"
@@ -101,9 +103,11 @@ void saveScene(const Scene& scene, const std::filesystem::path& path)
         saved.probe.source = rebased(saved.probe.source, from, to);
         if (!isBuiltinGeometry(saved.view.geometry))
             saved.view.geometry = rebased(saved.view.geometry, from, to);
-        std::string& sphereMap = saved.material.sphereMap.source;
-        if (std::filesystem::path(sphereMap).has_parent_path())
-            sphereMap = rebased(sphereMap, from, to);
+        for (std::string* map : {&saved.material.sphereMap.source, &saved.view.window.middle, &saved.view.window.far})
+            if (isSphereMapFile(*map))
+                *map = rebased(*map, from, to);
+        if (saved.view.display.config != "env")
+            saved.view.display.config = rebased(saved.view.display.config, from, to);
     }
     validate(saved);
     save(sceneToJson(saved), path, what);

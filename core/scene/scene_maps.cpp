@@ -90,12 +90,30 @@ std::vector<EnvironmentMap> buildMap(const MapPlan& plan, SceneProbe& probe, dou
     return levels;
 }
 
+SphereMapTexels buildSphereMap(const Scene& scene, const SphereMapPlan& plan, const JobControl& job)
+{
+    return plan.document ? sphereMapTexels(*plan.document.document, plan.size, plan.levels, job)
+                         : readSphereMap(scene, plan.field, plan.source, plan.size, plan.levels, job);
+}
+
+std::vector<SphereMapChain> buildSphereMaps(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record)
+{
+    std::vector<SphereMapChain> maps;
+    for (const SphereMapPlan& map : plan.sphereMaps)
+        maps.push_back(timedStage(record.stages, "sphere map " + map.source, [&] {
+            return std::make_shared<const SphereMapTexels>(buildSphereMap(scene, map, job));
+        }));
+    return maps;
+}
+
 SceneMaps buildMaps(const Scene& scene, const Plan& plan, SceneProbe& probe, const JobControl& job, WorkRecord& record)
 {
     const auto build = [&](const std::optional<MapPlan>& map) {
         return map ? std::make_shared<const std::vector<EnvironmentMap>>(buildMap(*map, probe, scene.probe.exposure, job, record)) : nullptr;
     };
-    return {.specular = build(plan.specular), .diffuse = build(plan.diffuse), .background = build(plan.background)};
+    SceneMaps maps{.specular = build(plan.specular), .diffuse = build(plan.diffuse), .background = build(plan.background)};
+    maps.sphereMaps = buildSphereMaps(scene, plan, job, record);
+    return maps;
 }
 
 } // namespace mirrorball

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "plan.h"
+#include "sphere_map_source.h"
 
 #include "../image/environment_map.h"
 #include "../image/repair.h"
@@ -49,7 +50,13 @@ struct SceneMaps {
     MapLevels specular{};
     MapLevels diffuse{};
     MapLevels background{};
+    std::vector<SphereMapChain> sphereMaps{}; ///< those of the plan
 };
+
+SphereMapTexels buildSphereMap(const Scene& scene, const SphereMapPlan& plan, const JobControl& job);
+
+/// The sphere maps alone. @throws as readSphereMap()
+std::vector<SphereMapChain> buildSphereMaps(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record);
 
 SceneMaps buildMaps(const Scene& scene, const Plan& plan, SceneProbe& probe, const JobControl& job, WorkRecord& record);
 

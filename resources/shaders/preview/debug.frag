@@ -1,6 +1,9 @@
 // What a material is computed from: SHADING 1 wireframe, 2 normals, 3 texture coordinates, 4 seams, 5 mip levels; HAS_SPECULAR says
 // whether there is a map to have levels. Colours are meant for the display: neither exposed nor tone-mapped.
 #include "lib/surface_point.glsl"
+#if ENCODED // nothing comes after
+#include "lib/color.glsl"
+#endif
 #if SHADING == 4
 #include "lib/seams.glsl"
 #elif SHADING == 5
@@ -71,5 +74,8 @@ void main()
 #else
     color = vec4(vec3(0.1), 1.0);
 #endif
+#endif
+#if ENCODED
+    color.rgb = encodeSrgb(color.rgb);
 #endif
 }

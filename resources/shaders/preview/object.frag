@@ -1,5 +1,6 @@
 // The material: a map looked up by reflection, a map looked up by normal, the Fresnel term between them. What a material lacks is
-// not compiled: HAS_SPECULAR, HAS_DIFFUSE (0 or 1), FRESNEL (0 none, 1 dielectric, 2 conductor), COAT (0 add, 1 coat), MARKER (0 or 1).
+// not compiled: HAS_SPECULAR, HAS_DIFFUSE (0 or 1), FRESNEL (0 none, 1 dielectric, 2 conductor), COAT (0 add, 1 coat), MARKER (0 or 1),
+// SPHERE_USE (a painted sphere map: 0 none, 1 replace, 2 multiply, 3 over, 4 tint), FLECKS (0 or 1).
 #include "lib/fresnel.glsl"
 #include "lib/output.glsl"
 #include "lib/surface_point.glsl"
@@ -31,6 +32,19 @@ uniform mat3 diffuseRotation;
 uniform vec3 diffuseColor;
 #endif
 
+#if SPHERE_USE
+#include "lib/painted_map.glsl"
+uniform float sphereOpacity;
+uniform vec3 sphereColor;
+#if SPHERE_VERTEX
+in vec2 vertexDiscPlace;
+#else
+#include "lib/disc_place.glsl"
+#endif
+#if FLECKS
+#include "lib/flecks.glsl"
+#endif
+#endif
 #if MARKER
 #include "lib/marker.glsl"
 uniform mat3 markerRotation; // world to the specular map
@@ -45,6 +59,28 @@ uniform vec3 conductorK;
 in vec3 worldPosition;
 in vec3 worldNormal;
 layout(location = 0) out vec4 color;
+
+#if SPHERE_USE
+// Flecks that are smaller than a pixel show their mean: for those, the map averaged over all the places that they look up.
+vec4 paintedColor(vec2 place)
+{
+#if FLECKS
+    vec2 dx = dFdx(place), dy = dFdy(place);
+    vec3 qx = dFdx(worldPosition) / flecks.y, qy = dFdy(worldPosition) / flecks.y;
+    float pixel = sqrt(max(dot(qx, qx), dot(qy, qy))); // in cells
+    float far = smoothstep(0.4, 1.2, pixel);
+    FleckPlace cells = fleckPlace(worldPosition);
+    vec4 own = painted(place + cells.own.xy, dx, dy), neighbour = painted(place + cells.neighbour.xy, dx, dy);
+    vec4 near = mix(neighbour, own, clamp(0.5 + cells.border / pixel, 0.5, 1.0));
+    float spread = 1.6 * flecks.z; // a square as large as the disc of their offsets, about
+    vec4 all = painted(place, vec2(max(length(dx), spread), 0.0), vec2(0.0, max(length(dy), spread)));
+    vec4 mean = mix(painted(place, dx, dy), all, flecks.x);
+    return mix(near, mean, far);
+#else
+    return painted(place);
+#endif
+}
+#endif
 
 void main()
 {
@@ -67,6 +103,23 @@ void main()
     vec3 radiance = diffuse + f * (mirrored - diffuse);
 #else
     vec3 radiance = f * mirrored + diffuse;
+#endif
+#if SPHERE_USE
+#if SPHERE_VERTEX
+    vec2 place = vertexDiscPlace;
+#else
+    vec2 place = discPlace(p.n, normalize(viewer.xyz - viewer.w * worldPosition));
+#endif
+    vec4 paint = sphereOpacity * paintedColor(place);
+#if SPHERE_USE == 1
+    radiance = paint.rgb + (1.0 - paint.a) * sphereColor;
+#elif SPHERE_USE == 2
+    radiance = (paint.rgb + 1.0 - paint.a) * sphereColor;
+#elif SPHERE_USE == 3
+    radiance = paint.rgb + (1.0 - paint.a) * radiance;
+#else
+    radiance *= paint.rgb + 1.0 - paint.a;
+#endif
 #endif
     color = vec4(toOutput(radiance), 1.0);
 #if MARKER

@@ -1,0 +1,40 @@
+#include "render_resources.h"
+
+#include "window_mesh.h"
+#include "window_view.h"
+
+#include "../error.h"
+
+#include <cmath>
+
+namespace mirrorball::preview {
+
+void Renderer::Resources::drawWindow(const RenderSettings& settings, const RenderMaps& maps, Output output)
+{
+    const size_t layers = maps.sphereMaps.size();
+    if (layers < 1 || layers > 3)
+        throw InvalidArgument("material.sphere_map.source: a window shows a sphere map outside; name one, such as studio-clay");
+    std::vector<ShaderDefine> defines = {{"HAS_TEXCOORD", "1"},
+                                         {"SPHERE_VERTEX", "0"},
+                                         {"WINDOW_LAYERS", std::to_string(layers)},
+                                         {"WINDOW_SPACE", std::to_string(static_cast<int>(settings.material.paint.space))}};
+    addOutputDefines(defines, settings, output);
+    const ShaderProgram& shader = programs.get({"preview/object.vert", "preview/window.frag"}, defines, outputPrelude(settings, output));
+    displayTables.bind(shader, displayUnit);
+    for (size_t i = 0; i < layers; ++i) {
+        const auto unit = static_cast<GLuint>(4 + i);
+        sphereMaps[i].update(maps.sphereMaps[i], "sphere map");
+        sphereMaps[i].bind(unit, SphereMapTexture::Filter::Anisotropic);
+        shader.set(("windowLayer" + std::to_string(i)).c_str(), static_cast<int>(unit));
+    }
+    const double roll = rollToCancel(settings.camera.cameraToWorld());
+    shader.set("layerDepths", glm::vec4(settings.windowDepths, 0.0f));
+    shader.set("reference", glm::vec4(windowReference, 0.0f));
+    shader.set("worldToCamera", glm::transpose(settings.camera.cameraToWorld()));
+    shader.set("rollCancelled", glm::vec4(std::cos(roll), std::sin(roll), 0.0f, 0.0f));
+    shader.set("pane", glm::vec4(window::paneCentre, window::paneHalf));
+    shader.set("exposure", std::exp2(settings.exposure));
+    drawMesh(settings, shader);
+}
+
+} // namespace mirrorball::preview

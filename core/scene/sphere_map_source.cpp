@@ -1,0 +1,64 @@
+#include "sphere_map_source.h"
+
+#include "../error.h"
+#include "../image/image_io.h"
+#include "../spheremap/evaluate.h"
+#include "../spheremap/presets.h"
+#include "../spheremap/sphere_map_file.h"
+#include "../field_checks.h"
+
+#include <filesystem>
+
+namespace mirrorball {
+
+namespace {
+
+Image withOpacity(const Image& rgb)
+{
+    Image rgba(rgb.width, rgb.height, 4);
+    for (size_t i = 0; i < rgba.texels.size() / 4; ++i) {
+        std::copy_n(&rgb.texels[3 * i], 3, &rgba.texels[4 * i]);
+        rgba.texels[4 * i + 3] = 1.0f;
+    }
+    return rgba;
+}
+
+SphereMapTexels readPicture(const std::string& path, const JobControl& job)
+{
+    const auto reader = openImage(path);
+    const ImageFileInfo& info = reader->info();
+    if (info.width != info.height || info.width > largestSphereMap)
+        throw FileError(path, "is no picture of a sphere map, which is square and has at most " + std::to_string(largestSphereMap) +
+                                  " texels an edge; crop it or make a .spheremap of it");
+    Image rgb(info.width, info.height, 3);
+    reader->readRows(0, info.height, rgb.texels.data());
+    return {.levels = plainChain(withOpacity(rgb), job)};
+}
+
+} // namespace
+
+SphereMapTexels sphereMapTexels(const SphereMapDocument& document, int size, SphereMapLevels levels, const JobControl& job)
+{
+    if (levels == SphereMapLevels::Authored && hasAuthoredLevels(document))
+        return {.levels = evaluateLevels(document, size, job), .index = document.index, .hasAuthoredLevels = true};
+    return {.levels = plainChain(evaluate(document, {.size = size}, job), job), .index = document.index};
+}
+
+SphereMapTexels readSphereMap(const Scene& scene, const std::string& field, const std::string& source, int size, SphereMapLevels levels,
+                              const JobControl& job)
+{
+    if (!isSphereMapFile(source)) {
+        if (const SphereMapPreset* preset = findSphereMapPreset(source))
+            return sphereMapTexels(preset->document, size, levels, job);
+        std::string known;
+        for (const SphereMapPreset& preset : sphereMapPresets())
+            known += (known.empty() ? "" : ", ") + preset.name;
+        throw InvalidArgument(field + ": " + inQuotes(source) + " is neither a preset (" + known + ") nor a file");
+    }
+    const std::string path = resolved(scene, source);
+    if (std::filesystem::path(path).extension() == ".spheremap")
+        return sphereMapTexels(loadSphereMap(path), size, levels, job);
+    return readPicture(path, job);
+}
+
+} // namespace mirrorball

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "scene.h"
+
+#include "../job.h"
+#include "../spheremap/sphere_map_document.h"
+#include "../spheremap/sphere_map_texels.h"
+
+#include <string>
+#include <string_view>
+
+/// From the word in a scene to the texels of a sphere map.
+namespace mirrorball {
+
+/// Whether a source is a file; otherwise it is the name of a preset.
+inline bool isSphereMapFile(std::string_view source)
+{
+    return source.find_first_of("./\\") != std::string_view::npos;
+}
+
+/// The texels of a document. @throws as evaluateLevels()
+SphereMapTexels sphereMapTexels(const SphereMapDocument& document, int size, SphereMapLevels levels, const JobControl& job = {});
+
+/// The texels of a source: a document is evaluated at `size`; a square picture of a sphere map is taken as it is, looked up by normal.
+/// @param field for messages, "material.sphere_map.source"
+/// @throws InvalidArgument for a preset that is not known; FileError
+SphereMapTexels readSphereMap(const Scene& scene, const std::string& field, const std::string& source, int size, SphereMapLevels levels,
+                              const JobControl& job = {});
+
+} // namespace mirrorball

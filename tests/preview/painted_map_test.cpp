@@ -1,0 +1,317 @@
+#include "core/preview/renderer.h"
+
+#include "gl_fixture.h"
+#include "test_environments.h"
+
+#include "core/spheremap/evaluate.h"
+
+#include <cmath>
+#include <random>
+
+using namespace mirrorball;
+using namespace mirrorball::preview;
+using namespace mirrorball::test;
+
+using PaintedMap = mirrorball::test::GlTest;
+
+namespace {
+
+glm::dvec3 at(const Image& image, int x, int y)
+{
+    const float* t = image.texel(x, y);
+    return {t[0], t[1], t[2]};
+}
+
+RenderSettings view(GeometryKind kind, PaintUse use = PaintUse::Replace)
+{
+    RenderSettings settings;
+    settings.width = 160;
+    settings.height = 120;
+    settings.samples = 1;
+    settings.geometry.kind = kind;
+    settings.background.kind = BackgroundKind::None;
+    settings.camera = Camera{.yaw = 0.6f, .pitch = 0.35f, .roll = 0.3f, .distance = 2.6f};
+    settings.material.paint.use = use;
+    return settings;
+}
+
+template <class Color>
+SphereMapTexels texelsFrom(int size, SphereMapIndex index, const Color& color)
+{
+    Image image(size, size, 4);
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
+            const glm::vec4 c = color(glm::dvec2(2.0 * (x + 0.5) / size - 1.0, 1.0 - 2.0 * (y + 0.5) / size));
+            std::copy(&c.x, &c.x + 4, image.texel(x, y));
+        }
+    return {.levels = {image}, .index = index};
+}
+
+/// A map that shows the place itself: red x, green y, from -1 to 1 as 0 to 1.
+SphereMapChain places(SphereMapIndex index)
+{
+    return std::make_shared<const SphereMapTexels>(
+        texelsFrom(256, index, [](const glm::dvec2& p) { return glm::vec4(0.5 + 0.5 * p.x, 0.5 + 0.5 * p.y, 0.0, 1.0); }));
+}
+
+SphereMapChain plain(const glm::vec4& color)
+{
+    return std::make_shared<const SphereMapTexels>(texelsFrom(4, SphereMapIndex::Normal, [&](const glm::dvec2&) { return color; }));
+}
+
+glm::dvec2 placeAt(const Image& picture, int x, int y)
+{
+    return 2.0 * glm::dvec2(at(picture, x, y)) - 1.0;
+}
+
+/// Unit, towards the viewer.
+glm::dvec3 viewAt(const RenderSettings& settings, const glm::dvec3& position)
+{
+    const glm::dvec4 viewer = settings.camera.viewer();
+    return glm::normalize(glm::dvec3(viewer) - viewer.w * position);
+}
+
+} // namespace
+
+TEST_F(PaintedMap, IsLookedUpWhereCoreSays)
+{
+    Renderer renderer;
+    for (const SphereMapIndex index : {SphereMapIndex::Normal, SphereMapIndex::Reflection})
+        for (const DiscSpace space : {DiscSpace::Eye, DiscSpace::World})
+            for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
+                RenderSettings settings = view(GeometryKind::Torus);
+                settings.camera.projection = projection;
+                settings.material.paint.space = space;
+                const Image picture = renderer.renderRadiance(settings, {.sphereMaps = {places(index)}});
+                const GeometryBuffers buffers = renderer.renderBuffers(settings);
+                const glm::dmat3 turn = space == DiscSpace::Eye ? glm::dmat3(glm::transpose(settings.camera.cameraToWorld())) : glm::dmat3(1.0);
+                int compared = 0;
+                for (int y = 0; y < settings.height; ++y)
+                    for (int x = 0; x < settings.width; ++x) {
+                        if (buffers.normal.texel(x, y)[3] == 0.0f)
+                            continue;
+                        const glm::dvec3 n = turn * at(buffers.normal, x, y), v = turn * viewAt(settings, at(buffers.position, x, y));
+                        const glm::dvec2 expected = discPlace(index, space, n, v);
+                        if (glm::length(expected) > 0.98)
+                            continue; // beside the rim the reflection runs without end
+                        ASSERT_LT(glm::distance(expected, placeAt(picture, x, y)), 4e-3) << x << ' ' << y; // half floats
+                        ++compared;
+                    }
+                EXPECT_GT(compared, 1000);
+            }
+}
+
+// Wherever a ball stands on the screen it shows the whole disc: its middle the middle, its outline the rim. Indexed by the plain normal
+// the picture would slide by the angle under which the ball is seen, and its outline would lie inside the rim on one side.
+TEST_F(PaintedMap, NeitherSlidesNorWarpsUnderPerspective)
+{
+    Renderer renderer;
+    for (const float aside : {0.0f, 1.2f, -1.6f}) {
+        RenderSettings settings = view(GeometryKind::Sphere);
+        settings.geometry.level = 64;
+        settings.width = 320;
+        settings.camera = Camera{.distance = 5.0f, .fieldOfView = 1.2f, .target = {aside, 0.4f * aside, 0.0f}};
+        const Image picture = renderer.renderRadiance(settings, {.sphereMaps = {places(SphereMapIndex::Normal)}});
+        const GeometryBuffers buffers = renderer.renderBuffers(settings);
+        double farthest = 0.0, nearest = 1.0;
+        for (int y = 0; y < settings.height; ++y)
+            for (int x = 0; x < settings.width; ++x) {
+                if (buffers.normal.texel(x, y)[3] == 0.0f)
+                    continue;
+                const double c = glm::dot(at(buffers.normal, x, y), viewAt(settings, at(buffers.position, x, y)));
+                const double radius = glm::length(placeAt(picture, x, y));
+                ASSERT_NEAR(radius, std::sqrt(std::max(0.0, 1.0 - c * c)), c < 0.2 ? 0.03 : 5e-3) << "the sine of the angle to the view";
+                farthest = std::max(farthest, radius);
+                nearest = std::min(nearest, radius);
+            }
+        EXPECT_GT(farthest, 0.985) << aside;
+        EXPECT_LT(nearest, 0.03) << aside;
+    }
+}
+
+TEST_F(PaintedMap, InOrthographicViewsItIsThePlainForm)
+{
+    Renderer renderer;
+    RenderSettings settings = view(GeometryKind::Teapot);
+    settings.camera.projection = Projection::Orthographic;
+    const Image picture = renderer.renderRadiance(settings, {.sphereMaps = {places(SphereMapIndex::Normal)}});
+    const GeometryBuffers buffers = renderer.renderBuffers(settings);
+    const glm::dmat3 toCamera = glm::transpose(settings.camera.cameraToWorld());
+    for (int y = 0; y < settings.height; ++y)
+        for (int x = 0; x < settings.width; ++x)
+            if (const glm::dvec3 n = toCamera * at(buffers.normal, x, y); n.z > 0.1) {
+                ASSERT_LT(glm::distance(placeAt(picture, x, y), glm::dvec2(n)), 4e-3) << x << ' ' << y;
+            }
+}
+
+TEST_F(PaintedMap, MeetsTheSurfaceAsEachUseSays)
+{
+    Renderer renderer(TexelFormat::Float);
+    const glm::dvec4 m(0.3, 0.1, 0.05, 0.5); // multiplied by its opacity
+    const glm::dvec3 color(0.9, 0.6, 0.3), reflected(2.0);
+    const double opacity = 0.75;
+    const glm::dvec3 paint = opacity * glm::dvec3(m);
+    const double a = opacity * m.w;
+    const std::pair<PaintUse, glm::dvec3> cases[] = {{PaintUse::None, reflected},
+                                                     {PaintUse::Replace, paint + (1.0 - a) * color},
+                                                     {PaintUse::Multiply, (paint + 1.0 - a) * color},
+                                                     {PaintUse::Over, paint + (1.0 - a) * reflected},
+                                                     {PaintUse::Tint, (paint + 1.0 - a) * reflected}};
+    for (const auto& [use, expected] : cases) {
+        RenderSettings settings = view(GeometryKind::Sphere, use);
+        settings.material.paint.color = color;
+        settings.material.paint.opacity = float(opacity);
+        const bool readsEnvironment = use != PaintUse::Replace && use != PaintUse::Multiply;
+        EXPECT_EQ(neededMaps(settings).specular, readsEnvironment);
+        RenderMaps maps{.sphereMaps = {plain(m)}};
+        if (readsEnvironment)
+            maps.specular = asLevels(environmentFrom({Parameterization::Cube, 8, 0}, [](const glm::dvec3&) { return glm::vec3(2.0f); }));
+        EXPECT_LT(glm::distance(at(renderer.renderRadiance(settings, maps), 80, 60), expected), 1e-3) << static_cast<int>(use);
+    }
+}
+
+TEST_F(PaintedMap, APatchedMapIsTheMapMadeAnew)
+{
+    Renderer renderer;
+    const RenderSettings settings = view(GeometryKind::Sphere);
+    const auto before = places(SphereMapIndex::Normal);
+    SphereMapTexels changed = *before;
+    Image patch(40, 30, 4);
+    for (size_t i = 0; i < patch.texels.size(); ++i)
+        patch.texels[i] = i % 4 == 3 ? 1.0f : 0.25f * float(i % 4);
+    for (int y = 0; y < 30; ++y)
+        std::copy_n(patch.texel(0, y), 160, changed.levels[0].texel(110, 100 + y));
+    renderer.renderRadiance(settings, {.sphereMaps = {before}});
+    renderer.patchSphereMap(patch, 110, 100, 0);
+    const Image patched = renderer.renderRadiance(settings, {.sphereMaps = {before}});
+    EXPECT_EQ(patched.texels, renderer.renderRadiance(settings, {.sphereMaps = {std::make_shared<const SphereMapTexels>(changed)}}).texels);
+    EXPECT_THROW(renderer.patchSphereMap(patch, 240, 0, 0), InvalidArgument);
+}
+
+// 000 section 4: a ring of so many pixels in every level is a line of about as many pixels on the screen; a ring of the disc is wide where
+// the surface is flat. Two rings of a tube seen from above: across the outline the curvature is that of the tube.
+TEST_F(PaintedMap, AnAuthoredRingKeepsItsWidthWhateverTheCurvature)
+{
+    SphereMapDocument document;
+    document.layers = {{.content = FillLayer{.color = glm::dvec3(1.0)}},
+                       {.content = SilhouetteLayer{.width = 3.0, .unit = WidthUnit::Pixels}}};
+    const auto authored = std::make_shared<const SphereMapTexels>(SphereMapTexels{.levels = evaluateLevels(document, 512), .hasAuthoredLevels = true});
+    document.layers[1].content = SilhouetteLayer{.width = 0.05, .unit = WidthUnit::Disc};
+    const auto ofTheDisc = std::make_shared<const SphereMapTexels>(SphereMapTexels{.levels = plainChain(evaluate(document, {.size = 512}))});
+
+    Renderer renderer;
+    const auto width = [&](const SphereMapChain& map, float tube) { // of the dark along a row, from the left outline inwards
+        RenderSettings settings = view(GeometryKind::Torus);
+        settings.width = settings.height = 401;
+        settings.samples = 4;
+        settings.background = {.kind = BackgroundKind::Color, .color = glm::vec3(1.0f)};
+        settings.geometry.mesh = std::make_shared<const Mesh>(torusMesh(1.0f - tube, tube, 256, 128));
+        settings.camera = Camera{.pitch = float(0.5 * pi), .distance = 4.0f, .fieldOfView = 0.5f, .projection = Projection::Orthographic};
+        const Image picture = renderer.renderRadiance(settings, {.sphereMaps = {map}});
+        const double pixels = 401.0 / (2.0 * 4.0 * std::tan(0.25)); // to a unit
+        double sum = 0.0;
+        for (int x = 0; x < 200 - int(pixels * (1.0f - tube)); ++x)
+            sum += 1.0 - std::min(1.0f, picture.texel(x, 200)[0]);
+        return sum;
+    };
+    const double flat = width(authored, 0.4f), middle = width(authored, 0.2f), curved = width(authored, 0.08f);
+    const double discFlat = width(ofTheDisc, 0.4f), discCurved = width(ofTheDisc, 0.08f);
+    RecordProperty("authored", std::to_string(flat) + " " + std::to_string(middle) + " " + std::to_string(curved));
+    RecordProperty("disc", std::to_string(discFlat) + " " + std::to_string(discCurved));
+    std::printf("authored %g %g %g, disc %g %g\n", flat, middle, curved, discFlat, discCurved);
+    for (const double w : {flat, middle, curved})
+        EXPECT_NEAR(w, 3.0, 1.0);
+    EXPECT_NEAR(flat / curved, 1.0, 0.25);
+    EXPECT_NEAR(discFlat / discCurved, 5.0, 1.5) << "as the radii of the tubes";
+}
+
+// Coordinates that are linear between vertices miss the curve of the true ones: by the square of the triangles' size (003 section 3.4.2).
+TEST_F(PaintedMap, PlacesInterpolatedBetweenVerticesErrByTheSquareOfTheTrianglesSize)
+{
+    Renderer renderer;
+    const SphereMapChain map = places(SphereMapIndex::Reflection);
+    double previous = 0.0;
+    for (const int level : {4, 8, 16, 32}) {
+        RenderSettings settings = view(GeometryKind::Sphere);
+        settings.geometry.level = level;
+        const Image exact = renderer.renderRadiance(settings, {.sphereMaps = {map}});
+        settings.material.paint.place = PlaceAt::Vertex;
+        const Image interpolated = renderer.renderRadiance(settings, {.sphereMaps = {map}});
+        double sum = 0.0;
+        int count = 0;
+        for (int y = 0; y < settings.height; ++y)
+            for (int x = 0; x < settings.width; ++x)
+                if (exact.texel(x, y)[3] == 1.0f && glm::length(placeAt(exact, x, y)) < 0.8) {
+                    const glm::dvec2 away = placeAt(exact, x, y) - placeAt(interpolated, x, y);
+                    sum += glm::dot(away, away);
+                    ++count;
+                }
+        const double rms = std::sqrt(sum / count);
+        std::printf("level %d: rms %g of the disc's radius\n", level, rms);
+        RecordProperty("level" + std::to_string(level), std::to_string(rms));
+        if (level > 4) {
+            EXPECT_NEAR(previous / rms, 4.0, level < 32 ? 0.8 : 1.8) << level; // half floats show in the last
+        }
+        previous = rms;
+    }
+}
+
+TEST_F(PaintedMap, FlecksOfTheShaderAreThoseOfCore)
+{
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> coordinate(-1.0f, 1.0f);
+    std::vector<glm::vec4> inputs;
+    for (int i = 0; i < 20000; ++i)
+        inputs.emplace_back(coordinate(random), coordinate(random), coordinate(random), 0.0f);
+    const Flecks flecks{.density = 0.4f, .size = 0.03f, .spread = 0.5f, .seed = 77};
+    const auto evaluate = [&](const char* expression) {
+        return evaluateGlsl(std::string("#include \"lib/flecks.glsl\"\nvec4 twin(vec4 x) { FleckPlace f = fleckPlace(x.xyz); return ") + expression + "; }",
+                            inputs, {}, [&](const ShaderProgram& program) { program.set("flecks", glm::vec4(0.4f, 0.03f, 0.5f, 77.0f)); });
+    };
+    const auto own = evaluate("vec4(f.own, f.border)"), neighbour = evaluate("vec4(f.neighbour, 0.0)");
+    int differ = 0, count = 0;
+    for (size_t i = 0; i < inputs.size(); ++i) {
+        const FleckPlace expected = fleckPlace(glm::vec3(inputs[i]), flecks);
+        count += expected.own.isFleck;
+        EXPECT_LE(glm::length(expected.own.offset), 0.5001f);
+        const bool same = glm::distance(glm::vec2(own[i]), expected.own.offset) < 1e-4f && (own[i].z == 1.0f) == expected.own.isFleck &&
+                          glm::distance(glm::vec2(neighbour[i]), expected.neighbour.offset) < 1e-4f &&
+                          std::abs(own[i].w - expected.border) < 1e-3f;
+        differ += !same;
+    }
+    EXPECT_LE(differ, 10); // on borders the last digit decides between neighbours
+    EXPECT_NEAR(double(count) / double(inputs.size()), 0.4, 0.02);
+}
+
+// Close by a fleck is one colour; from afar, where a pixel holds many, it is their mean and pixels do not glitter.
+TEST_F(PaintedMap, FlecksAreTheirMeanFromAfar)
+{
+    // A map with a bright half: a fleck shows dark or bright.
+    const auto halves = std::make_shared<const SphereMapTexels>(SphereMapTexels{
+        .levels = plainChain(texelsFrom(128, SphereMapIndex::Normal, [](const glm::dvec2& p) { return glm::vec4(glm::vec3(p.x > 0.0 ? 1.0f : 0.0f), 1.0f); }).levels[0])});
+    Renderer renderer;
+    RenderSettings settings = view(GeometryKind::Sphere);
+    settings.geometry.level = 48;
+    settings.width = settings.height = 96;
+    settings.camera = Camera{.distance = 3.0f, .projection = Projection::Orthographic};
+    settings.material.paint.flecks = {.density = 1.0f, .size = 0.008f, .spread = 0.6f};
+    const Image picture = renderer.renderRadiance(settings, {.sphereMaps = {halves}});
+    constexpr int factor = 8;
+    RenderSettings near = settings;
+    near.width = near.height = 96 * factor;
+    const Image samples = renderer.renderRadiance(near, {.sphereMaps = {halves}});
+    double sum = 0.0, glitter = 0.0;
+    int count = 0;
+    for (int y = 30; y < 66; ++y)
+        for (int x = 30; x < 66; ++x, ++count) {
+            double mean = 0.0;
+            for (int j = 0; j < factor; ++j)
+                for (int i = 0; i < factor; ++i)
+                    mean += samples.texel(factor * x + i, factor * y + j)[0] / double(factor * factor);
+            sum += std::abs(mean - picture.texel(x, y)[0]);
+            glitter += std::abs(double(picture.texel(x, y)[0]) - double(picture.texel(x, y + 1)[0]));
+        }
+    std::printf("mean error %g, glitter %g\n", sum / count, glitter / count);
+    EXPECT_LT(sum / count, 0.2);
+    EXPECT_LT(glitter / count, 0.02) << "neighbours in a column lie on one value of the mean";
+}
