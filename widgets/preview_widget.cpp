@@ -48,6 +48,18 @@ PreviewWidget::PreviewWidget(Workspace& workspace, QWidget* parent) : QOpenGLWid
     m_pointing.setInterval(40);
     connect(&m_rest, &QTimer::timeout, &m_workspace.document, &Document::finishEdit);
     connect(&m_pointing, &QTimer::timeout, this, &PreviewWidget::point);
+    connect(&m_workspace.sphereMap, &SphereMapEditor::pictureChanged, this, [this](const TexelRect& touched) {
+        // While nothing is drawn the scene's maps follow by themselves; what a stroke touched stays marked until they have.
+        if (m_workspace.sphereMap.isPainting() || !m_strokeRect.empty()) {
+            m_strokeRect = m_strokeRect.united(touched);
+            m_freshRect = m_freshRect.united(touched);
+            update();
+        }
+    });
+    connect(&m_workspace.live, &LiveScene::updated, this, [this] {
+        if (!m_workspace.sphereMap.isPainting() && m_workspace.live.isUpToDate())
+            m_strokeRect = m_freshRect = {};
+    });
     connect(&m_workspace.live, &LiveScene::updated, this, qOverload<>(&QWidget::update));
     connect(&m_workspace.document, &Document::changed, this, [this](Parts parts) {
         if (parts & (Part::View | Part::Probe))
@@ -59,6 +71,30 @@ PreviewWidget::PreviewWidget(Workspace& workspace, QWidget* parent) : QOpenGLWid
             update();
     });
 }
+
+namespace {
+
+Image cutOut(const Image& picture, const TexelRect& rect)
+{
+    Image part(rect.width(), rect.height(), 4);
+    for (int y = 0; y < part.height; ++y)
+        std::copy_n(picture.texel(rect.x0, rect.y0 + y), static_cast<size_t>(part.width) * 4, part.row(y));
+    return part;
+}
+
+/// Every 2 x 2 texels become one.
+Image averaged(const Image& finer)
+{
+    Image coarse(finer.width / 2, finer.height / 2, 4);
+    for (int y = 0; y < coarse.height; ++y)
+        for (int x = 0; x < coarse.width; ++x)
+            for (int c = 0; c < 4; ++c)
+                coarse.texel(x, y)[c] = 0.25f * (finer.texel(2 * x, 2 * y)[c] + finer.texel(2 * x + 1, 2 * y)[c] +
+                                                 finer.texel(2 * x, 2 * y + 1)[c] + finer.texel(2 * x + 1, 2 * y + 1)[c]);
+    return coarse;
+}
+
+} // namespace
 
 PreviewWidget::~PreviewWidget()
 {
@@ -77,6 +113,7 @@ void PreviewWidget::releaseGL()
         return;
     makeCurrent();
     m_renderer.reset();
+    m_shownSphereMap.reset();
     m_snapshotRenderer.reset();
     m_difference = {};
     doneCurrent();
@@ -115,6 +152,39 @@ void PreviewWidget::draw(preview::Renderer& renderer, const PreparedScene& made,
     renderer.drawDisplay(settings(made), preview::renderMaps(made.maps), destination);
 }
 
+// A stroke that is being drawn goes straight into the texture, only where it touched; when it is done, the scene's maps hold it.
+void PreviewWidget::patchSphereMap(const PreparedScene& made)
+{
+    const SphereMapChain chain = made.maps.sphereMaps.empty() ? nullptr : made.maps.sphereMaps.front();
+    const Image& picture = m_workspace.sphereMap.picture();
+    if (!chain || m_strokeRect.empty() || chain->levels.front().width != picture.width) {
+        m_shownSphereMap = chain;
+        return;
+    }
+    if (chain != m_shownSphereMap) { // a new texture: it is made by drawing, and knows nothing of the stroke
+        draw(*m_renderer, made, {.framebuffer = defaultFramebufferObject(), .clip = preview::PixelRectangle{0, 0, 1, 1}});
+        m_shownSphereMap = chain;
+        m_freshRect = m_strokeRect;
+    }
+    if (m_freshRect.empty())
+        return;
+    TexelRect rect = m_freshRect;
+    Image part = cutOut(picture, rect);
+    m_renderer->patchSphereMap(part, rect.x0, rect.y0, 0);
+    for (int level = 1; level < static_cast<int>(chain->levels.size()); ++level) {
+        const TexelRect even{rect.x0 & ~1, rect.y0 & ~1, (rect.x1 + 1) & ~1, (rect.y1 + 1) & ~1};
+        const Image finer = level == 1 ? cutOut(picture, even.intersected({0, 0, picture.width, picture.height})) : std::move(part);
+        if (level > 1 && even != rect)
+            break; // the coarsest levels wait for the end of the stroke
+        rect = {even.x0 / 2, even.y0 / 2, even.x1 / 2, even.y1 / 2};
+        if (rect.x1 > chain->levels[static_cast<size_t>(level)].width || rect.y1 > chain->levels[static_cast<size_t>(level)].width)
+            break;
+        part = averaged(finer);
+        m_renderer->patchSphereMap(part, rect.x0, rect.y0, level);
+    }
+    m_freshRect = {};
+}
+
 void PreviewWidget::paintComparison(const PreparedScene& made)
 {
     const QSize size = deviceSize();
@@ -149,6 +219,7 @@ void PreviewWidget::paintGL()
     QElapsedTimer clock;
     clock.start();
     try {
+        patchSphereMap(*made);
         if (m_comparison == Comparison::Off)
             draw(*m_renderer, *made, {.framebuffer = defaultFramebufferObject()});
         else

@@ -4,6 +4,7 @@
 #include "workspace.h"
 
 #include "core/preview/renderer.h"
+#include "core/spheremap/texel_rect.h"
 
 #include <QOpenGLWidget>
 #include <QPointF>
@@ -71,6 +72,7 @@ private:
     QSize deviceSize() const;
     preview::RenderSettings settings(const PreparedScene& made) const;
     void draw(preview::Renderer& renderer, const PreparedScene& made, const preview::Destination& destination);
+    void patchSphereMap(const PreparedScene& made);
     void paintComparison(const PreparedScene& made);
     void drag(const QPointF& moved);
     void point();
@@ -80,6 +82,9 @@ private:
     std::unique_ptr<preview::Renderer> m_renderer;
     std::unique_ptr<preview::Renderer> m_snapshotRenderer; ///< of its own, so that neither drops the other's textures
     PictureDifference m_difference;
+    SphereMapChain m_shownSphereMap; ///< that the last picture read
+    TexelRect m_strokeRect;          ///< where a stroke that is being drawn has changed the sphere map since it was made
+    TexelRect m_freshRect;           ///< the part of it that the texture does not hold yet
     std::shared_ptr<const PreparedScene> m_snapshot;
     Comparison m_comparison = Comparison::Off;
     std::optional<Comparison> m_beforeHold{}; ///< while the key is held that shows the snapshot

@@ -7,9 +7,12 @@
 
 namespace mirrorball::studio {
 
+namespace {
+constexpr int paintingSize = 1024; ///< texels: what a map is painted at unless the scene asks for more
+} // namespace
+
 SphereMapEditor::SphereMapEditor(Document& document, QObject* parent)
-    : QObject(parent), m_document(document), m_cache(std::make_shared<SphereMapCache>(EvaluateOptions{
-                                                 .size = pictureSize, .unknownLayers = UnknownLayers::Skip}))
+    : QObject(parent), m_document(document)
 {
     connect(&m_document, &Document::changed, this, &SphereMapEditor::follow);
     connect(&m_runner, &JobRunner::failed, this, &SphereMapEditor::problemChanged);
@@ -21,11 +24,19 @@ SphereMapEditor::~SphereMapEditor() = default;
 void SphereMapEditor::follow()
 {
     const std::shared_ptr<const SphereMapDocument>& now = m_document.scene().material.sphereMap.document.document;
-    if (now == m_map)
+    const int size = m_document.scene().material.sphereMap.size;
+    if (now == m_map && size == m_size)
         return;
+    if (size != m_size) {
+        m_size = size;
+        m_cache = std::make_shared<SphereMapCache>(EvaluateOptions{.size = size, .unknownLayers = UnknownLayers::Skip});
+    }
     m_map = now;
-    if (!m_map)
-        cancelStroke();
+    const auto isPaintLayer = [this](size_t layer) {
+        return m_map && layer < m_map->layers.size() && std::holds_alternative<PaintLayer>(m_map->layers[layer].content);
+    };
+    if (m_recorder && !isPaintLayer(m_recorderLayer)) // undone from under the pen
+        m_recorder.reset();
     const int before = m_chosen, count = m_map ? static_cast<int>(m_map->layers.size()) : 0;
     m_chosen = count == 0 ? -1 : m_chosen < 0 ? count - 1 : std::min(m_chosen, count - 1);
     emit mapChanged();
@@ -50,7 +61,7 @@ void SphereMapEditor::request()
                 strokes.insert(strokes.end(), pending.begin(), pending.end());
                 return cache->update(painted, job);
             };
-            Patch patch{.rect = update()};
+            Patch patch{.rect = update(), .size = cache->size()};
             patch.image = Image(std::max(0, patch.rect.width()), std::max(0, patch.rect.height()), 4);
             for (int y = 0; y < patch.image.height; ++y)
                 std::copy_n(cache->image().texel(patch.rect.x0, patch.rect.y0 + y), static_cast<size_t>(patch.image.width) * 4,
@@ -59,8 +70,8 @@ void SphereMapEditor::request()
         },
         [this](const Patch& patch) {
             if (!patch.rect.empty()) {
-                if (m_picture.empty())
-                    m_picture = Image(pictureSize, pictureSize, 4);
+                if (m_picture.width != patch.size)
+                    m_picture = Image(patch.size, patch.size, 4);
                 for (int y = 0; y < patch.image.height; ++y)
                     std::copy_n(patch.image.row(y), static_cast<size_t>(patch.image.width) * 4,
                                 m_picture.texel(patch.rect.x0, patch.rect.y0 + y));
@@ -76,6 +87,7 @@ void SphereMapEditor::setMap(const QString& label, const SphereMapDocument& map)
     m_document.edit(label, {}, [&](Scene& scene) {
         SphereMapDocument own = movedTo(map, scene.folder);
         scene.material.sphereMap.document.document = std::make_shared<const SphereMapDocument>(std::move(own));
+        scene.material.sphereMap.size = std::max(scene.material.sphereMap.size, paintingSize);
     });
     choose(m_map ? static_cast<int>(m_map->layers.size()) - 1 : -1);
 }
@@ -264,7 +276,8 @@ void SphereMapEditor::pickColor(const glm::dvec2& q)
 {
     if (m_picture.empty())
         return;
-    const auto texel = [](double v) { return std::clamp(static_cast<int>((v + 1.0) * 0.5 * pictureSize), 0, pictureSize - 1); };
+    const int n = m_picture.width;
+    const auto texel = [n](double v) { return std::clamp(static_cast<int>((v + 1.0) * 0.5 * n), 0, n - 1); };
     const float* rgba = m_picture.texel(texel(q.x), texel(-q.y));
     if (!(rgba[3] > 0.0f))
         return;

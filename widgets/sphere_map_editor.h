@@ -27,8 +27,6 @@ class SphereMapEditor : public QObject {
     Q_OBJECT
 
 public:
-    static constexpr int pictureSize = 1024;
-
     explicit SphereMapEditor(Document& document, QObject* parent = nullptr);
     ~SphereMapEditor() override;
 
@@ -79,6 +77,8 @@ public:
     /// The colour that the picture shows at a place of the disc becomes the brush's.
     void pickColor(const glm::dvec2& q);
 
+    /// Edge of the picture, in texels: that of the map that the scene's picture reads.
+    int size() const { return m_size; }
     /// The picture, RGBA, linear, colours multiplied by their opacity; empty before the first. It may be of an older state.
     const Image& picture() const { return m_picture; }
     bool isUpToDate() const { return !m_runner.isBusy(); }
@@ -100,6 +100,7 @@ private:
 
     struct Patch {
         TexelRect rect{};
+        int size = 0; ///< of the whole
         Image image{};
     };
 
@@ -110,6 +111,7 @@ private:
     Symmetry m_symmetry{};
     PaintTool m_tool = PaintTool::Paint;
     bool m_paintsOnModel = false;
+    int m_size = 0;
     std::optional<StrokeRecorder> m_recorder;
     size_t m_recorderLayer = 0;
     Image m_picture{};

@@ -130,13 +130,13 @@ void SphereMapPanelTest::showsTheStrokeWhileItIsDrawnAsTheFileWillHoldIt()
     painting.waitForPicture();
     const Image drawing = painting.editor().picture();
     QVERIFY(painting.strokes().empty());
-    QVERIFY(drawing != evaluate(*painting.editor().map(), {.size = SphereMapEditor::pictureSize}));
+    QVERIFY(drawing != evaluate(*painting.editor().map(), {.size = painting.editor().size()}));
     QTest::mouseRelease(&painting.canvas(), Qt::LeftButton, {}, painting.at(0.4, 0.0));
     painting.waitForPicture();
-    QVERIFY(painting.editor().picture() == evaluate(*painting.editor().map(), {.size = SphereMapEditor::pictureSize}));
+    QVERIFY(painting.editor().picture() == evaluate(*painting.editor().map(), {.size = painting.editor().size()}));
     painting.document().undoStack().undo();
     painting.waitForPicture();
-    QVERIFY(painting.editor().picture() == evaluate(*painting.editor().map(), {.size = SphereMapEditor::pictureSize}));
+    QVERIFY(painting.editor().picture() == evaluate(*painting.editor().map(), {.size = painting.editor().size()}));
 }
 
 void SphereMapPanelTest::takesAPensPressureAndItsEraserEnd()
