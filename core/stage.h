@@ -1,12 +1,20 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace mirrorball {
+
+/// What a step takes: wall time, and memory that it leaves in use.
+struct StageCost {
+    double seconds = 0.0;
+    std::int64_t bytes = 0;
+    bool operator==(const StageCost&) const = default;
+};
 
 /// One step of a job: done, with its wall time, or left out, with the reason. What `--explain` prints before the work and `--stats`
 /// records after it.
@@ -15,6 +23,7 @@ struct Stage {
     double seconds = 0.0;
     bool leftOut = false;
     std::string why{};
+    StageCost expected{};      ///< in plans: about; 0 where it is not worth telling
 };
 
 /// Runs one stage, appends its time to the list and returns what the work returned.

@@ -2,10 +2,14 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/scene/export_estimate.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -43,14 +47,40 @@ void writeStats(const std::filesystem::path& path, const Stats& stats)
     file.commit();
 }
 
+namespace {
+
+std::string timeText(double seconds)
+{
+    if (seconds < 0.9995)
+        return std::to_string(std::max(1L, std::lround(seconds * 1e3))) + " ms";
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.1f s", seconds);
+    return text.data();
+}
+
+} // namespace
+
 void printStages(const std::vector<Stage>& stages)
 {
-    size_t widest = 0;
-    for (const Stage& stage : stages)
-        widest = std::max(widest, stage.name.size());
-    for (const Stage& stage : stages)
-        std::printf("%-*s  %-8s  %s\n", static_cast<int>(widest), stage.name.c_str(), stage.leftOut ? "left out" : "needed",
-                    stage.why.c_str());
+    const std::array<std::string, 5> heads{"stage", "", "time", "memory", "why"};
+    std::vector<std::array<std::string, 5>> rows{heads};
+    bool hasCosts = false;
+    for (const Stage& stage : stages) {
+        hasCosts = hasCosts || stage.expected != StageCost{};
+        rows.push_back({stage.name, stage.leftOut ? "left out" : "needed", stage.expected.seconds > 0.0 ? timeText(stage.expected.seconds) : "",
+                        stage.expected.bytes > 0 ? byteText(stage.expected.bytes) : "", stage.why});
+    }
+    std::array<size_t, 5> widths{};
+    for (const auto& row : rows)
+        for (size_t i = 0; i < row.size(); ++i)
+            widths[i] = std::max(widths[i], row[i].size());
+    const auto width = [&](size_t i) { return static_cast<int>(widths[i]); };
+    for (const auto& row : rows) {
+        std::printf("%-*s  %-*s  ", width(0), row[0].c_str(), width(1), row[1].c_str());
+        if (hasCosts)
+            std::printf("%*s  %*s  ", width(2), row[2].c_str(), width(3), row[3].c_str());
+        std::printf("%s\n", row[4].c_str());
+    }
     std::fflush(stdout);
 }
 

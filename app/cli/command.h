@@ -40,7 +40,7 @@ struct Stats {
 /// Writes it as JSON, whole or not at all.
 void writeStats(const std::filesystem::path& path, const Stats& stats);
 
-/// Prints stages as a table for `--explain`: name, needed or left out, why.
+/// Prints stages as a table for `--explain`: name, needed or left out, what it is expected to cost where the plan knows, why.
 void printStages(const std::vector<Stage>& stages);
 
 /// A job on `threads` threads (0: all cores) that draws a progress bar on stderr once the work has taken a second, when stderr is a

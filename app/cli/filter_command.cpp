@@ -194,7 +194,10 @@ void run(const Options& o)
                 why << p.why;
             if (p.filtered && p.method == Method::Spectral)
                 why << "; band limit " << p.bandLimit << " at most";
-            plan.push_back({.name = "filter " + describe(options.lobe), .leftOut = !p.filtered, .why = why.str()});
+            plan.push_back({.name = "filter " + describe(options.lobe),
+                            .leftOut = !p.filtered,
+                            .why = why.str(),
+                            .expected = {p.predictedSeconds, std::int64_t{12} * options.target.width() * options.target.height()}});
         }
         if (!o.mips)
             plan.push_back({.name = "mip levels", .leftOut = true, .why = "not asked for (--mips)"});

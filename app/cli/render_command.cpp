@@ -39,6 +39,8 @@ constexpr std::array fieldOptions{
     FieldOption{"--metal", "material.fresnel.metal", "material.fresnel.kind", "conductor"},
     FieldOption{"--combine", "material.combine"},
     FieldOption{"--lambda", "material.lambda"},
+    FieldOption{"--lambda-grazing", "material.lambda_grazing"},
+    FieldOption{"--mip-filtering", "map.mip_filtering"},
     FieldOption{"--lod-bias", "material.lod_bias"},
     FieldOption{"--fov", "view.camera.fov"},
     FieldOption{"--projection", "view.camera.projection"},

@@ -151,7 +151,7 @@ double paraboloidSeconds(const Lobe& lobe, const ParaboloidKnobs& knobs, int pro
         // Kernels are larger towards the rim: twice as many texels on average over the sphere.
         const double side = 2.0 * exactHalfRadius(reach, knobs.largestKernel) + 6.0;
         const double taps = std::min(2.0 * knobs.largestKernel * knobs.largestKernel, 2.0 * side * side);
-        return 1e-7 * probeWidth * probeWidth / 2 + 1e-7 * side * side + 1e-8 * taps * directions;
+        return 6e-8 * probeWidth * probeWidth / 2 + 1e-7 * side * side + 1.3e-8 * taps * directions;
     }
     const KernelSizes sizes = kernelSizes(reach, knobs.half, knobs.largestKernel);
     const SampledKernel large = sampleKernel(lobe, reach, knobs.half, sizes.largeShrink, KernelPlace::Rim);

@@ -1,5 +1,7 @@
 #include "mip_pyramid.h"
 
+#include "../error.h"
+
 #include <algorithm>
 #include <bit>
 #include <array>
@@ -285,6 +287,30 @@ MipPyramid buildMipPyramid(const EnvironmentMap& map, const JobControl& job)
     }
     if (job.progress)
         job.progress(1.0f);
+    return pyramid;
+}
+
+MipPyramid buildFacePyramid(const EnvironmentMap& cube, const JobControl& job)
+{
+    validate(cube.layout);
+    if (cube.layout.kind != Parameterization::Cube)
+        throw InvalidArgument("mip pyramid: only a cube has faces to filter by themselves; this is a " + std::string(name(cube.layout.kind)) + " map");
+    MipPyramid pyramid;
+    pyramid.levels.push_back(cube);
+    while (pyramid.levels.back().layout.size > 1) {
+        job.checkStop();
+        const EnvironmentMap& fine = pyramid.levels.back();
+        EnvironmentMap coarse(halved(fine.layout));
+        const int n = fine.layout.size, half = coarse.layout.size;
+        for (int y = 0; y < coarse.image.height; ++y) {
+            const int fineY = y / half * n + 2 * (y % half);
+            for (int x = 0; x < half; ++x)
+                for (int c = 0; c < 3; ++c)
+                    coarse.image.texel(x, y)[c] = 0.25f * (fine.image.texel(2 * x, fineY)[c] + fine.image.texel(2 * x + 1, fineY)[c] +
+                                                           fine.image.texel(2 * x, fineY + 1)[c] + fine.image.texel(2 * x + 1, fineY + 1)[c]);
+        }
+        pyramid.levels.push_back(std::move(coarse));
+    }
     return pyramid;
 }
 

@@ -26,6 +26,12 @@ MapLayout levelLayout(const MapLayout& base, int level);
 /// @throws InvalidArgument for a layout out of range; Cancelled
 MipPyramid buildMipPyramid(const EnvironmentMap& map, const JobControl& job = {});
 
+/// The pyramid of a cube as gluBuild2DMipmaps and the drivers of 2002 made it: each face by itself, in boxes of 2 x 2 texels without weights,
+/// so that levels do not fit together at the edges of faces. It is what 002 section 3 warns of; for comparison only. An odd last row or
+/// column is dropped. A constant map stays constant.
+/// @throws InvalidArgument unless the map is a cube; Cancelled
+MipPyramid buildFacePyramid(const EnvironmentMap& cube, const JobControl& job = {});
+
 /// Trilinear lookup: bilinear and seamless in the two levels beside `level`, which is clamped to [0, last].
 glm::vec3 radiance(const MipPyramid& pyramid, const glm::dvec3& d, double level);
 

@@ -79,7 +79,10 @@ void Renderer::Resources::drawMesh(const RenderSettings& settings, const ShaderP
     shader.set("worldToClip", worldToClip(settings, buffer.bounds()));
     shader.set("viewer", settings.camera.viewer());
     shader.use();
+    if (settings.material.faceEdges == FaceEdges::Clamped)
+        glDisable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
     buffer.draw();
+    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
 }
 
 void Renderer::Resources::drawObject(const RenderSettings& settings, const RenderMaps& maps, Output output)
@@ -91,6 +94,7 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
                                          {"HAS_DIFFUSE", needed.diffuse ? "1" : "0"},
                                          {"FRESNEL", number(static_cast<int>(material.fresnel.kind))},
                                          {"COAT", material.combine == Combine::Coat ? "1" : "0"},
+                                         {"LAMBDA_BY_ANGLE", material.lambda > 0.0f && material.lambdaGrazing > 0.0f ? "1" : "0"},
                                          {"MARKER", hasMarker ? "1" : "0"},
                                          {"HAS_TEXCOORD", "0"}};
     addOutputDefines(defines, settings, output);
@@ -106,6 +110,7 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
         bindMap(shader, "specular", 0, *specular.texture(), mapRotation(settings), material.lodBias);
         shader.set("specularColor", material.specular);
         shader.set("lambda", material.lambda);
+        shader.set("lambdaGrazing", material.lambdaGrazing);
     }
     if (needed.diffuse) {
         bindMap(shader, "diffuse", 1, *diffuse.texture(), mapRotation(settings));
@@ -142,6 +147,7 @@ void Renderer::Resources::drawDebug(const RenderSettings& settings, const Render
     if (hasLevels) {
         bindMap(shader, "specular", 0, *specular.texture(), mapRotation(settings), settings.material.lodBias);
         shader.set("lambda", settings.material.lambda);
+        shader.set("lambdaGrazing", settings.material.lambdaGrazing);
     }
     shader.set("specularRotation", mapRotation(settings));
     shader.set("pixelRatio", settings.pixelRatio);

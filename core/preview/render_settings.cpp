@@ -26,6 +26,7 @@ void validate(const RenderSettings& settings)
     require(std::isfinite(settings.camera.distance) && settings.camera.distance > 0.0f, "camera distance must be greater than 0");
     require(settings.camera.fieldOfView > 0.0f && settings.camera.fieldOfView < 3.14f, "field of view must lie between 0 and 180 degrees");
     require(std::isfinite(settings.material.lambda) && settings.material.lambda >= 0.0f, "lambda must be 0 or more");
+    require(std::isfinite(settings.material.lambdaGrazing) && settings.material.lambdaGrazing >= 0.0f, "lambda grazing must be 0 or more");
     require(std::isfinite(settings.material.lodBias), "LOD bias must be finite");
     require(settings.material.anisotropy >= 1 && settings.material.anisotropy <= 16, "anisotropy must be 1 to 16");
     require(std::isfinite(settings.exposure) && std::abs(settings.exposure) <= 64.0f, "exposure must lie between -64 and 64 EV");

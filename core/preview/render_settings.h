@@ -31,6 +31,9 @@ enum class LookupSpace {
     Eye,   ///< the map turns with the camera, as a sphere map does that was photographed from the viewer's place (003 section 3.4.1)
 };
 
+/// What a lookup beside the edge of a cube map's face reads: across it, or the face's own last texels, as the hardware of 2002 did.
+enum class FaceEdges { Seamless, Clamped };
+
 /// How the object reflects. L_m is the specular map looked up by the mirror direction, times `specular`; L_d the diffuse map looked up by
 /// the normal, times `diffuse`. A colour of 0 leaves its map out: it is not uploaded and its shader code not built.
 struct MaterialSettings {
@@ -39,6 +42,8 @@ struct MaterialSettings {
     Fresnel fresnel{};                ///< F; None: F = 1
     Combine combine = Combine::Add;   ///< Add: F L_m + L_d; Coat: F L_m + (1 - F) L_d
     float lambda = 0.0f;              ///< least mip level of the specular lookup: max(lod + lodBias, lambda). Source: 002 section 2
+    float lambdaGrazing = 0.0f;       ///< how much sharper at grazing angles: lambdaAt() of core/shading/lambda.h
+    FaceEdges faceEdges = FaceEdges::Seamless;
     float lodBias = 0.0f;             ///< moves that level where lambda does not hold it
     int anisotropy = 1;               ///< most lookups along the longer side of a pixel's footprint, where the map has levels; 1 to 16
     LookupSpace space = LookupSpace::World;

@@ -63,6 +63,8 @@ RenderSettings renderSettings(const Scene& scene, const Plan& plan, std::shared_
                          .fresnel = plan.material.fresnel,
                          .combine = plan.material.combine,
                          .lambda = static_cast<float>(scene.material.lambda),
+                         .lambdaGrazing = static_cast<float>(scene.material.lambdaGrazing),
+                         .faceEdges = scene.map.mipFiltering == MipFiltering::PerFace ? FaceEdges::Clamped : FaceEdges::Seamless,
                          .lodBias = static_cast<float>(scene.material.lodBias),
                          .anisotropy = scene.map.anisotropy,
                          .space = scene.map.space == MapSpace::Eye ? LookupSpace::Eye : LookupSpace::World};

@@ -1,5 +1,7 @@
 #include "plan.h"
 
+#include "stage_cost.h"
+
 #include "../error.h"
 #include "../filter/source_file.h"
 #include "../image/mip_pyramid.h"
@@ -58,13 +60,26 @@ int sizeForBandLimit(Parameterization kind, int bandLimit)
     return size;
 }
 
+/// Where everything is made, nothing may turn out black or constant: a colour that no picture shows, and an index so high that F is 1.
+PlannedMaterial withNothingFolded(PlannedMaterial planned)
+{
+    constexpr double invisible = 1e-30;
+    planned.specular = glm::max(planned.specular, glm::dvec3(invisible));
+    planned.diffuse = glm::max(planned.diffuse, glm::dvec3(invisible));
+    if (planned.fresnel.kind == FresnelKind::None)
+        planned.fresnel = {.kind = FresnelKind::Dielectric, .index = 1e6};
+    return planned;
+}
+
 /// Which light the material takes in at all, in the order in which reasons rule it out.
-PlannedMaterial planMaterial(const Material& material)
+PlannedMaterial planMaterial(const Material& material, PlanExtent extent)
 {
     PlannedMaterial planned{.specular = material.specular.weight * material.specular.color,
                             .diffuse = material.diffuse.weight * material.diffuse.color,
                             .fresnel = fresnelTerm(material.fresnel),
                             .combine = material.combine};
+    if (extent == PlanExtent::Everything)
+        return withNothingFolded(planned);
     if (const auto f = constantReflectance(planned.fresnel)) {
         planned.specular *= *f;
         if (planned.combine == Combine::Coat)
@@ -83,7 +98,8 @@ public:
 
     Plan make(const PlanRequest& request)
     {
-        m_plan.material = planMaterial(m_scene.material);
+        m_extent = request.extent;
+        m_plan.material = planMaterial(m_scene.material, m_extent);
         if (request.picture)
             planPicture();
         if (request.exports)
@@ -93,7 +109,12 @@ public:
     }
 
 private:
-    void need(std::string name, std::string why) { m_later.push_back({.name = std::move(name), .why = std::move(why)}); }
+    bool makesAll() const { return m_extent == PlanExtent::Everything; }
+    int probeWidth() const { return 2 * latlongHeight(m_probe); }
+    void need(std::string name, std::string why, const StageCost& cost = {})
+    {
+        m_later.push_back({.name = std::move(name), .why = std::move(why), .expected = cost});
+    }
     void leaveOut(std::string name, std::string why)
     {
         m_later.push_back({.name = std::move(name), .leftOut = true, .why = std::move(why)});
@@ -115,7 +136,7 @@ private:
         return isBlack(material.diffuse.color) ? "diffuse colour is black" : "the coat mirrors everything: no light gets below it";
     }
 
-    PrefilterPlan predicted(const PrefilterOptions& filter) const { return planPrefilter(filter, {.width = 2 * latlongHeight(m_probe)}); }
+    PrefilterPlan predicted(const PrefilterOptions& filter) const { return planPrefilter(filter, {.width = probeWidth()}); }
 
     /// Adds the stages of one level and remembers what it takes. A map that never was to be filtered has no stage for that.
     void addLevel(MapPlan& map, const PrefilterOptions& filter, const std::string& name, const std::string& note = "",
@@ -128,7 +149,8 @@ private:
             const std::string how = prediction.method == Method::Spectral
                                         ? text("spectral, band limit ", prediction.bandLimit, " at most")
                                         : text(mirrorball::name(prediction.method));
-            need("filter " + name, text(describe(filter.lobe), " into ", sizeText(filter.target), ": ", how, note));
+            need("filter " + name, text(describe(filter.lobe), " into ", sizeText(filter.target), ": ", how, note),
+                 filteringCost(filter, probeWidth()));
         } else {
             if (!filter.lobe.isMirror() || !whyMirror.empty())
                 leaveOut("filter " + name, filter.lobe.isMirror() ? whyMirror : prediction.why);
@@ -136,7 +158,7 @@ private:
             if (same)
                 leaveOut("resample " + name, text("the probe already is ", sizeText(m_probe)));
             else
-                need("resample " + name, text(sizeText(m_probe), " to ", sizeText(filter.target), note));
+                need("resample " + name, text(sizeText(m_probe), " to ", sizeText(filter.target), note), resamplingCost(filter.target));
         }
     }
 
@@ -150,17 +172,19 @@ private:
     void planPicture()
     {
         const bool reads = readsMaterial();
-        if (reads || m_scene.view.shading == Shading::Mips)
+        if (reads || makesAll() || m_scene.view.shading == Shading::Mips)
             planSpecular();
         else
             leaveOut("specular map", whyNoMaterial());
-        if (reads)
+        if (reads || makesAll())
             planDiffuse();
         else
             leaveOut("irradiance map", whyNoMaterial());
         planBackground();
         if (!reads)
             leaveOut("fresnel term", whyNoMaterial());
+        else if (makesAll() && m_scene.material.fresnel.kind == FresnelKind::None)
+            need("fresnel term", "everything is asked for: evaluated at every pixel");
         else if (m_plan.material.fresnel.kind != FresnelKind::None)
             need("fresnel term", m_plan.material.fresnel.kind == FresnelKind::Dielectric
                                      ? text("index ", m_scene.material.fresnel.index, ": evaluated at every pixel")
@@ -173,7 +197,10 @@ private:
                                          : whyNoSpecular());
         if (!m_scene.material.sphereMap.source.empty())
             leaveOut("sphere map", "painted sphere maps are kept in the scene, but not shown yet");
-        if (m_plan.specular || m_plan.diffuse) {
+        planLambda();
+        if (makesAll()) {
+            planOthers();
+        } else if (m_plan.specular || m_plan.diffuse) {
             std::string others;
             for (const Parameterization p : allParameterizations)
                 if (p != m_scene.map.parameterization)
@@ -184,7 +211,32 @@ private:
             leaveOut("read mesh", text("the ", m_scene.view.geometry, " is built in"));
         else
             need("read mesh", m_scene.view.geometry);
-        need("draw", text(m_scene.view.geometry, ", ", m_scene.view.width, " x ", m_scene.view.height));
+        need("draw", text(m_scene.view.geometry, ", ", m_scene.view.width, " x ", m_scene.view.height),
+             drawingCost(m_scene.view.width, m_scene.view.height));
+    }
+
+    void planLambda()
+    {
+        const Material& material = m_scene.material;
+        const std::string stage = "lambda by angle";
+        if (!m_plan.specular || material.lambda == 0.0)
+            leaveOut(stage, "lambda is 0: no level is held");
+        else if (material.lambdaGrazing == 0.0)
+            leaveOut(stage, "lambda_grazing is 0: lambda is the same at every angle");
+        else
+            need(stage, text("lambda_grazing ", material.lambdaGrazing, ": evaluated at every pixel"));
+    }
+
+    void planOthers()
+    {
+        for (const Parameterization p : allParameterizations) {
+            if (p == m_scene.map.parameterization)
+                continue;
+            MapPlan map{.name = text(name(p), " map"), .pyramid = true};
+            const PrefilterOptions filter{.lobe = lobe(m_scene.material.specular), .target = {p, m_scene.map.size, 0}, .yaw = bakedYaw()};
+            addLevel(map, filter, map.name, "; everything is asked for");
+            m_plan.others.push_back(std::move(map));
+        }
     }
 
     /// The environment's yaw belongs to the picture's lookups, so that turning it makes no map anew; a map in eye space has no such turn.
@@ -202,7 +254,7 @@ private:
         PrefilterOptions filter{.lobe = lobe(m_scene.material.specular), .target = mapLayout(), .yaw = bakedYaw()};
         std::string note;
         const PrefilterPlan prediction = predicted(filter);
-        if (prediction.filtered && prediction.method == Method::Spectral) {
+        if (prediction.filtered && prediction.method == Method::Spectral && !makesAll()) {
             const MapLayout enough = withSize(filter.target, sizeForBandLimit(filter.target.kind, prediction.bandLimit));
             if (enough.size < filter.target.size)
                 note = text("; so smooth that size ", enough.size, " shows all of it, ", filter.target.size, " is left out");
@@ -211,14 +263,17 @@ private:
         addLevel(map, filter, map.name, note, "the surface is a mirror: it shows the environment itself");
         const double lambda = m_scene.material.lambda;
         const double bias = m_scene.material.lodBias;
-        map.pyramid = lambda > 0.0 || bias > 0.0 || m_scene.map.mips;
+        map.pyramid = lambda > 0.0 || bias > 0.0 || m_scene.map.mips || makesAll();
+        const bool perFace = m_scene.map.mipFiltering == MipFiltering::PerFace && filter.target.kind == Parameterization::Cube;
+        map.filtering = perFace ? MipFiltering::PerFace : MipFiltering::AcrossSeams;
         const std::string stage = "mip levels of specular map";
         if (map.pyramid)
             need(stage, text(lambda > 0.0  ? text("lambda ", lambda)
                              : bias > 0.0 ? text("LOD bias ", bias)
                                           : "asked for, where reflections shrink",
-                             ": ",
-                             plural(levelCount(filter.target), "level"), ", halved across seams"));
+                             ": ", plural(levelCount(filter.target), "level"),
+                             perFace ? ", each face halved by itself: seams will show" : ", halved across seams"),
+                 pyramidCost(filter.target));
         else
             leaveOut(stage, "lambda is 0: only the finest level is read");
         m_plan.specular = std::move(map);
@@ -231,7 +286,7 @@ private:
             return;
         }
         MapPlan map{.name = "irradiance map"};
-        addLevel(map, {.lobe = diffuseLobe(), .target = withSize(mapLayout(), irradianceSize), .yaw = bakedYaw()}, map.name);
+        addLevel(map, {.lobe = diffuseLobe(), .target = makesAll() ? mapLayout() : withSize(mapLayout(), irradianceSize), .yaw = bakedYaw()}, map.name);
         m_plan.diffuse = std::move(map);
     }
 
@@ -239,6 +294,11 @@ private:
     {
         const BackdropSettings& background = m_scene.view.background;
         MapPlan map{.name = "background"};
+        if (makesAll() && background.kind != Backdrop::Blurred) {
+            addLevel(map, {.lobe = ggxLobe(0.0), .target = m_probe}, map.name);
+            m_plan.background = std::move(map);
+            return;
+        }
         switch (background.kind) {
         case Backdrop::Color: leaveOut("background", "one colour: no map"); return;
         case Backdrop::None: leaveOut("background", "none: the picture is transparent beside the object"); return;
@@ -292,11 +352,11 @@ private:
             const bool held = holdsMips(target.fileName());
             map.pyramid = target.mips && held;
             if (map.pyramid)
-                need("mip levels of " + map.name, plural(levelCount(filter.target), "level"));
+                need("mip levels of " + map.name, plural(levelCount(filter.target), "level"), pyramidCost(filter.target));
             else
                 leaveOut("mip levels of " + map.name, target.mips ? target.fileName() + " holds none; .exr and .tif do" : "not asked for");
         }
-        need("save " + map.name, target.fileName());
+        need("save " + map.name, target.fileName(), savingCost(filter.target));
         m_plan.exports.push_back({std::move(map), target});
     }
 
@@ -311,10 +371,15 @@ private:
         } else {
             const std::vector<PrefilterOptions> filters = m_plan.filters();
             int filtered = 0, spectral = 0, bandLimit = 0;
+            StageCost transform;
             for (const PrefilterOptions& filter : filters) {
                 const PrefilterPlan prediction = predicted(filter);
                 filtered += prediction.filtered;
-                spectral += prediction.filtered && prediction.method == Method::Spectral;
+                if (prediction.filtered && prediction.method == Method::Spectral) {
+                    ++spectral;
+                    if (prediction.bandLimit >= bandLimit)
+                        transform = spectrumCost(filter, probeWidth());
+                }
                 bandLimit = std::max(bandLimit, prediction.filtered ? prediction.bandLimit : 0);
             }
             const bool large = std::int64_t{m_probe.width()} * m_probe.height() > streamedFrom;
@@ -325,9 +390,11 @@ private:
                 how += text("; each row is truncated to band limit ", bandLimit, " while it is read, which is exact");
             else if (large)
                 how += "; held whole, because not every map is filtered";
-            stages.push_back({.name = read, .why = how});
+            stages.push_back({.name = read, .why = how, .expected = readingCost(m_probe, builtin, streamed)});
             if (spectral > 0)
-                stages.push_back({.name = "spectrum", .why = text("one forward transform for ", plural(spectral, "lobe"))});
+                stages.push_back({.name = "spectrum",
+                                  .why = text("one forward transform for ", plural(spectral, "lobe")),
+                                  .expected = transform});
             else
                 stages.push_back({.name = "spectrum",
                                   .leftOut = true,
@@ -338,6 +405,7 @@ private:
 
     const Scene& m_scene;
     MapLayout m_probe;
+    PlanExtent m_extent = PlanExtent::Needed;
     Plan m_plan{};
     std::vector<Stage> m_later{};
 };
@@ -351,6 +419,8 @@ std::vector<PrefilterOptions> Plan::filters() const
     for (const auto* map : {&specular, &diffuse, &background})
         if (*map)
             add(**map);
+    for (const MapPlan& map : others)
+        add(map);
     for (const ExportPlan& planned : exports)
         add(planned.map);
     return all;
@@ -362,6 +432,7 @@ bool Plan::filtersAny() const
         return std::any_of(map.bandLimits.begin(), map.bandLimits.end(), [](size_t limit) { return limit > 0; });
     };
     return (specular && filters(*specular)) || (diffuse && filters(*diffuse)) || (background && filters(*background)) ||
+           std::any_of(others.begin(), others.end(), filters) ||
            std::any_of(exports.begin(), exports.end(), [&](const ExportPlan& planned) { return filters(planned.map); });
 }
 

@@ -27,6 +27,7 @@ struct MapPlan {
     std::string name{};                       ///< for stages: "specular map"
     std::vector<PrefilterOptions> filters{};  ///< a filtered level each, largest first; ggx with alpha = 0: the environment itself
     bool pyramid = false;                     ///< the levels below the first are its halvings
+    MipFiltering filtering = MipFiltering::AcrossSeams; ///< of the pyramid
     std::vector<size_t> bandLimits{};         ///< expected of each filter; 0: not filtered
     bool operator==(const MapPlan&) const = default;
 };
@@ -36,9 +37,16 @@ struct ExportPlan {
     ExportTarget target{};
 };
 
+/// How much a plan makes.
+enum class PlanExtent {
+    Needed,     ///< what the scene needs
+    Everything, ///< every stage as if none could be left out, at full sizes: what leaving out is measured against. The picture is the same.
+};
+
 struct PlanRequest {
     bool picture = true;                                ///< the maps that the view shows
     std::optional<std::vector<std::string>> exports{}; ///< names of exports; empty list: all of them; nothing: none
+    PlanExtent extent = PlanExtent::Needed;
 };
 
 struct Plan {
@@ -47,9 +55,10 @@ struct Plan {
     std::optional<MapPlan> specular{};
     std::optional<MapPlan> diffuse{};
     std::optional<MapPlan> background{};
+    std::vector<MapPlan> others{};      ///< PlanExtent::Everything: the specular map in every other parameterization; not shown
     std::vector<ExportPlan> exports{};
 
-    bool needsProbe() const { return specular || diffuse || background || !exports.empty(); }
+    bool needsProbe() const { return specular || diffuse || background || !others.empty() || !exports.empty(); }
     /// Every filter of the plan, for openFilterSource.
     std::vector<PrefilterOptions> filters() const;
     /// Whether any map is filtered; otherwise the probe is only resampled and no spectrum is needed.

@@ -2,6 +2,7 @@
 
 #include "../fields.h"
 #include "../filter/lobe.h"
+#include "../filter/method.h"
 #include "../image/color.h"
 #include "../shading/fresnel.h"
 #include "../sphere/parameterization.h"
@@ -67,6 +68,7 @@ struct MapSettings {
     int size = 512;
     int border = 0;
     bool mips = false;
+    MipFiltering mipFiltering = MipFiltering::AcrossSeams;
     int anisotropy = 1;
     MapSpace space = MapSpace::World;
     UnknownKeys unknown{};
@@ -79,6 +81,9 @@ struct MapSettings {
         visit(Field{"size", "edge of a face, disc or octahedron, or height of a latlong", 1, 16384, "texels"}, self.size);
         visit(Field{"border", "paraboloid: texels kept free outside each disc", 0, 4096, "texels"}, self.border);
         visit(Field{"mips", "coarser levels, read where a reflection shrinks: no shimmer on strongly curved parts"}, self.mips);
+        visit(Field{"mip_filtering", "cube with coarser levels: filtered across the seams of the faces, or each face by itself as the hardware of 2002 "
+                                     "did, which shows the seams"},
+              self.mipFiltering);
         visit(Field{"anisotropy", "with coarser levels: lookups along the longer side of a pixel's footprint, sharper at grazing angles", 1, 16},
               self.anisotropy);
         visit(Field{"space", "world: the environment stands still; eye: the map turns with the camera"}, self.space);
@@ -166,6 +171,7 @@ struct Material {
     Combine combine = Combine::Add;
     DiffuseSettings diffuse{};
     double lambda = 0.0;
+    double lambdaGrazing = 0.0;
     double lodBias = 0.0;
     SphereMapSettings sphereMap{};
     UnknownKeys unknown{};
@@ -180,6 +186,9 @@ struct Material {
               self.combine);
         visit(Field{"diffuse", "the matt part"}, self.diffuse);
         visit(Field{"lambda", "least mip level of the reflection: blurs it without filtering", 0, 16}, self.lambda);
+        visit(Field{"lambda_grazing", "with lambda: sharper where the surface is seen at a grazing angle; 1 as rough surfaces do, more exaggerates", 0,
+                    8},
+              self.lambdaGrazing);
         visit(Field{"lod_bias", "moves the mip level of the reflection by this much; lambda then holds it from below", -16, 16}, self.lodBias);
         visit(Field{"sphere_map", "a painted sphere map"}, self.sphereMap);
     }

@@ -85,7 +85,10 @@ std::vector<EnvironmentMap> buildMap(const MapPlan& plan, SceneProbe& probe, dou
                                     job, record));
     if (plan.pyramid)
         levels = timedStage(record.stages, "mip levels of " + plan.name,
-                            [&] { return std::move(buildMipPyramid(levels.front(), job).levels); });
+                            [&] {
+                                return plan.filtering == MipFiltering::PerFace ? std::move(buildFacePyramid(levels.front(), job).levels)
+                                                                               : std::move(buildMipPyramid(levels.front(), job).levels);
+                            });
     expose(levels, exposure);
     return levels;
 }
@@ -95,7 +98,10 @@ SceneMaps buildMaps(const Scene& scene, const Plan& plan, SceneProbe& probe, con
     const auto build = [&](const std::optional<MapPlan>& map) {
         return map ? std::make_shared<const std::vector<EnvironmentMap>>(buildMap(*map, probe, scene.probe.exposure, job, record)) : nullptr;
     };
-    return {.specular = build(plan.specular), .diffuse = build(plan.diffuse), .background = build(plan.background)};
+    SceneMaps maps{.specular = build(plan.specular), .diffuse = build(plan.diffuse), .background = build(plan.background)};
+    for (const MapPlan& map : plan.others)
+        maps.others.push_back(build(map));
+    return maps;
 }
 
 } // namespace mirrorball

@@ -49,6 +49,7 @@ struct SceneMaps {
     MapLevels specular{};
     MapLevels diffuse{};
     MapLevels background{};
+    std::vector<MapLevels> others{}; ///< of PlanExtent::Everything
 };
 
 SceneMaps buildMaps(const Scene& scene, const Plan& plan, SceneProbe& probe, const JobControl& job, WorkRecord& record);

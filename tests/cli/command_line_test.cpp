@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <fstream>
+#include <sstream>
 
 namespace mirrorball {
 namespace {
@@ -120,6 +121,33 @@ TEST(CommandLine, FiltersADiffuseMapOfAConstantToTheConstant)
         for (const float value : readImage(folder / "out.exr").texels)
             ASSERT_NEAR(value, 1.0f, 1e-6f) << kind;
     }
+}
+
+TEST(CommandLine, ExplainsAPlanAsATable)
+{
+    const TemporaryFolder folder;
+    const ProgramRun run =
+        mirrorballRuns("render --probe builtin:studio --geometry sphere --size 32x24 --lambda 2 --lambda-grazing 1 --explain -o " + quoted(folder / "o.png"));
+    ASSERT_EQ(run.status, 0) << run.err;
+    std::istringstream lines(run.out);
+    std::string head;
+    std::getline(lines, head);
+    EXPECT_EQ(head.find("stage"), 0u);
+    const size_t time = head.find("time") + 4, memory = head.find("memory") + 6, why = head.find("why");
+    ASSERT_NE(why, std::string::npos);
+    int rows = 0, withTime = 0;
+    for (std::string line; std::getline(lines, line); ++rows) {
+        ASSERT_GT(line.size(), why) << line;
+        EXPECT_EQ(line.substr(why - 2, 2), "  ") << line;
+        EXPECT_NE(line[why], ' ') << line;
+        EXPECT_TRUE(line.find("needed") != std::string::npos || line.find("left out") != std::string::npos) << line;
+        EXPECT_TRUE(line[time - 1] == ' ' || line.substr(time - 2, 2) == "ms" || line.substr(time - 2, 2) == " s") << line;
+        EXPECT_TRUE(line[memory - 1] == ' ' || line[memory - 1] == 'B' || line[memory - 1] == 's') << line;
+        withTime += line[time - 1] == 's';
+    }
+    EXPECT_GT(rows, 6);
+    EXPECT_GT(withTime, 2);
+    EXPECT_NE(run.out.find("lambda by angle"), std::string::npos);
 }
 
 // The tests' environment has no display: the GPU's method starts its own context.

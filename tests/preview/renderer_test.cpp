@@ -5,6 +5,7 @@
 
 #include "core/image/mip_pyramid.h"
 #include "core/shading/conductor.h"
+#include "core/shading/lambda.h"
 
 #include <cmath>
 #include <set>
@@ -259,6 +260,40 @@ TEST_F(RendererTest, LambdaIsAClampAndNotABias)
             ++coarser;
     }
     EXPECT_GT(coarser, 20);
+}
+
+// Every level its own value, so that the picture shows the level used.
+TEST_F(RendererTest, LambdaFallsTowardsGrazingAnglesAsTheTwinSays)
+{
+    std::vector<EnvironmentMap> levels;
+    for (int size = 256; size >= 1; size /= 2) {
+        const float value = float(levels.size());
+        levels.push_back(environmentFrom({Parameterization::Cube, size, 0}, [=](const glm::dvec3&) { return glm::vec3(value); }));
+    }
+    const MapLevels maps = std::make_shared<const std::vector<EnvironmentMap>>(levels);
+    RenderSettings settings = small(GeometryKind::Sphere);
+    settings.geometry.level = 64;
+    settings.background.kind = BackgroundKind::None;
+    settings.camera.distance = 2.6f;
+    Renderer renderer(TexelFormat::Float);
+    const Image free = renderer.renderRadiance(settings, {maps, {}, {}});
+    settings.material.lambda = 5.0f;
+    for (const float grazing : {0.0f, 1.0f, 2.0f}) {
+        settings.material.lambdaGrazing = grazing;
+        const Image picture = renderer.renderRadiance(settings, {maps, {}, {}});
+        const GeometryBuffers buffers = renderer.renderBuffers(settings);
+        int atGrazing = 0;
+        for (int y = 0; y < settings.height; ++y)
+            for (int x = 0; x < settings.width; ++x) {
+                if (!isInterior(buffers.position, x, y))
+                    continue;
+                const glm::dvec3 v = glm::normalize(glm::dvec3(settings.camera.eye()) - at(buffers.position, x, y));
+                const double c = glm::dot(at(buffers.normal, x, y), v);
+                ASSERT_NEAR(picture.texel(x, y)[0], std::max(double(free.texel(x, y)[0]), lambdaAt(5.0, grazing, c)), 2e-3) << grazing << ' ' << c;
+                atGrazing += c < 0.3;
+            }
+        EXPECT_GT(atGrazing, 50);
+    }
 }
 
 // The level follows the direction, which knows no seam: along a line across seams it may not jump.

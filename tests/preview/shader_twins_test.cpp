@@ -4,6 +4,7 @@
 #include "core/preview/texture.h"
 #include "core/shading/conductor.h"
 #include "core/shading/fresnel.h"
+#include "core/shading/lambda.h"
 
 #include <cmath>
 
@@ -64,6 +65,18 @@ TEST_F(ShaderTwins, FresnelOfConductors)
                 ASSERT_NEAR(results[i][c], expected[c], 5e-5) << "n " << index.n[c] << " k " << index.k[c] << " cos " << inputs[i].x;
         }
     }
+}
+
+TEST_F(ShaderTwins, LambdaByAngle)
+{
+    std::vector<glm::vec4> inputs;
+    for (int i = 0; i <= 400; ++i)
+        for (const float lambda : {0.0f, 2.5f, 7.0f})
+            for (const float grazing : {0.0f, 1.0f, 3.0f})
+                inputs.emplace_back(lambda, grazing, float(i) / 400.0f, 0.0f);
+    const auto results = evaluateGlsl("#include \"lib/lambda.glsl\"\nvec4 twin(vec4 x) { return vec4(lambdaAt(x.x, x.y, x.z)); }", inputs);
+    for (size_t i = 0; i < inputs.size(); ++i)
+        ASSERT_NEAR(results[i].x, lambdaAt(inputs[i].x, inputs[i].y, inputs[i].z), 2e-5) << inputs[i].x << ' ' << inputs[i].y << ' ' << inputs[i].z;
 }
 
 TEST_F(ShaderTwins, CoordinatesOfEveryMapping)

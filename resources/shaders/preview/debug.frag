@@ -15,7 +15,9 @@
 #define MAP_MIPS SPECULAR_MIPS
 #define MAP_ANISOTROPY SPECULAR_ANISOTROPY
 #include "lib/environment_map.glsl"
+#include "lib/lambda.glsl"
 uniform float lambda;
+uniform float lambdaGrazing;
 #endif
 #endif
 
@@ -67,7 +69,7 @@ void main()
     color = vec4(mix(light * charts[s.chart], vec3(1.0), line(abs(dot(s.across, d)) / slope, 2.0)), 1.0);
 #else
 #if HAS_SPECULAR
-    color = vec4(levelColor(specularLod(specularRotation * p.r, lambda)), 1.0);
+    color = vec4(levelColor(specularLod(specularRotation * p.r, lambdaAt(lambda, lambdaGrazing, p.c))), 1.0);
 #else
     color = vec4(vec3(0.1), 1.0);
 #endif

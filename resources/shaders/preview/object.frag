@@ -1,5 +1,6 @@
 // The material: a map looked up by reflection, a map looked up by normal, the Fresnel term between them. What a material lacks is
-// not compiled: HAS_SPECULAR, HAS_DIFFUSE (0 or 1), FRESNEL (0 none, 1 dielectric, 2 conductor), COAT (0 add, 1 coat), MARKER (0 or 1).
+// not compiled: HAS_SPECULAR, HAS_DIFFUSE (0 or 1), FRESNEL (0 none, 1 dielectric, 2 conductor), COAT (0 add, 1 coat), LAMBDA_BY_ANGLE and
+// MARKER (0 or 1).
 #include "lib/fresnel.glsl"
 #include "lib/output.glsl"
 #include "lib/surface_point.glsl"
@@ -15,7 +16,9 @@
 #include "lib/environment_map.glsl"
 uniform mat3 specularRotation; // world to map
 uniform vec3 specularColor;
+#include "lib/lambda.glsl"
 uniform float lambda;
+uniform float lambdaGrazing;
 #endif
 #if HAS_DIFFUSE
 #define MAP_RADIANCE diffuseRadiance
@@ -51,7 +54,12 @@ void main()
     SurfacePoint p = surfacePoint(viewer, worldPosition, worldNormal);
     vec3 mirrored = vec3(0.0), diffuse = vec3(0.0);
 #if HAS_SPECULAR
-    mirrored = specularColor * specularRadiance(specularRotation * p.r, lambda);
+#if LAMBDA_BY_ANGLE
+    float least = lambdaAt(lambda, lambdaGrazing, p.c);
+#else
+    float least = lambda;
+#endif
+    mirrored = specularColor * specularRadiance(specularRotation * p.r, least);
 #endif
 #if HAS_DIFFUSE
     diffuse = diffuseColor * diffuseRadiance(diffuseRotation * p.n, 0.0);

@@ -135,6 +135,42 @@ TEST(MipPyramid, TrilinearLookupMeetsTheLevelsAndIsClamped)
     }
 }
 
+/// 002 section 3: hardware of 2002 filters "mipmaps separately for each of the cube faces which produces noticeable seams".
+TEST(FacePyramid, KeepsEachFaceToItselfAndSoShowsTheSeams)
+{
+    const MapLayout layout{Parameterization::Cube, 64, 0};
+    EnvironmentMap cube(layout);
+    for (int y = 0; y < cube.image.height; ++y) // face by face another constant
+        std::fill_n(cube.image.row(y), 3 * 64, static_cast<float>(y / 64));
+    const MipPyramid faces = buildFacePyramid(cube);
+    ASSERT_EQ(faces.levels.size(), buildMipPyramid(cube).levels.size());
+    for (const auto& level : faces.levels)
+        for (int y = 0; y < level.image.height; ++y)
+            ASSERT_EQ(level.image.texel(0, y)[0], static_cast<float>(y / level.layout.size)) << "nothing crosses an edge";
+
+    // A sun beside the edge between +X and +Z: across seams it shines over the edge on every level, by face on none.
+    EnvironmentMap sun = constantMap(layout, 0.0f);
+    std::fill_n(sun.image.texel(0, 32), 3, 1000.0f);
+    const Texel over = acrossSeam(layout, {0, 32}, -1, 32);
+    ASSERT_NE(over.y / 64, 0);
+    const MipPyramid byFace = buildFacePyramid(sun), across = buildMipPyramid(sun);
+    for (size_t level = 1; level < 6; ++level) {
+        const int size = byFace.levels[level].layout.size;
+        const int x = over.x >> level, y = over.y / 64 * size + (over.y % 64 >> level);
+        EXPECT_EQ(byFace.levels[level].image.texel(x, y)[0], 0.0f);
+        EXPECT_GT(across.levels[level].image.texel(x, y)[0], 0.0f);
+    }
+}
+
+TEST(FacePyramid, KeepsAConstantAndTakesOnlyCubes)
+{
+    for (const int size : {1, 5, 16})
+        for (const auto& level : buildFacePyramid(constantMap({Parameterization::Cube, size, 0}, 3.0f)).levels)
+            for (const float t : level.image.texels)
+                ASSERT_EQ(t, 3.0f);
+    EXPECT_THROW(buildFacePyramid(constantMap({Parameterization::Latlong, 8, 0}, 1.0f)), InvalidArgument);
+}
+
 TEST(MipPyramid, StopsWhenAsked)
 {
     std::stop_source source;

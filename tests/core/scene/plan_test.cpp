@@ -219,6 +219,83 @@ TEST(Plan, IsMadeForEveryPresetInEveryParameterization)
         }
 }
 
+TEST(Plan, LambdaByAngleIsEvaluatedOnlyWhereAskedForAndWhereLambdaHoldsALevel)
+{
+    Scene scene;
+    scene.material.lambdaGrazing = 1.0;
+    expectLeftOut(makePlan(scene, probe), "lambda by angle", "lambda is 0");
+    scene.material.lambda = 3.0;
+    expectNeeded(makePlan(scene, probe), "lambda by angle", "lambda_grazing 1");
+    scene.material.lambdaGrazing = 0.0;
+    expectLeftOut(makePlan(scene, probe), "lambda by angle", "the same at every angle");
+}
+
+TEST(Plan, FacesAreHalvedByThemselvesWhereAskedForAndWhereThereAreFaces)
+{
+    Scene scene;
+    scene.material.lambda = 3.0;
+    scene.map.mipFiltering = MipFiltering::PerFace;
+    Plan plan = makePlan(scene, probe);
+    expectNeeded(plan, "mip levels of specular map", "seams will show");
+    EXPECT_EQ(plan.specular->filtering, MipFiltering::PerFace);
+    scene.map.parameterization = Parameterization::Octahedral;
+    plan = makePlan(scene, probe);
+    expectNeeded(plan, "mip levels of specular map", "halved across seams");
+    EXPECT_EQ(plan.specular->filtering, MipFiltering::AcrossSeams);
+}
+
+/// What a scene costs in all.
+StageCost total(const Plan& plan)
+{
+    StageCost sum;
+    for (const Stage& s : plan.stages)
+        if (!s.leftOut) {
+            sum.seconds += s.expected.seconds;
+            sum.bytes += s.expected.bytes;
+        }
+    return sum;
+}
+
+TEST(Plan, EverythingCanBeAskedForAndLeavesOutNothingThatAMapOrShaderCouldNeed)
+{
+    for (const MaterialPreset& preset : materialPresets()) {
+        Scene scene;
+        scene.material = preset.material;
+        const Plan all = makePlan(scene, probe, {.extent = PlanExtent::Everything}), needed = makePlan(scene, probe);
+        ASSERT_TRUE(all.specular && all.diffuse && all.background) << preset.name;
+        EXPECT_TRUE(all.specular->pyramid);
+        EXPECT_EQ(all.specular->filters.front().target.size, scene.map.size) << "no smaller for a smooth lobe";
+        EXPECT_EQ(all.diffuse->filters.front().target.size, scene.map.size);
+        EXPECT_EQ(all.others.size(), allParameterizations.size() - 1);
+        EXPECT_NE(all.material.fresnel.kind, FresnelKind::None);
+        EXPECT_FALSE(stage(all, "fresnel term").leftOut);
+        EXPECT_FALSE(stage(all, "spectrum").leftOut);
+        EXPECT_TRUE(needed.others.empty());
+        EXPECT_GT(total(all).seconds, total(needed).seconds) << preset.name;
+        EXPECT_GT(total(all).bytes, total(needed).bytes) << preset.name;
+    }
+}
+
+TEST(Plan, TellsWhatItsStagesAreExpectedToCost)
+{
+    Scene scene;
+    scene.material.specular = {.lobe = SurfaceLobe::Phong, .exponent = 50.0};
+    scene.material.diffuse.weight = 1.0;
+    scene.map.mips = true;
+    scene.exports = {{.name = "env", .kind = ExportKind::Source, .mips = true}};
+    const Plan plan = makePlan(scene, probe, {.exports = std::vector<std::string>{}});
+    for (const char* name : {"compute probe", "spectrum", "filter specular map", "mip levels of specular map", "filter irradiance map", "draw",
+                             "resample env", "mip levels of env", "save env"})
+        EXPECT_GT(stage(plan, name).expected.seconds, 0.0) << name;
+    // What a stage leaves behind: three floats a texel, and a third as much again for the levels below.
+    EXPECT_EQ(stage(plan, "filter irradiance map").expected.bytes, 64 * 384 * 12);
+    EXPECT_EQ(stage(plan, "mip levels of env").expected.bytes, 256 * 1536 * 12 / 3);
+    for (const Stage& s : plan.stages)
+        if (s.leftOut) {
+            EXPECT_EQ(s.expected, StageCost{}) << s.name << ": what is left out costs nothing";
+        }
+}
+
 TEST(Plan, ChecksTheSceneFirst)
 {
     Scene scene;

@@ -1,0 +1,69 @@
+#include "stage_cost.h"
+
+#include <algorithm>
+
+namespace mirrorball {
+
+namespace {
+
+double texels(const MapLayout& layout)
+{
+    return static_cast<double>(layout.width()) * layout.height();
+}
+
+constexpr int bytesATexel = 12; // three floats
+
+StageCost mapCost(const MapLayout& layout, double secondsATexel)
+{
+    return {secondsATexel * texels(layout), static_cast<std::int64_t>(bytesATexel * texels(layout))};
+}
+
+} // namespace
+
+StageCost readingCost(const MapLayout& probe, bool isBuiltin, bool isStreamed)
+{
+    StageCost cost = mapCost(probe, isBuiltin ? 2e-7 : 4e-8);
+    if (isStreamed)
+        cost.bytes = 0;
+    return cost;
+}
+
+StageCost spectrumCost(const PrefilterOptions& filter, int probeWidth)
+{
+    const PrefilterPlan first = planPrefilter(filter, {.width = probeWidth});
+    const PrefilterPlan again = planPrefilter(filter, {.width = probeWidth, .knownBandLimit = first.bandLimit});
+    const double coefficients = 0.5 * (first.bandLimit + 1.0) * (first.bandLimit + 2.0);
+    return {std::max(0.0, first.predictedSeconds - again.predictedSeconds), static_cast<std::int64_t>(48.0 * coefficients)};
+}
+
+StageCost filteringCost(const PrefilterOptions& filter, int probeWidth)
+{
+    const PrefilterPlan first = planPrefilter(filter, {.width = probeWidth});
+    const PrefilterPlan again = planPrefilter(filter, {.width = probeWidth, .knownBandLimit = first.bandLimit});
+    return {again.predictedSeconds, mapCost(filter.target, 0.0).bytes};
+}
+
+StageCost resamplingCost(const MapLayout& target)
+{
+    return mapCost(target, 1.5e-7);
+}
+
+StageCost pyramidCost(const MapLayout& base)
+{
+    const StageCost whole = mapCost(base, 2e-8);
+    return {whole.seconds, whole.bytes / 3};
+}
+
+StageCost savingCost(const MapLayout& map)
+{
+    return {3e-8 * texels(map), 0};
+}
+
+// Of the renderer without a GPU; its shaders take a fifth of a second to compile.
+StageCost drawingCost(int width, int height)
+{
+    const double pixels = static_cast<double>(width) * height;
+    return {0.2 + 5e-8 * pixels, static_cast<std::int64_t>(64.0 * pixels)};
+}
+
+} // namespace mirrorball

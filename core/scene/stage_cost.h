@@ -1,0 +1,23 @@
+#pragma once
+
+#include "../filter/prefilter.h"
+#include "../sphere/parameterization.h"
+#include "../stage.h"
+
+/// What the stages of a plan are expected to cost: a guide, right to a factor of two or three on one core of a current server, that says
+/// which stages are worth leaving out. Times come from the stages' own records (`--stats`), memory from what a stage leaves behind.
+namespace mirrorball {
+
+/// @param isStreamed  row by row, of which only the spectrum stays
+StageCost readingCost(const MapLayout& probe, bool isBuiltin, bool isStreamed);
+/// Forward transform of a probe to a band limit.
+StageCost spectrumCost(const PrefilterOptions& filter, int probeWidth);
+/// Filtering with the spectrum there already.
+StageCost filteringCost(const PrefilterOptions& filter, int probeWidth);
+StageCost resamplingCost(const MapLayout& target);
+/// The levels below the base.
+StageCost pyramidCost(const MapLayout& base);
+StageCost savingCost(const MapLayout& map);
+StageCost drawingCost(int width, int height);
+
+} // namespace mirrorball
