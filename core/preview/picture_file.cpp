@@ -1,5 +1,6 @@
 #include "picture_file.h"
 
+#include "display_transform.h"
 #include "mesh_file.h"
 #include "offscreen_context.h"
 #include "renderer.h"
@@ -44,7 +45,10 @@ void savePicture(const Scene& scene, const Plan& plan, const std::filesystem::pa
     std::shared_ptr<const Mesh> mesh;
     if (const auto file = meshFile(scene))
         mesh = timedStage(record.stages, "read mesh", [&] { return std::make_shared<const Mesh>(readMesh(*file, job)); });
-    const RenderSettings settings = renderSettings(scene, plan, std::move(mesh));
+    std::shared_ptr<const DisplayTransform> display;
+    if (const auto choice = displayChoice(scene); choice && !radiance)
+        display = timedStage(record.stages, "read display configuration", [&] { return displayTransform(*choice); });
+    const RenderSettings settings = renderSettings(scene, plan, std::move(mesh), std::move(display));
     SceneProbe probe = openProbe(scene, plan, job, record);
     const RenderMaps maps = renderMaps(buildMaps(scene, plan, probe, job, record));
     job.checkStop();
