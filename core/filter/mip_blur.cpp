@@ -49,17 +49,6 @@ glm::vec3 clampedTrilinear(const MipPyramid& pyramid, const glm::dvec3& d, doubl
     return fraction > 0.0f ? glm::mix(a, clampedLookup(pyramid.levels[fine + 1], d), fraction) : a;
 }
 
-EnvironmentMap halvedFaces(const EnvironmentMap& fine)
-{
-    EnvironmentMap coarse(MapLayout{Parameterization::Cube, fine.layout.size / 2, 0});
-    for (int y = 0; y < coarse.image.height; ++y)
-        for (int x = 0; x < coarse.image.width; ++x)
-            for (int c = 0; c < 3; ++c) // the faces' edges are even in every level, so that no box straddles two
-                coarse.image.texel(x, y)[c] = 0.25f * (fine.image.texel(2 * x, 2 * y)[c] + fine.image.texel(2 * x + 1, 2 * y)[c] +
-                                                       fine.image.texel(2 * x, 2 * y + 1)[c] + fine.image.texel(2 * x + 1, 2 * y + 1)[c]);
-    return coarse;
-}
-
 /// -ln k_1, the variance per axis of the blur as wide as the lobe.
 double lobeVariance(const Lobe& lobe)
 {
@@ -77,12 +66,7 @@ MipPyramid blurPyramid(const EnvironmentMap& cube, MipFiltering filtering, const
 {
     if (filtering == MipFiltering::AcrossSeams)
         return buildMipPyramid(cube, job);
-    MipPyramid pyramid{.levels = {cube}};
-    while (pyramid.levels.back().layout.size > 1) {
-        job.checkStop();
-        pyramid.levels.push_back(halvedFaces(pyramid.levels.back()));
-    }
-    return pyramid;
+    return buildFacePyramid(cube, job);
 }
 
 double blurVariance(double level, double h2)
@@ -144,6 +128,34 @@ std::vector<double> mipTransfer(double lambda, const MapLayout& environment, int
                            fraction * std::exp(rate * varianceAtWhole(whole + 1.0, h2)));
     }
     return transfer;
+}
+
+std::vector<double> mipScatter(double lambda, const MapLayout& environment, int bandLimit)
+{
+    const double h2 = meanSolidAngle(environment);
+    const double level = std::min(std::max(0.0, lambda), std::log2(static_cast<double>(environment.size)));
+    const double whole = std::floor(level), fraction = level - whole;
+    const auto atWhole = [&](double n, int l) {
+        const double h = std::exp2(n) * std::sqrt(h2), k = std::sqrt(l * (l + 1.0));
+        constexpr int headings = 8;
+        double scatter = 0.0;
+        for (int i = 0; i < headings; ++i) {
+            const double heading = 0.5 * pi * (i + 0.5) / headings;
+            double square = 1.0, mean = 1.0, box = 1.0;
+            for (const double t : {k * h * std::cos(heading), k * h * std::sin(heading)}) {
+                const double sinc = t > 1e-6 ? std::sin(0.5 * t) / (0.5 * t) : 1.0;
+                square *= 1.0 - (1.0 - std::cos(t)) / 3.0;
+                mean *= sinc * sinc;
+                box *= sinc;
+            }
+            scatter += box * box * std::max(0.0, square - mean * mean) / headings;
+        }
+        return scatter;
+    };
+    std::vector<double> result;
+    for (int l = 0; l <= bandLimit; ++l)
+        result.push_back((1.0 - fraction) * (1.0 - fraction) * atWhole(whole, l) + fraction * fraction * atWhole(whole + 1.0, l));
+    return result;
 }
 
 } // namespace mirrorball

@@ -46,4 +46,10 @@ EnvironmentMap mipBlur(const MipPyramid& pyramid, MipFiltering filtering, double
 /// What the blur does to the spectrum, degree by degree: mix of exp(-l(l+1) sigma^2/2) at the two levels beside lambda.
 std::vector<double> mipTransfer(double lambda, const MapLayout& environment, int bandLimit);
 
+/// How far the blur differs from its mean from place to place, since a level's texels stand where they stand: the variance of the transfer
+/// over places between the texels of size h. With boxes B(t) = sinc(t/2) of which a bilinear lookup mixes two an axis,
+///   mean over places B M,  M = sinc^2(t/2);   mean of squares B^2 (1 - (1 - cos t)/3);   t = h sqrt(l(l+1)) along the axis,
+/// averaged over headings; the two levels beside lambda taken as independent. It is what a sun shows, whose power falls in no degree.
+std::vector<double> mipScatter(double lambda, const MapLayout& environment, int bandLimit);
+
 } // namespace mirrorball

@@ -92,10 +92,11 @@ double mipError(const PrefilterOptions& options, const ProbeTraits& probe)
     const std::vector<double> k = legendreCoefficients(options.lobe, bandLimit);
     const MapLayout environment = environmentCube(probe.width), &target = options.target;
     const double natural = 0.5 * std::log2(6.0 * environment.size * environment.size / (static_cast<double>(target.width()) * target.height()));
-    const std::vector<double> h = mipTransfer(std::max(effectiveLambda(options, probe.width), natural), environment, bandLimit);
+    const double level = std::max(effectiveLambda(options, probe.width), natural);
+    const std::vector<double> h = mipTransfer(level, environment, bandLimit), scatter = mipScatter(level, environment, bandLimit);
     std::vector<double> difference;
     for (size_t l = 0; l < k.size(); ++l)
-        difference.push_back((h[l] - k[l]) * (h[l] - k[l]));
+        difference.push_back((h[l] - k[l]) * (h[l] - k[l]) + scatter[l]);
     return transferError(power(probe.spectrum, bandLimit), k, difference);
 }
 
