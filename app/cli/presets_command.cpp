@@ -2,7 +2,11 @@
 
 #include "core/image/builtin_probes.h"
 #include "core/image/map_file.h"
+#include "core/preview/offscreen_context.h"
+#include "core/preview/renderer.h"
+#include "core/preview/scene_settings.h"
 #include "core/scene/material_presets.h"
+#include "core/scene/scene_maps.h"
 #include "core/spheremap/contact_sheet.h"
 #include "core/spheremap/evaluate.h"
 #include "core/spheremap/presets.h"
@@ -47,16 +51,38 @@ Image sphereMapSheet(int size, const JobControl& job)
     return contactSheet(balls, sheetLayout(balls.size()).columns, 0.05f);
 }
 
+/// Every sphere map on a geometry.
+Image geometrySheet(const std::string& geometry, int size, const JobControl& job)
+{
+    const preview::OffscreenContext context;
+    preview::Renderer renderer;
+    std::vector<Image> pictures;
+    for (const SphereMapPreset& map : sphereMapPresets()) {
+        Scene scene;
+        scene.view.geometry = geometry;
+        scene.view.width = scene.view.height = size;
+        scene.view.camera.distance = 2.8;
+        scene.view.background.kind = Backdrop::None;
+        scene.material.sphereMap.source = map.name;
+        const Plan plan = makePlan(scene, probeLayout(scene));
+        WorkRecord record;
+        SceneProbe probe = openProbe(scene, plan, job, record);
+        pictures.push_back(renderer.renderRadiance(preview::renderSettings(scene, plan), preview::renderMaps(buildMaps(scene, plan, probe, job, record))));
+    }
+    return contactSheet(pictures, sheetLayout(pictures.size()).columns, 0.05f);
+}
+
 struct Options {
     bool json = false;
-    std::string sheet;
+    std::string sheet, geometry;
     int size = 256;
 };
 
 void run(const Options& o)
 {
     if (!o.sheet.empty()) {
-        writePictures(o.sheet, {sphereMapSheet(o.size, jobWithProgress("presets", 0))});
+        const JobControl job = jobWithProgress("presets", 0);
+        writePictures(o.sheet, {o.geometry.empty() ? sphereMapSheet(o.size, job) : geometrySheet(o.geometry, o.size, job)});
         return;
     }
     if (o.json) {
@@ -78,6 +104,7 @@ void addPresetsCommand(CLI::App& program)
     CLI::App* command = program.add_subcommand("presets", "List the built-in probes, materials and sphere maps");
     command->add_flag("--json", o->json, "as JSON");
     command->add_option("--sheet", o->sheet, "instead of the list, write a picture of all sphere maps to this file");
+    command->add_option("--geometry", o->geometry, "sheet: show them on a teapot, torus, sphere or box in place of balls");
     command->add_option("--size", o->size, "sheet: edge of one ball, in pixels")->check(CLI::Range(16, 2048));
     command->callback([o] { run(*o); });
 }

@@ -1,0 +1,93 @@
+#include "program.h"
+
+#include "core/image/image_io.h"
+#include "core/spheremap/evaluate.h"
+#include "core/spheremap/presets.h"
+#include "core/spheremap/sphere_map_file.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace mirrorball {
+namespace {
+
+using test::mirrorballRuns;
+using test::ProgramRun;
+using test::TemporaryFolder;
+
+std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
+
+TEST(PaintCommand, PaintsAPresetAsCoreEvaluatesIt)
+{
+    const TemporaryFolder folder;
+    const ProgramRun run = mirrorballRuns("paint cold-warm -o " + quoted(folder / "map.exr") + " --size 64");
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(run.out + run.err, "");
+    const Image map = readImage(folder / "map.exr"), expected = evaluate(findSphereMapPreset("cold-warm")->document, {.size = 64});
+    ASSERT_EQ(map.width, 64);
+    for (int i = 0; i < 64 * 64; ++i)
+        for (int c = 0; c < 3; ++c)
+            ASSERT_EQ(map.texels[static_cast<size_t>(3 * i + c)], expected.texels[static_cast<size_t>(4 * i + c)]);
+}
+
+TEST(PaintCommand, GivesTheSameBytesOnOneAndTwoThreads)
+{
+    const TemporaryFolder folder;
+    for (const char* threads : {"1", "2"})
+        ASSERT_EQ(mirrorballRuns("paint hatching -o " + quoted(folder / (std::string(threads) + ".exr")) + " --size 100 --threads " + threads).status, 0);
+    EXPECT_EQ(test::readBytes(folder / "1.exr"), test::readBytes(folder / "2.exr"));
+}
+
+TEST(PaintCommand, WritesHandMadeLevelsIntoOneFileOrOneFileEach)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(mirrorballRuns("paint silhouette -o " + quoted(folder / "s.exr") + " --size 64 --levels").status, 0);
+    EXPECT_EQ(openImage(folder / "s.exr")->info().levels, 7);
+    // A ring of three pixels is in every level: in that of 16 texels the third texel from the left is still dark.
+    EXPECT_LT(readLevel(folder / "s.exr", 2).texel(1, 8)[0], 0.05f);
+    EXPECT_GT(readLevel(folder / "s.exr", 2).texel(8, 8)[0], 0.95f);
+    ASSERT_EQ(mirrorballRuns("paint silhouette -o " + quoted(folder / "s.png") + " --size 8 --levels").status, 0);
+    for (int level = 0; level < 4; ++level)
+        EXPECT_EQ(readImage(folder / ("s." + std::to_string(level) + ".png")).width, 8 >> level);
+}
+
+TEST(PaintCommand, StartsADocumentFromAPreset)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(mirrorballRuns("paint toon-hero -o " + quoted(folder / "a.exr") + " --size 32 --save-document " + quoted(folder / "mine.spheremap")).status, 0);
+    ASSERT_EQ(mirrorballRuns("paint " + quoted(folder / "mine.spheremap") + " -o " + quoted(folder / "b.exr") + " --size 32").status, 0);
+    EXPECT_EQ(test::readBytes(folder / "a.exr"), test::readBytes(folder / "b.exr"));
+}
+
+TEST(PaintCommand, RefusesBadDocumentsInOneLineAndWritesNothing)
+{
+    const TemporaryFolder folder;
+    const std::string rest = " -o " + quoted(folder / "o.exr") + " --size 8";
+    const auto document = [&](const std::string& text) {
+        std::ofstream(folder / "d.spheremap") << text;
+        return "paint " + quoted(folder / "d.spheremap") + rest;
+    };
+    EXPECT_FAILS(mirrorballRuns("paint mona-lisa" + rest), 2, "cold-warm");
+    EXPECT_FAILS(mirrorballRuns("paint " + quoted(folder / "missing.spheremap") + rest), 2, "missing.spheremap");
+    EXPECT_FAILS(mirrorballRuns(document("{\"version\": 1, \"layers\": [{\"content\": {\"kind\": \"plasma\"}}]}")), 2, "plasma");
+    EXPECT_FAILS(mirrorballRuns(document("{\"version\": 1, \"layers\": [{\"opacity\": NaN}]}")), 2, "line 1");
+    EXPECT_FAILS(mirrorballRuns(document("{\"version\": 1, \"layers\": [{\"content\": {\"kind\": \"image\", \"source\": \"gone.exr\"}}]}")), 2, "gone.exr");
+    EXPECT_FAILS(mirrorballRuns("paint jade -o " + quoted(folder / "o.exr") + " --size 99999"), 2, "size");
+    EXPECT_FALSE(std::filesystem::exists(folder / "o.exr"));
+}
+
+TEST(PaintCommand, PresetsListTheSphereMapsAndShowThemOnASheet)
+{
+    const std::string list = mirrorballRuns("presets").out;
+    for (const SphereMapPreset& preset : sphereMapPresets())
+        EXPECT_NE(list.find(preset.name + "\tsphere-map\t" + preset.description + "\n"), std::string::npos) << preset.name;
+    EXPECT_GE(sphereMapPresets().size(), 20u);
+    const TemporaryFolder folder;
+    ASSERT_EQ(mirrorballRuns("presets --sheet " + quoted(folder / "sheet.png") + " --size 16").status, 0);
+    const Image sheet = readImage(folder / "sheet.png");
+    EXPECT_GE(static_cast<size_t>(sheet.width / 16 * (sheet.height / 16)), sphereMapPresets().size());
+}
+
+} // namespace
+} // namespace mirrorball
