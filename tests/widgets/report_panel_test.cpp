@@ -2,8 +2,12 @@
 
 #include "widget_driver.h"
 
+#include "core/image/builtin_probes.h"
+#include "core/image/image_io.h"
+#include "support/temporary_folder.h"
 #include "widgets/report_panel.h"
 
+#include <functional>
 #include <memory>
 
 using namespace mirrorball::studio;
@@ -16,18 +20,23 @@ namespace {
 
 constexpr int patience = 120000;
 
-Scene glossyScene()
+/// A probe and a map so small that every method is measured in a second or two.
+Scene glossyScene(const TemporaryFolder& folder)
 {
+    writeImage(folder / "room.exr", renderBuiltinProbe("cube-room", {Parameterization::Latlong, 32, 0}).image);
     Scene scene;
-    scene.probe.source = "builtin:cube-room";
+    scene.probe.source = (folder / "room.exr").string();
     scene.material.specular = {.lobe = SurfaceLobe::Phong, .exponent = 20.0};
-    scene.map.size = 16; // small, so that every method is measured in seconds
+    scene.map.size = 16;
     return scene;
 }
 
 struct ShownPanel {
-    explicit ShownPanel(const Scene& scene = glossyScene())
+    explicit ShownPanel(const std::function<void(Scene&)>& change = {})
     {
+        Scene scene = glossyScene(folder);
+        if (change)
+            change(scene);
         workspace.document.reset(scene);
         panel = std::make_unique<ReportPanel>(workspace);
         panel->resize(460, 640);
@@ -47,6 +56,7 @@ struct ShownPanel {
         return -1;
     }
 
+    TemporaryFolder folder;
     const QString tr = QStringLiteral("Methods are measured once the material has come to rest.");
     Workspace workspace;
     std::unique_ptr<ReportPanel> panel;
@@ -114,9 +124,7 @@ void ReportPanelTest::measuresAgainWhenTheLobeChangesAndOnlyThen()
 
 void ReportPanelTest::saysThatAMirrorIsNotFiltered()
 {
-    Scene scene = glossyScene();
-    scene.material.specular = {};
-    ShownPanel shown(scene);
+    ShownPanel shown([](Scene& scene) { scene.material.specular = {}; });
     QVERIFY(shown.isReady && shown.settle());
     QVERIFY(shown.panel->points().empty());
     QVERIFY2(shown.panel->statusText().contains(QStringLiteral("mirror")), qPrintable(shown.panel->statusText()));
