@@ -135,6 +135,12 @@ double importanceError(const PrefilterOptions& options, const ProbeTraits& probe
     return transferError(power(probe.spectrum, bandLimit), k, squaredError);
 }
 
+/// The spectrum that the spectral method filters: where bright texels are taken out, that of the rest. Null while it is not known.
+const std::shared_ptr<const Spectrum>& filteredSpectrum(const PrefilterOptions& options, const ProbeTraits& probe)
+{
+    return splitsBrightTexels(options.lobe) && !probe.streamed ? probe.calmSpectrum : probe.spectrum;
+}
+
 /// What the spectral method will do: the band limit from the lobe alone where that is short, else from the probe's power too.
 BandLimitPlan spectralPlan(const PrefilterOptions& options, const ProbeTraits& probe)
 {
@@ -142,7 +148,7 @@ BandLimitPlan spectralPlan(const PrefilterOptions& options, const ProbeTraits& p
     const BandLimitPlan plan = planBandLimit(k, options.tolerance);
     if (plan.bandLimit <= firstCoefficients / 2)
         return plan;
-    const auto& spectrum = splitsBrightTexels(options.lobe) && !probe.streamed ? probe.calmSpectrum : probe.spectrum;
+    const auto& spectrum = filteredSpectrum(options, probe);
     for (int length = firstCoefficients;; length *= 2) {
         const BandLimitPlan longer = planBandLimit(k, options.tolerance, power(spectrum, length));
         if (longer.predictedError <= 0.5 * options.tolerance || length >= 2 * largestBandLimit)
@@ -242,8 +248,9 @@ double predictedError(Method method, const PrefilterOptions& options, const Prob
     case Method::Reference: return floatRounding;
     case Method::Auto:
     case Method::Spectral: {
+        const auto& spectrum = filteredSpectrum(options, probe);
         return spectralError(spectralPlan(options, probe), options.target, options.tolerance,
-                             probe.spectrum ? probe.spectrum->powerAboutMean() : std::vector<double>{});
+                             spectrum ? spectrum->powerAboutMean() : std::vector<double>{});
     }
     case Method::Direct:
         return std::max(floatRounding, directTruncation(options.lobe, {.level = directLevel(options.tolerance)}));
