@@ -102,6 +102,8 @@ QWidget* SphereMapPanel::makeStart()
     text->setAlignment(Qt::AlignCenter);
     auto* fresh = new QPushButton(tr("New sphere map"));
     fresh->setObjectName(QStringLiteral("newSphereMap"));
+    fresh->setAccessibleName(tr("New sphere map"));
+    fresh->setToolTip(tr("Give the material a sphere map of its own, to paint and layer"));
     fresh->setDefault(true);
     connect(fresh, &QPushButton::clicked, this, [this] { m_editor.setMap(tr("New sphere map"), freshMap()); });
     auto* preset = new QPushButton(tr("Start from a preset"));
