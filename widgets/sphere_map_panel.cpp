@@ -108,10 +108,15 @@ QWidget* SphereMapPanel::makeStart()
     connect(fresh, &QPushButton::clicked, this, [this] { m_editor.setMap(tr("New sphere map"), freshMap()); });
     auto* preset = new QPushButton(tr("Start from a preset"));
     preset->setObjectName(QStringLiteral("presetSphereMap"));
+    preset->setAccessibleName(preset->text());
+    preset->setToolTip(tr("Copy a built-in sphere map into the material, to change it"));
     auto* presets = new QMenu(preset);
     addPresets(*presets);
     preset->setMenu(presets);
     auto* open = new QPushButton(tr("Open a file..."));
+    open->setObjectName(QStringLiteral("openSphereMap"));
+    open->setAccessibleName(open->text());
+    open->setToolTip(tr("Show a sphere map or recorded strokes from a file"));
     connect(open, &QPushButton::clicked, this, [this] {
         const QString path = QFileDialog::getOpenFileName(this, tr("Open a sphere map"), {}, tr("Sphere maps (*.spheremap *.strokes)"));
         if (!path.isEmpty())
