@@ -240,6 +240,7 @@ LayerList::LayerList(SphereMapEditor& editor, QWidget* parent)
 {
     setObjectName(QStringLiteral("layerList"));
     setAccessibleName(tr("Layers"));
+    setToolTip(tr("The layers, the topmost first: drag to reorder, double-click to rename"));
     setModel(m_model);
     setItemDelegate(new LayerDelegate(this));
     setDragDropMode(QAbstractItemView::InternalMove);

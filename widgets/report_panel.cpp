@@ -84,6 +84,7 @@ ReportPanel::ReportPanel(Workspace& workspace, QWidget* parent)
     m_status->setObjectName(QStringLiteral("report.status"));
     m_facts->setWordWrap(true);
     m_facts->setObjectName(QStringLiteral("report.facts"));
+    m_facts->setAccessibleName(tr("Facts of the chosen method"));
     m_facts->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_progress->setTextVisible(false);
     m_progress->setMaximumHeight(4);

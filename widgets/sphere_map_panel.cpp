@@ -102,14 +102,21 @@ QWidget* SphereMapPanel::makeStart()
     text->setAlignment(Qt::AlignCenter);
     auto* fresh = new QPushButton(tr("New sphere map"));
     fresh->setObjectName(QStringLiteral("newSphereMap"));
+    fresh->setAccessibleName(tr("New sphere map"));
+    fresh->setToolTip(tr("Give the material a sphere map of its own, to paint and layer"));
     fresh->setDefault(true);
     connect(fresh, &QPushButton::clicked, this, [this] { m_editor.setMap(tr("New sphere map"), freshMap()); });
     auto* preset = new QPushButton(tr("Start from a preset"));
     preset->setObjectName(QStringLiteral("presetSphereMap"));
+    preset->setAccessibleName(preset->text());
+    preset->setToolTip(tr("Copy a built-in sphere map into the material, to change it"));
     auto* presets = new QMenu(preset);
     addPresets(*presets);
     preset->setMenu(presets);
     auto* open = new QPushButton(tr("Open a file..."));
+    open->setObjectName(QStringLiteral("openSphereMap"));
+    open->setAccessibleName(open->text());
+    open->setToolTip(tr("Show a sphere map or recorded strokes from a file"));
     connect(open, &QPushButton::clicked, this, [this] {
         const QString path = QFileDialog::getOpenFileName(this, tr("Open a sphere map"), {}, tr("Sphere maps (*.spheremap *.strokes)"));
         if (!path.isEmpty())

@@ -135,18 +135,24 @@ double importanceError(const PrefilterOptions& options, const ProbeTraits& probe
     return transferError(power(probe.spectrum, bandLimit), k, squaredError);
 }
 
-/// What the spectral method will do: the band limit from the lobe alone where that is short, else from the probe's power too.
-BandLimitPlan spectralPlan(const PrefilterOptions& options, const ProbeTraits& probe)
+/// What the spectral method will do, and the spectrum it filters; null while that is not known. As settleBandLimit(): where the lobe's own
+/// band limit is short, the whole probe's; else the probe's own power counts, and bright texels are taken out for the lobes that ask for it.
+struct ExpectedSpectral {
+    BandLimitPlan plan{};
+    std::shared_ptr<const Spectrum> spectrum{};
+};
+
+ExpectedSpectral expectedSpectral(const PrefilterOptions& options, const ProbeTraits& probe)
 {
     std::vector<double> k = legendreCoefficients(options.lobe, firstCoefficients);
     const BandLimitPlan plan = planBandLimit(k, options.tolerance);
     if (plan.bandLimit <= firstCoefficients / 2)
-        return plan;
+        return {plan, probe.spectrum};
     const auto& spectrum = splitsBrightTexels(options.lobe) && !probe.streamed ? probe.calmSpectrum : probe.spectrum;
     for (int length = firstCoefficients;; length *= 2) {
         const BandLimitPlan longer = planBandLimit(k, options.tolerance, power(spectrum, length));
         if (longer.predictedError <= 0.5 * options.tolerance || length >= 2 * largestBandLimit)
-            return longer;
+            return {longer, spectrum};
         k = legendreCoefficients(options.lobe, 2 * length);
     }
 }
@@ -217,7 +223,7 @@ double predictedSeconds(Method method, const PrefilterOptions& options, const Pr
     switch (method) {
     case Method::Auto:
     case Method::Spectral: {
-        const double l = spectralPlan(options, probe).bandLimit;
+        const double l = expectedSpectral(options, probe).plan.bandLimit;
         return forward(l) + cost::inverseCubic * l * l * l + cost::inverseSquare * l * l + cost::inverseTexel * texels;
     }
     case Method::Reference: return cost::referenceTerm * sources * texels;
@@ -242,8 +248,9 @@ double predictedError(Method method, const PrefilterOptions& options, const Prob
     case Method::Reference: return floatRounding;
     case Method::Auto:
     case Method::Spectral: {
-        return spectralError(spectralPlan(options, probe), options.target, options.tolerance,
-                             probe.spectrum ? probe.spectrum->powerAboutMean() : std::vector<double>{});
+        const ExpectedSpectral expected = expectedSpectral(options, probe);
+        return spectralError(expected.plan, options.target, options.tolerance,
+                             expected.spectrum ? expected.spectrum->powerAboutMean() : std::vector<double>{});
     }
     case Method::Direct:
         return std::max(floatRounding, directTruncation(options.lobe, {.level = directLevel(options.tolerance)}));

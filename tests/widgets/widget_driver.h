@@ -41,7 +41,7 @@ inline QStringList unexplained(const QWidget& root)
         const bool isInner = widget->inherits("QAbstractScrollArea") ? false
                                                                      : widget->parentWidget() && (widget->parentWidget()->inherits("QAbstractSpinBox") || widget->parentWidget()->inherits("QComboBoxPrivateContainer") ||
                                                                                                   widget->parentWidget()->inherits("QComboBox"));
-        const bool isFrame = widget->inherits("QScrollArea") || widget->inherits("QSplitterHandle") || widget->inherits("QScrollBar");
+        const bool isFrame = widget->inherits("QScrollArea") || widget->inherits("QSplitterHandle") || widget->inherits("QScrollBar") || widget->inherits("QComboBoxListView"); // the list of a combo box is its own matter
         if (!isNamed && !isInner && !isFrame)
             names << QStringLiteral("%1 (%2)").arg(widget->objectName(), QString::fromLatin1(widget->metaObject()->className()));
     }

@@ -95,6 +95,19 @@ TEST(Prediction, AutoTakesWhatIsCheapest)
     EXPECT_LE(step.predictedError, 1e-5);
 }
 
+/// The spectrum of a sunlit probe, kept from an earlier lobe, must not stand for the calm part that is filtered here: auto would then leave
+/// milliseconds for the reference sum's minutes.
+TEST(Prediction, AutoStaysWithTheSpectrumUnderASunWhateverIsKnownOfIt)
+{
+    FilterSource source(renderBuiltinProbe("sky", {Parameterization::Latlong, 256, 0}));
+    const MapLayout cube{Parameterization::Cube, 64, 0};
+    for (const Lobe& lobe : {phongLobe(50), diffuseLobe(), ggxLobe(0.36), ggxLobe(0.01), phongLobe(1)}) {
+        const PrefilterOptions options{.lobe = lobe, .target = cube};
+        EXPECT_EQ(planPrefilter(options, traits(source)).method, Method::Spectral) << describe(lobe);
+        prefilter(source, {.lobe = lobe, .target = cube, .method = Method::Spectral});
+    }
+}
+
 TEST(Prediction, AutoNeverTakesWhatMissesTheTolerance)
 {
     for (const double tolerance : {0.5, 0.1, 1e-2, 1e-3, 1e-5, 1e-6})
