@@ -464,7 +464,7 @@ void ExportDialog::listTargets()
                                               QStringLiteral("%1 %2 × %3").arg(fieldText(name(layout.kind))).arg(layout.width()).arg(layout.height()), QString()});
             item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
             item->setCheckState(NameColumn, m_unchecked.contains(targetName) ? Qt::Unchecked : Qt::Checked);
-            item->setSizeHint(NameColumn, {0, fontMetrics().height() + 10});
+            item->setSizeHint(KindColumn, {0, fontMetrics().height() + 10}); // the column that stretches
             item->setTextAlignment(SizeColumn, Qt::AlignRight | Qt::AlignVCenter);
             m_list->addTopLevelItem(item);
         }
@@ -533,7 +533,7 @@ void ExportDialog::showEstimates(const std::vector<ExportEstimate>& estimates)
         if (found == m_estimates.end())
             continue;
         if (target && found->name == target->name)
-            m_files->setText(tr("%1, %2: about %3, of which %4 are texels before compression")
+            m_files->setText(tr("%1, %2: about %3; %4 of texels before compression")
                                  .arg(filesText(found->files.size()), found->levels == 1 ? tr("one level") : tr("%1 levels").arg(found->levels),
                                       toQString(byteText(found->fileBytes)), toQString(byteText(found->texelBytes))));
         if (item->checkState(NameColumn) == Qt::Checked) {

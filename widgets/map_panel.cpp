@@ -74,7 +74,7 @@ MapPanel::MapPanel(Workspace& workspace, QWidget* parent)
     m_readout->setAccessibleName(tr("Texel under the cursor"));
     m_readout->setTextFormat(Qt::PlainText);
     m_readout->setWordWrap(true);
-    m_readout->setMinimumHeight(2 * m_readout->fontMetrics().lineSpacing());
+    m_readout->setMinimumHeight(m_readout->fontMetrics().lineSpacing() * 2);
     m_readout->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_facts->setTextFormat(Qt::PlainText);
     m_facts->setWordWrap(true);
@@ -104,7 +104,7 @@ QToolButton* MapPanel::makeButton(const QString& icon, const QString& text, cons
     button->setObjectName(QStringLiteral("map.") + icon);
     button->setIcon(QIcon(QStringLiteral(":/icons/%1.svg").arg(icon)));
     button->setText(text);
-    button->setToolButtonStyle(button->icon().availableSizes().isEmpty() ? Qt::ToolButtonTextOnly : Qt::ToolButtonTextBesideIcon);
+    button->setIconSize({18, 18});
     button->setAccessibleName(text);
     button->setToolTip(help);
     button->setAutoRaise(true);
@@ -230,16 +230,17 @@ QWidget* MapPanel::makeViewRow()
     auto* first = new QHBoxLayout;
     first->addWidget(m_colors, 1);
     first->addWidget(m_tint, 1);
-    auto* second = new QHBoxLayout;
-    second->addWidget(m_grid);
-    second->addWidget(m_seams);
-    second->addWidget(fit);
-    second->addStretch(1);
+    first->addWidget(m_grid);
+    first->addWidget(m_seams);
+    first->addWidget(fit);
+    for (QComboBox* list : {m_colors, m_tint}) {
+        list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        list->setMinimumContentsLength(7);
+    }
     m_exposure = new NumberField({.low = -64, .high = 64, .sliderLow = -10, .sliderHigh = 10, .initial = 0.0, .step = 0.25, .unit = tr("EV")});
     m_exposure->setObjectName(QStringLiteral("map.exposure"));
     m_exposure->describe(tr("Map exposure"), tr("Brightness of the map here; in false colours it moves the scale"));
     layout->addLayout(first);
-    layout->addLayout(second);
     auto* exposure = new QHBoxLayout;
     exposure->addWidget(new QLabel(tr("Exposure")));
     exposure->addWidget(m_exposure, 1);
@@ -395,7 +396,7 @@ void MapPanel::showComparison()
             m_differenceView->showMap(c.difference, c.difference->layout);
             m_differenceView->setCaption(tr("difference"));
             m_differenceRange = c.range;
-            m_comparisonFacts = tr("%1 against %2: rel_rms %3, largest %4 of the mean square")
+            m_comparisonFacts = tr("%1 against %2: rel_rms %3, largest %4 × rms")
                                     .arg(fieldText(name(c.b->layout.kind)), fieldText(name(c.a->layout.kind)), figure(c.error.relRms),
                                          figure(c.error.maxAbs));
             applyColors();
@@ -478,7 +479,7 @@ void MapPanel::showFacts()
     QString text = layoutText(layout);
     if (layout != m_map->layout)
         text += tr(" of a %1").arg(layoutText(m_map->layout));
-    text += tr(", shown at %1 %").arg(QString::number(100.0 * m_view->zoom() / devicePixelRatioF(), 'f', 0));
+    text += tr(", shown at %1%").arg(QString::number(100.0 * m_view->zoom() / devicePixelRatioF(), 'f', 0));
     if (stage() == Stage::Error)
         text = m_workspace.methodError.description() + QLatin1Char('\n') + text;
     if (!m_comparisonFacts.isEmpty())

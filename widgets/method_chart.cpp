@@ -9,7 +9,6 @@
 #include <QToolTip>
 #include <QtCharts/QChart>
 #include <QtCharts/QLegend>
-#include <QtCharts/QLegendMarker>
 
 #include <algorithm>
 #include <array>
@@ -56,9 +55,7 @@ MethodChart::MethodChart(QWidget* parent)
     c->setBackgroundRoundness(0);
     c->setMargins(QMargins(2, 2, 6, 2));
     c->layout()->setContentsMargins(0, 0, 0, 0);
-    c->legend()->setAlignment(Qt::AlignTop);
-    c->legend()->setLabelColor(QColor(0xcc, 0xcc, 0xcc));
-    c->legend()->setMarkerShape(QLegend::MarkerShapeCircle);
+    c->legend()->hide(); // the table beside it has the methods in their colours
     for (QLogValueAxis* axis : {m_time, m_error}) {
         axis->setBase(10.0);
         axis->setMinorTickCount(0);
@@ -67,9 +64,13 @@ MethodChart::MethodChart(QWidget* parent)
         axis->setGridLineColor(QColor(0x38, 0x38, 0x38));
         axis->setLinePenColor(QColor(0x55, 0x55, 0x55));
         axis->setLabelFormat(QStringLiteral("%.0e"));
+        QFont small = axis->labelsFont();
+        small.setPointSizeF(0.85 * font().pointSizeF());
+        axis->setLabelsFont(small);
+        axis->setTitleFont(small);
     }
     m_time->setTitleText(tr("seconds"));
-    m_error->setTitleText(tr("rel_rms against the reference"));
+    m_error->setTitleText(tr("rel_rms"));
     c->addAxis(m_time, Qt::AlignBottom);
     c->addAxis(m_error, Qt::AlignLeft);
     const auto add = [&](QXYSeries* series) {
@@ -96,8 +97,6 @@ MethodChart::MethodChart(QWidget* parent)
     m_ring->setColor(Qt::transparent);
     m_ring->setBorderColor(Qt::white);
     add(m_ring);
-    for (QLegendMarker* marker : c->legend()->markers(m_ring))
-        marker->setVisible(false);
     fitAxes();
 }
 
@@ -153,8 +152,6 @@ void MethodChart::setPicked(int index)
         ring << valueOf(m_points[static_cast<size_t>(index)]);
     m_ring->replace(ring);
     m_ring->setVisible(!ring.isEmpty());
-    for (QLegendMarker* marker : chart()->legend()->markers(m_ring))
-        marker->setVisible(false);
 }
 
 std::optional<QPointF> MethodChart::positionOf(int index) const

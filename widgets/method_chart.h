@@ -28,7 +28,7 @@ public:
     /// Where a point is drawn, in the widget; nothing for one that was not measured.
     std::optional<QPointF> positionOf(int index) const;
 
-    QSize minimumSizeHint() const override { return {220, 160}; }
+    QSize minimumSizeHint() const override { return {200, 120}; }
 
 signals:
     void picked(int index);

@@ -56,7 +56,7 @@ QString cacheFolder()
 QString cachePath(const QString& source)
 {
     const QFileInfo file(source);
-    const QString key = QStringLiteral("1|%1|%2|%3|%4")
+    const QString key = QStringLiteral("2|%1|%2|%3|%4")
                             .arg(file.absoluteFilePath())
                             .arg(file.lastModified().toMSecsSinceEpoch())
                             .arg(file.size())
@@ -252,7 +252,7 @@ ProbeLibrary::Loaded ProbeLibrary::load(const QString& source, const JobControl&
     try {
         const ReducedProbe probe = reduceProbe(isFile ? toPath(source).string() : source.toStdString(), {.height = thumbnailHeight}, job);
         result.thumbnail = developed(thumbnailOf(probe, thumbnailHeight, {}, job));
-        result.facts = QStringLiteral("%1 %2 x %3").arg(toQString(name(probe.detection.layout.kind))).arg(probe.info.width).arg(probe.info.height);
+        result.facts = QStringLiteral("%1 %2 × %3").arg(toQString(name(probe.detection.layout.kind))).arg(probe.info.width).arg(probe.info.height);
         result.isCertain = probe.detection.certain;
     } catch (const Cancelled&) {
         throw;

@@ -410,7 +410,7 @@ void ProbesPanel::showSurvey(const ProbeSurvey& survey, const std::vector<std::p
     std::sort(m_kinds.begin(), m_kinds.end());
     m_isCertain = probe.detection.certain;
     std::vector<std::pair<QString, QString>> rows{
-        {tr("size"), QStringLiteral("%1 x %2").arg(probe.info.width).arg(probe.info.height)},
+        {tr("size"), QStringLiteral("%1 × %2").arg(probe.info.width).arg(probe.info.height)},
         {tr("kind"), QStringLiteral("%1: %2").arg(fieldText(name(probe.detection.layout.kind)), toQString(probe.detection.reason))},
         {tr("luminance"), rangeText(s)},
         {tr("mean"), shortNumberText(s.meanLuminance)},

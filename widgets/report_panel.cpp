@@ -8,6 +8,7 @@
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QVBoxLayout>
@@ -108,35 +109,52 @@ ReportPanel::ReportPanel(Workspace& workspace, QWidget* parent)
         button->setAccessibleName(button->text().remove(u'&'));
     m_table->setMinimumHeight(60);
 
-    m_splitter->setOrientation(Qt::Vertical);
-    m_splitter->setChildrenCollapsible(false);
-    m_splitter->addWidget(m_chart);
-    m_splitter->addWidget(m_table);
-    m_splitter->setStretchFactor(0, 3);
-    m_splitter->setStretchFactor(1, 2);
     auto* form = new OptionsForm(workspace.document);
     const auto isMethod = [](Method method) { return [method](const Scene& scene) { return scene.filter.method == method; }; };
     form->addFields("filter", [](auto& scene) -> auto& { return scene.filter; },
-                    {{"tolerance", {.sliderLow = 1e-7, .sliderHigh = 1e-1, .scale = Scale::Logarithmic}},
+                    {{"tolerance", {.isHidden = true}},
                      {"samples", {.isShown = isMethod(Method::Importance)}},
                      {"mip_filtering", {.label = tr("Mip filtering"), .isShown = isMethod(Method::Mip)}},
+                     {"paraboloid", {.label = tr("Kernels"), .isShown = isMethod(Method::Paraboloid)}},
                      {"paraboloid_clamp", {.label = tr("Clamp"), .isShown = isMethod(Method::Paraboloid)}},
-                     {"paraboloid_kernel", {.label = tr("Largest kernel"), .isShown = isMethod(Method::Paraboloid)}}});
+                     {"paraboloid_kernel", {.label = tr("Largest kernel"), .isShown = isMethod(Method::Paraboloid)}},
+                     {"paraboloid_half", {.label = tr("Half"), .isShown = isMethod(Method::Paraboloid)}},
+                     {"paraboloid_border", {.label = tr("Border"), .isShown = isMethod(Method::Paraboloid)}}});
+    addTolerance(*form);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_copy);
     buttons->addWidget(m_use);
     buttons->addStretch(1);
     buttons->addWidget(m_stop);
     buttons->addWidget(m_again);
+    auto* side = new QWidget;
+    auto* column = new QVBoxLayout(side);
+    column->setContentsMargins(0, 0, 4, 0);
+    column->setSpacing(6);
+    column->addWidget(m_status);
+    column->addWidget(m_progress);
+    column->addWidget(form);
+    column->addWidget(m_facts);
+    column->addLayout(buttons);
+    column->addStretch(1);
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(side);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setMinimumWidth(260);
+    scroll->setMinimumHeight(90);
+    // Side by side below the picture, one above the other in a narrow dock.
+    m_splitter->setChildrenCollapsible(false);
+    m_splitter->addWidget(m_chart);
+    m_splitter->addWidget(m_table);
+    m_splitter->addWidget(scroll);
+    m_splitter->setStretchFactor(0, 4);
+    m_splitter->setStretchFactor(1, 3);
+    m_splitter->setStretchFactor(2, 2);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
-    layout->setSpacing(6);
-    layout->addWidget(m_status);
-    layout->addWidget(m_progress);
-    layout->addWidget(m_splitter, 1);
-    layout->addWidget(m_facts);
-    layout->addWidget(form);
-    layout->addLayout(buttons);
+    layout->addWidget(m_splitter);
 
     connect(m_chart, &MethodChart::picked, this, &ReportPanel::pick);
     connect(m_table, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* item) {
@@ -161,7 +179,39 @@ ReportPanel::ReportPanel(Workspace& workspace, QWidget* parent)
 
 void ReportPanel::resizeEvent(QResizeEvent*)
 {
-    m_splitter->setOrientation(width() > 700 ? Qt::Horizontal : Qt::Vertical);
+    const Qt::Orientation orientation = width() > 640 ? Qt::Horizontal : Qt::Vertical;
+    if (orientation == m_splitter->orientation() && m_isArranged)
+        return;
+    m_isArranged = true;
+    m_splitter->setOrientation(orientation);
+    m_splitter->setSizes(orientation == Qt::Horizontal ? QList<int>{400, 360, 280} : QList<int>{300, 200, 170});
+}
+
+/// A list of decades: what a slider of such small numbers would be moved to anyway.
+void ReportPanel::addTolerance(OptionsForm& form)
+{
+    auto* tolerance = new QComboBox;
+    tolerance->setObjectName(QStringLiteral("filter.tolerance"));
+    tolerance->setAccessibleName(tr("Tolerance"));
+    tolerance->setToolTip(tr("Largest error of the map, rel_rms, that spectral, direct and hierarchical keep and auto plans for"));
+    for (const double value : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
+        tolerance->addItem(toQString(shortNumber(value)), value);
+    form.layout()->addRow(tr("Tolerance"), tolerance);
+    const auto show = [this, tolerance] {
+        const double value = m_workspace.document.scene().filter.tolerance;
+        int index = tolerance->findData(value);
+        if (index < 0) { // of a file that was written by hand
+            tolerance->addItem(toQString(shortNumber(value)), value);
+            index = tolerance->count() - 1;
+        }
+        tolerance->setCurrentIndex(index);
+    };
+    show();
+    connect(&m_workspace.document, &Document::changed, tolerance, show);
+    connect(tolerance, &QComboBox::activated, this, [this, tolerance] {
+        const double value = tolerance->currentData().toDouble();
+        m_workspace.document.edit(tr("Tolerance of the filter"), {}, [value](Scene& scene) { scene.filter.tolerance = value; });
+    });
 }
 
 void ReportPanel::showEvent(QShowEvent*)
@@ -357,7 +407,7 @@ void ReportPanel::showPicked()
     else if (point.setting.method == Method::Reference)
         text += tr("%1 for the whole map, by which the others are judged").arg(secondsText(point.seconds));
     else
-        text += tr("%1 (predicted %2), rel_rms %3 (predicted %4), largest %5 of the mean square. Its signed error is in the Map panel.")
+        text += tr("%1 (predicted %2), rel_rms %3 (predicted %4), largest %5 × rms. Its signed error is in the Map panel.")
                     .arg(secondsText(point.seconds), secondsText(point.predictedSeconds), shortNumberText(point.error.relRms),
                          shortNumberText(point.predictedError), shortNumberText(point.error.maxAbs));
     m_facts->setText(text);

@@ -2,6 +2,7 @@
 
 #include "job_runner.h"
 #include "method_chart.h"
+#include "options_form.h"
 #include "workspace.h"
 
 #include "core/report/method_race.h"
@@ -53,6 +54,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void addTolerance(OptionsForm& form);
     void follow();
     void start();
     void measureNext(size_t setting);
@@ -75,6 +77,7 @@ private:
     std::vector<RacePoint> m_points;
     Scene m_measured{}; ///< what the points are of
     bool m_isMeasuring = false;
+    bool m_isArranged = false; ///< the splitter has its first sizes
     int m_picked = -1;
 };
 

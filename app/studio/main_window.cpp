@@ -30,7 +30,7 @@ namespace mirrorball::studio {
 
 namespace {
 
-constexpr int layoutVersion = 1; ///< counts up when docks change so much that an old layout does not fit
+constexpr int layoutVersion = 2; ///< counts up when docks change so much that an old layout does not fit
 
 } // namespace
 
@@ -67,6 +67,8 @@ MainWindow::MainWindow(const QString& recoveryFolder, QWidget* parent)
     new ModelPainter(*m_preview, *m_workspace); // the preview's child
 
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks | GroupedDragging);
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea); // the docks at the sides have the window's whole height
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     addDocks();
     addMenus();
@@ -289,6 +291,7 @@ void MainWindow::arrange()
 {
     resize(1440, 900);
     resizeDocks({dock(QStringLiteral("probes")), dock(QStringLiteral("material"))}, {300, 340}, Qt::Horizontal);
+    resizeDocks({dock(QStringLiteral("plan"))}, {200}, Qt::Vertical);
     m_firstLayout = saveState(layoutVersion);
     const QSettings settings;
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());

@@ -242,7 +242,7 @@ double signedRange(const EnvironmentMap& difference)
     std::vector<float> values = sampledLuminances(difference);
     for (float& value : values)
         value = std::abs(value);
-    return std::max(quantile(values, 0.99), 1e-6);
+    return std::max(quantile(values, 0.95), 1e-6);
 }
 
 } // namespace mirrorball

@@ -85,7 +85,7 @@ struct LuminanceRange {
 };
 LuminanceRange luminanceRange(const EnvironmentMap& map);
 
-/// The largest |luminance| that all but 1 % of a difference's texels stay below; the end of its scale. 1e-6 at least.
+/// The largest |luminance| that all but 5 % of a difference's texels stay below; the end of its scale. 1e-6 at least.
 double signedRange(const EnvironmentMap& difference);
 
 } // namespace mirrorball

@@ -118,7 +118,7 @@ void ProbesPanelTest::tellsTheFactsOfTheProbe()
     ShownPanel shown;
     DropTarget target(*shown.panel, shown.workspace);
     target.open({QString::fromStdString((folder / "facts.exr").string())});
-    QTRY_VERIFY_WITH_TIMEOUT(shown.panel->factsText().contains(QStringLiteral("64 x 32")), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(shown.panel->factsText().contains(QStringLiteral("64 × 32")), patience);
     for (const char* fact : {"2:1, taken for a latlong", "1 NaN", "brightest 0.01 %", "beyond 65504"})
         QVERIFY2(shown.panel->factsText().contains(QLatin1String(fact)), qPrintable(shown.panel->factsText()));
 }
@@ -133,6 +133,7 @@ void ProbesPanelTest::takesAFileThatIsDropped()
     QCOMPARE(QString::fromStdString(window.document().scene().probe.source), file);
     QVERIFY(window->workspace().library.rowOf(file) >= 0);
     window.waitForPicture();
+    QTest::qWait(300);
     keepScreenshot(*window, QStringLiteral("window"));
     window->resize(1920, 1150);
     window.waitForPicture();
@@ -220,7 +221,7 @@ void ProbesPanelTest::readsAProbeAgainThatChangedOnDisk()
     QTRY_VERIFY_WITH_TIMEOUT(shown.workspace.live.isUpToDate() && shown.workspace.live.made()->environment->image.height == 32, patience);
     writeProbe(folder, "live.exr", "sky", {Parameterization::Latlong, 64, 0}); // written beside it and renamed into place
     QTRY_VERIFY_WITH_TIMEOUT(shown.workspace.live.made()->environment->image.height == 64, patience);
-    QTRY_VERIFY_WITH_TIMEOUT(shown.panel->factsText().contains(QStringLiteral("128 x 64")), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(shown.panel->factsText().contains(QStringLiteral("128 × 64")), patience);
     QFile::remove(file);
     QTRY_VERIFY_WITH_TIMEOUT(!shown.workspace.live.made()->problem.empty(), patience);
     writeProbe(folder, "live.exr", "sky");

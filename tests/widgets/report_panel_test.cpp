@@ -78,6 +78,8 @@ void ReportPanelTest::measuresEveryMethodOfTheMaterial()
     QCOMPARE(shown.panel->findChild<QTreeWidget*>(QStringLiteral("report.table"))->topLevelItemCount(),
              static_cast<int>(shown.panel->points().size()));
     keepScreenshot(*shown.panel, QStringLiteral("report"));
+    shown.panel->resize(820, 220);
+    keepScreenshot(*shown.panel, QStringLiteral("report-wide"));
 }
 
 void ReportPanelTest::aClickOnAPointChoosesTheMethod()
