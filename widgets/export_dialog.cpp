@@ -157,7 +157,7 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent)
     const QString beside = scene.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::PicturesLocation) + QStringLiteral("/maps")
                                            : QFileInfo(scene).absolutePath() + QStringLiteral("/maps");
     resize(sizeHint());
-    setMinimumSize(680, 520);
+    setMinimumSize(760, 520);
     m_folder->setText(QDir::toNativeSeparators(QSettings().value(QStringLiteral("export/folder"), beside).toString()));
     listTargets();
     selectRow(0);
@@ -183,7 +183,7 @@ QWidget* ExportDialog::makeList()
     m_list->header()->setSectionResizeMode(KindColumn, QHeaderView::Stretch);
     m_list->header()->setSectionResizeMode(LayoutColumn, QHeaderView::ResizeToContents);
     m_list->header()->setSectionResizeMode(SizeColumn, QHeaderView::ResizeToContents);
-    m_list->setMinimumWidth(360);
+    m_list->setMinimumWidth(400);
     auto* buttons = new QHBoxLayout;
     auto* add = new QPushButton(tr("&Add"));
     add->setObjectName(QStringLiteral("export.add"));

@@ -22,7 +22,7 @@ namespace {
 constexpr double longWait = 3.0; ///< seconds of filtering that nobody starts by a mere click
 constexpr int measuredSize = 64; ///< texels: small enough to measure every method while one waits
 
-enum Column { MethodColumn, SettingColumn, TimeColumn, ErrorColumn };
+enum Column { MethodColumn, TimeColumn, ErrorColumn, SettingColumn, ColumnCount };
 
 QString secondsText(double seconds)
 {
@@ -74,7 +74,7 @@ ReportPanel::ReportPanel(Workspace& workspace, QWidget* parent)
     m_table->setAccessibleName(tr("Methods"));
     m_table->setRootIsDecorated(false);
     m_table->setUniformRowHeights(true);
-    m_table->setHeaderLabels({tr("Method"), tr("Setting"), tr("Time"), tr("rel_rms")});
+    m_table->setHeaderLabels({tr("Method"), tr("Time"), tr("rel_rms"), tr("Setting")});
     m_table->header()->setStretchLastSection(false);
     m_table->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->header()->setSectionResizeMode(SettingColumn, QHeaderView::Stretch);
@@ -184,7 +184,7 @@ void ReportPanel::resizeEvent(QResizeEvent*)
         return;
     m_isArranged = true;
     m_splitter->setOrientation(orientation);
-    m_splitter->setSizes(orientation == Qt::Horizontal ? QList<int>{400, 360, 280} : QList<int>{300, 200, 170});
+    m_splitter->setSizes(orientation == Qt::Horizontal ? QList<int>{360, 340, 260} : QList<int>{300, 200, 170});
 }
 
 /// A list of decades: what a slider of such small numbers would be moved to anyway.
@@ -314,9 +314,9 @@ void ReportPanel::add(const RacePoint& point)
     m_points.push_back(point);
     const bool isMeasured = point.state == MeasurementState::Measured;
     const QSignalBlocker blocker(m_table);
-    auto* row = new Row(QStringList{fieldText(name(point.setting.method)), toQString(point.setting.label),
-                                    isMeasured ? secondsText(point.seconds) : stateText(point.state),
-                                    !isMeasured || point.setting.method == Method::Reference ? QString() : shortNumberText(point.error.relRms)});
+    auto* row = new Row(QStringList{fieldText(name(point.setting.method)), isMeasured ? secondsText(point.seconds) : stateText(point.state),
+                                    !isMeasured || point.setting.method == Method::Reference ? QString() : shortNumberText(point.error.relRms),
+                                    toQString(point.setting.label)});
     row->setData(MethodColumn, Qt::UserRole, static_cast<int>(m_points.size()) - 1);
     row->setData(TimeColumn, Qt::UserRole + 1, isMeasured ? point.seconds : 1e9);
     row->setData(ErrorColumn, Qt::UserRole + 1, isMeasured ? point.error.relRms : 1e9);
@@ -324,9 +324,9 @@ void ReportPanel::add(const RacePoint& point)
     row->setTextAlignment(ErrorColumn, Qt::AlignRight | Qt::AlignVCenter);
     row->setForeground(MethodColumn, isMeasured ? methodColor(point.setting.method) : palette().color(QPalette::PlaceholderText));
     if (!isMeasured)
-        for (int column = SettingColumn; column <= ErrorColumn; ++column)
+        for (int column = TimeColumn; column < ColumnCount; ++column)
             row->setForeground(column, palette().color(QPalette::PlaceholderText));
-    for (int column = MethodColumn; column <= ErrorColumn; ++column)
+    for (int column = MethodColumn; column < ColumnCount; ++column)
         row->setToolTip(column, toQString(point.why));
     m_table->addTopLevelItem(row);
     m_chart->setPoints(m_points);

@@ -138,7 +138,7 @@ void ExportDialogTest::namesTheFilesAndSizesBeforehand()
     const QString before = shown.dialog->estimateText();
     shown.find<QSpinBox>("export.size")->setValue(512);
     QTRY_VERIFY(shown.dialog->estimateText() != before);
-    shown.dialog->resize(680, 520);
+    shown.dialog->resize(760, 520);
     keepScreenshot(*shown.dialog, QStringLiteral("export-small"));
 }
 
