@@ -61,7 +61,7 @@ Image geometrySheet(const std::string& geometry, int size, const JobControl& job
         Scene scene;
         scene.view.geometry = geometry;
         scene.view.width = scene.view.height = size;
-        scene.view.camera.distance = 2.8;
+        scene.view.camera.distance = 3.3;
         scene.view.background.kind = Backdrop::None;
         scene.material.sphereMap.source = map.name;
         const Plan plan = makePlan(scene, probeLayout(scene));
