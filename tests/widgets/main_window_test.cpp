@@ -217,6 +217,7 @@ void MainWindowTest::aMissingProbeIsNamedAndAPlaceholderShown()
 void MainWindowTest::aMissingMeshIsNamedAndABoxShown()
 {
     StudioWindow window;
+    window.preview().setFixedSize(640, 360); // the notice's strip takes room from it
     window.show();
     window.document().edit(QStringLiteral("mesh"), {}, [](Scene& scene) { scene.view.geometry = "box"; });
     const QImage box = window.picture();
