@@ -16,7 +16,7 @@ namespace mirrorball {
 
 namespace {
 
-/// Seconds of one thread. Reproduce with `build/ci/bin/method_table --calibrate`.
+/// Seconds of one thread. `build/ci/bin/method_table methods` shows them beside what is measured.
 namespace cost {
 constexpr double referenceTerm = 5e-9;       // a texel of the probe under a texel of the target
 constexpr double directTexel = 2e-7, directTerm = 1.2e-8;
@@ -37,14 +37,21 @@ double usualPower(int l)
     return 3.0 / (l + 1.0);
 }
 
+/// What a degree holds at most in a probe without negative texels, the mean being 1: all of it in one direction.
+double largestPower(int l)
+{
+    return 2.0 * l + 1.0;
+}
+
 /// The power of each degree, 0 .. bandLimit: the probe's own where it is known, continued at the level of its last degrees.
-std::vector<double> power(const std::shared_ptr<const Spectrum>& spectrum, int bandLimit)
+/// @param unknown  stands for the power of degrees 1 and up of a probe that was not looked at
+std::vector<double> power(const std::shared_ptr<const Spectrum>& spectrum, int bandLimit, double (&unknown)(int))
 {
     std::vector<double> result;
     if (!spectrum) {
         result.push_back(1.0);
         for (int l = 1; l <= bandLimit; ++l)
-            result.push_back(usualPower(l));
+            result.push_back(unknown(l));
         return result;
     }
     result = spectrum->powerAboutMean();
@@ -83,7 +90,7 @@ double sh9Error(const PrefilterOptions& options, const ProbeTraits& probe)
     std::vector<double> missing;
     for (size_t l = 0; l < k.size(); ++l)
         missing.push_back(l > 2 ? k[l] * k[l] : 0.0);
-    return transferError(power(probe.spectrum, bandLimit), k, missing);
+    return transferError(power(probe.spectrum, bandLimit, largestPower), k, missing);
 }
 
 double mipError(const PrefilterOptions& options, const ProbeTraits& probe)
@@ -97,7 +104,7 @@ double mipError(const PrefilterOptions& options, const ProbeTraits& probe)
     std::vector<double> difference;
     for (size_t l = 0; l < k.size(); ++l)
         difference.push_back((h[l] - k[l]) * (h[l] - k[l]) + scatter[l]);
-    return transferError(power(probe.spectrum, bandLimit), k, difference);
+    return transferError(power(probe.spectrum, bandLimit, largestPower), k, difference);
 }
 
 /// The samples' mean transfer differs from the lobe's by their blur. About that mean they scatter: the spiral's points do not below
@@ -132,7 +139,7 @@ double importanceError(const PrefilterOptions& options, const ProbeTraits& probe
         const double bias = mean[l] / used - k[l];
         squaredError[l] = bias * bias + scatter[l] / used / count;
     }
-    return transferError(power(probe.spectrum, bandLimit), k, squaredError);
+    return transferError(power(probe.spectrum, bandLimit, largestPower), k, squaredError);
 }
 
 /// What the spectral method will do, and the spectrum it filters; null while that is not known. As settleBandLimit(): where the lobe's own
@@ -150,7 +157,7 @@ ExpectedSpectral expectedSpectral(const PrefilterOptions& options, const ProbeTr
         return {plan, probe.spectrum};
     const auto& spectrum = splitsBrightTexels(options.lobe) && !probe.streamed ? probe.calmSpectrum : probe.spectrum;
     for (int length = firstCoefficients;; length *= 2) {
-        const BandLimitPlan longer = planBandLimit(k, options.tolerance, power(spectrum, length));
+        const BandLimitPlan longer = planBandLimit(k, options.tolerance, power(spectrum, length, usualPower));
         if (longer.predictedError <= 0.5 * options.tolerance || length >= 2 * largestBandLimit)
             return {longer, spectrum};
         k = legendreCoefficients(options.lobe, 2 * length);

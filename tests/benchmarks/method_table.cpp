@@ -88,14 +88,6 @@ EnvironmentMap exactMap(const EnvironmentMap& probe, PrefilterOptions options)
     return prefilter(source, options, oneThread).map;
 }
 
-/// The error predicted once the probe's spectrum is known.
-double informedPrediction(const EnvironmentMap& probe, const PrefilterOptions& options)
-{
-    FilterSource source(probe);
-    source.spectrum(256, oneThread);
-    return predictedError(options.method, options, traits(source));
-}
-
 struct Setting {
     Method method;
     double tolerance = 1e-3;
@@ -143,7 +135,8 @@ void printMethods(const std::vector<NamedProbe>& all)
                     continue; // minutes
                 const Measured m = measure(probe.map, options, exactMap(probe.map, options), 3);
                 const double seconds = predictedSeconds(s.method, options, {.width = probe.map.image.width});
-                const double error = informedPrediction(probe.map, options);
+                FilterSource source(probe.map);
+                const double error = informedError(m.outcome, options, source, oneThread);
                 std::printf("%-11s %-20s %11.3g %11.3g %7.2f %11.3g %11.3g %7.2f\n", describe(lobe).c_str(),
                             (describe(s) + (s.target == cube16 ? " *" : "")).c_str(), m.seconds, seconds, m.seconds / seconds, m.relRms, error,
                             m.relRms / error);
