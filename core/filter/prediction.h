@@ -38,7 +38,7 @@ std::string refusal(Method method, const PrefilterOptions& options, const ProbeT
 
 /// What a method is expected to take, in seconds of one thread of a current server, and to miss, as rel_rms. Calibrated on the 1k probes of the
 /// test data: the seconds within a factor of 2.5 of what `build/ci/bin/method_table methods` measures and prints beside them, the error
-/// within a factor of 6 for the methods that approximate, once the probe's spectrum is known (tests/core/filter/prediction_test.cpp).
+/// within a factor of 2.5 for the methods that approximate (mip: 4), once the probe's spectrum is known (tests/core/filter/prediction_test.cpp).
 /// Of the methods that hold a tolerance it is an upper bound, and so it is of the others while the spectrum is not known: a probe may be
 /// all sun. The seconds then are those of a usual photograph.
 double predictedSeconds(Method method, const PrefilterOptions& options, const ProbeTraits& probe);
