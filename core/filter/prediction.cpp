@@ -31,12 +31,6 @@ constexpr double sh9Texel = 8e-8;
 /// rel_rms of a map stored as floats.
 constexpr double floatRounding = 3e-8;
 
-/// Power per degree that a usual photograph has about its mean, the mean itself being 1: suns make it flat, skies and rooms do not.
-double usualPower(int l)
-{
-    return 3.0 / (l + 1.0);
-}
-
 /// What a degree holds at most in a probe without negative texels, the mean being 1: all of it in one direction.
 double largestPower(int l)
 {
@@ -173,8 +167,8 @@ double importanceError(const PrefilterOptions& options, const ProbeTraits& probe
     return transferError(power(probe.spectrum, bandLimit, largestPower), k, squaredError);
 }
 
-/// What the spectral method will do, and the spectrum it filters; null while that is not known. As settleBandLimit(): where the lobe's own
-/// band limit is short, the whole probe's; else the probe's own power counts, and bright texels are taken out for the lobes that ask for it.
+/// What the spectral method will do, and the spectrum it filters; null while that is not known. As settleBandLimit(): where the lobe
+/// settles the band limit, the whole probe's; else the probe's own power counts, and bright texels are taken out for the lobes that ask for it.
 struct ExpectedSpectral {
     BandLimitPlan plan{};
     std::shared_ptr<const Spectrum> spectrum{};
@@ -184,7 +178,7 @@ ExpectedSpectral expectedSpectral(const PrefilterOptions& options, const ProbeTr
 {
     std::vector<double> k = legendreCoefficients(options.lobe, firstCoefficients);
     const BandLimitPlan plan = planBandLimit(k, options.tolerance);
-    if (plan.bandLimit <= firstCoefficients / 2)
+    if (isSettled(plan, k, options.tolerance))
         return {plan, probe.spectrum};
     const auto& spectrum = splitsBrightTexels(options.lobe) && !probe.streamed ? probe.calmSpectrum : probe.spectrum;
     for (int length = firstCoefficients;; length *= 2) {
