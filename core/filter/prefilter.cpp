@@ -158,7 +158,7 @@ PrefilterPlan cheapestPlan(const PrefilterOptions& options, const ProbeTraits& p
     };
     std::vector<Candidate> candidates;
     for (const Method method : allMethods)
-        if (method != Method::Auto && method != Method::Paraboloid && refusal(method, options, probe).empty())
+        if (method != Method::Auto && refusal(method, options, probe).empty())
             candidates.push_back({method, predictedSeconds(method, options, probe)});
     std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.seconds < b.seconds; });
 
@@ -222,6 +222,17 @@ PrefilterOutcome prefilter(FilterSource& source, const PrefilterOptions& options
                                        : lookUp(*source.latlong(), options.target, options.yaw, job);
     });
     return outcome;
+}
+
+double informedError(const PrefilterOutcome& outcome, const PrefilterOptions& options, FilterSource& source, const JobControl& job)
+{
+    const Method method = outcome.method;
+    if (!outcome.filtered || (method != Method::Importance && method != Method::Mip && method != Method::Sh9))
+        return outcome.predictedError;
+    constexpr int enough = 256; // beyond it a spectrum goes on at the level of its last degrees
+    if (source.latlong())
+        source.spectrum(enough, job);
+    return predictedError(method, options, traits(source));
 }
 
 double chainRoughness(int level, int levels)
