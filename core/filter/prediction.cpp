@@ -214,8 +214,6 @@ std::string refusal(Method method, const PrefilterOptions& options, const ProbeT
     const bool needsTexels = method != Method::Auto && method != Method::Spectral && method != Method::Sh9;
     if (probe.streamed && needsTexels)
         return who + "needs the whole probe in memory; use auto or spectral";
-    if (method == Method::Paraboloid && !probe.hasParaboloidDevice)
-        return who + "runs on a GPU and none was given; use another method";
     // A lobe that needs no filtering is looked up whatever the method.
     if (method == Method::Paraboloid && !options.lobe.isMirror() && !isUnresolved(options.lobe, probe.width))
         return paraboloidRefusal(options.lobe, resolved(options.knobs.paraboloid, probe.width / 2));
@@ -269,7 +267,7 @@ double predictedSeconds(Method method, const PrefilterOptions& options, const Pr
     }
     case Method::Sh9: return forward(sh9BandLimit) + cost::sh9Texel * texels;
     case Method::Paraboloid:
-        return paraboloidSeconds(options.lobe, resolved(options.knobs.paraboloid, probe.width / 2), probe.width, static_cast<int>(texels));
+        return (probe.hasParaboloidDevice ? 1.0 : 2.0) * paraboloidSeconds(options.lobe, resolved(options.knobs.paraboloid, probe.width / 2), probe.width, static_cast<int>(texels));
     }
     return 0.0;
 }

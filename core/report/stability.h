@@ -62,7 +62,7 @@ struct StabilityRow {
 
 /// Runs one method through one case and judges the outcome: finite, within the tolerance, energy kept, a constant kept to 1e-6, not
 /// negative.
-/// @param device  for the paraboloid method; null: it refuses
+/// @param device  for the paraboloid method; null: the CPU
 /// @throws Cancelled
 StabilityRow runStability(const StabilityCase& test, Method method, const JobControl& job = {},
                           std::shared_ptr<ParaboloidDevice> device = nullptr);

@@ -2,21 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <memory>
-
 namespace mirrorball {
 namespace {
-
-/// The GPU's twin in double, which core has; the tests of the preview hold the two together.
-class TwinOfTheDevice : public ParaboloidDevice {
-public:
-    std::vector<glm::vec3> sum(const ParaboloidHalves& halves, std::span<const glm::dvec3> directions, const JobControl& job) override
-    {
-        const std::vector<glm::dvec3> sums = paraboloidSum(halves, directions, job);
-        return {sums.begin(), sums.end()};
-    }
-    std::string description() override { return "a CPU"; }
-};
 
 /// Every case of DESIGN 8 that concerns filtering, with every method: done as promised, or refused with a reason that names the method.
 class Stability : public ::testing::TestWithParam<Method> {};
@@ -26,7 +13,7 @@ TEST_P(Stability, HoldsInEveryCase)
     const Method method = GetParam();
     int ran = 0;
     for (const StabilityCase& test : stabilityCases()) {
-        const StabilityRow row = runStability(test, method, {.threads = 1}, std::make_shared<TwinOfTheDevice>());
+        const StabilityRow row = runStability(test, method, {.threads = 1});
         if (!row.refused.empty()) {
             EXPECT_NE(row.refused.find(name(method)), std::string::npos) << row.refused;
             continue;
