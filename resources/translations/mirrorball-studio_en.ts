@@ -4494,6 +4494,26 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <source>What stands behind the object</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Dragging so turns the environment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift and right drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl and left drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl and middle drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Turn the environment by</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>mirrorball::studio::ViewPanel</name>
