@@ -331,7 +331,7 @@ QWidget* SphereMapPanel::makeLayersPage()
         m_editor.editLayer(tr("Change blend mode"), {}, [&](Layer& layer) { layer.blend = static_cast<BlendMode>(index); });
     });
     m_opacity = new NumberField({.initial = 1.0, .digits = 3});
-    m_opacity->setObjectName(QStringLiteral("opacity"));
+    m_opacity->setObjectName(QStringLiteral("layerOpacity")); // a brush and a fill have an "opacity" too
     m_opacity->describe(tr("Layer opacity"), tr("How much of the layer shows"));
     connect(m_opacity, &NumberField::edited, this, [this](double value) {
         m_editor.editLayer(tr("Change opacity"), QStringLiteral("opacity"), [&](Layer& layer) { layer.opacity = value; });
