@@ -56,9 +56,19 @@ PreviewWidget::PreviewWidget(Workspace& workspace, QWidget* parent) : QOpenGLWid
             update();
         }
     });
+    connect(&m_workspace.sphereMap, &SphereMapEditor::levelsChanged, this, [this](const std::vector<TexelRect>& touched) {
+        for (std::vector<TexelRect>* rects : {&m_strokeLevels, &m_freshLevels}) {
+            rects->resize(std::max(rects->size(), touched.size()));
+            for (size_t i = 0; i < touched.size(); ++i)
+                (*rects)[i] = (*rects)[i].united(touched[i]);
+        }
+    });
     connect(&m_workspace.live, &LiveScene::updated, this, [this] {
-        if (!m_workspace.sphereMap.isPainting() && m_workspace.live.isUpToDate())
+        if (!m_workspace.sphereMap.isPainting() && m_workspace.live.isUpToDate()) {
             m_strokeRect = m_freshRect = {};
+            m_strokeLevels.clear();
+            m_freshLevels.clear();
+        }
     });
     connect(&m_workspace.live, &LiveScene::updated, this, qOverload<>(&QWidget::update));
     connect(&m_workspace.document, &Document::changed, this, [this](Parts parts) {
@@ -165,24 +175,40 @@ void PreviewWidget::patchSphereMap(const PreparedScene& made)
         draw(*m_renderer, made, {.framebuffer = defaultFramebufferObject(), .clip = preview::PixelRectangle{0, 0, 1, 1}});
         m_shownSphereMap = chain;
         m_freshRect = m_strokeRect;
+        m_freshLevels = m_strokeLevels;
     }
     if (m_freshRect.empty())
         return;
-    TexelRect rect = m_freshRect;
-    Image part = cutOut(picture, rect);
-    m_renderer->patchSphereMap(part, rect.x0, rect.y0, 0);
-    for (int level = 1; level < static_cast<int>(chain->levels.size()); ++level) {
+    m_renderer->patchSphereMap(cutOut(picture, m_freshRect), m_freshRect.x0, m_freshRect.y0, 0);
+    patchLevels(*chain, m_freshRect);
+    m_freshRect = {};
+    m_freshLevels.clear();
+}
+
+void PreviewWidget::patchLevels(const SphereMapTexels& chain, const TexelRect& fresh)
+{
+    if (chain.hasAuthoredLevels) {
+        const std::vector<Image>& levels = m_workspace.sphereMap.coarserLevels();
+        for (size_t i = 0; i < std::min(m_freshLevels.size(), levels.size()); ++i)
+            if (const TexelRect& rect = m_freshLevels[i];
+                !rect.empty() && i + 1 < chain.levels.size() && levels[i].width == chain.levels[i + 1].width)
+                m_renderer->patchSphereMap(cutOut(levels[i], rect), rect.x0, rect.y0, static_cast<int>(i) + 1);
+        return;
+    }
+    const Image& picture = m_workspace.sphereMap.picture();
+    TexelRect rect = fresh;
+    Image part;
+    for (int level = 1; level < static_cast<int>(chain.levels.size()); ++level) {
         const TexelRect even{rect.x0 & ~1, rect.y0 & ~1, (rect.x1 + 1) & ~1, (rect.y1 + 1) & ~1};
         const Image finer = level == 1 ? cutOut(picture, even.intersected({0, 0, picture.width, picture.height})) : std::move(part);
         if (level > 1 && even != rect)
             break; // the coarsest levels wait for the end of the stroke
         rect = {even.x0 / 2, even.y0 / 2, even.x1 / 2, even.y1 / 2};
-        if (rect.x1 > chain->levels[static_cast<size_t>(level)].width || rect.y1 > chain->levels[static_cast<size_t>(level)].width)
+        if (rect.x1 > chain.levels[static_cast<size_t>(level)].width || rect.y1 > chain.levels[static_cast<size_t>(level)].width)
             break;
         part = averaged(finer);
         m_renderer->patchSphereMap(part, rect.x0, rect.y0, level);
     }
-    m_freshRect = {};
 }
 
 void PreviewWidget::paintComparison(const PreparedScene& made)

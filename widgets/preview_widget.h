@@ -12,6 +12,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace mirrorball::studio {
 
@@ -73,6 +74,7 @@ private:
     preview::RenderSettings settings(const PreparedScene& made) const;
     void draw(preview::Renderer& renderer, const PreparedScene& made, const preview::Destination& destination);
     void patchSphereMap(const PreparedScene& made);
+    void patchLevels(const SphereMapTexels& chain, const TexelRect& fresh);
     void paintComparison(const PreparedScene& made);
     void drag(const QPointF& moved);
     void point();
@@ -85,6 +87,8 @@ private:
     SphereMapChain m_shownSphereMap; ///< that the last picture read
     TexelRect m_strokeRect;          ///< where a stroke that is being drawn has changed the sphere map since it was made
     TexelRect m_freshRect;           ///< the part of it that the texture does not hold yet
+    std::vector<TexelRect> m_strokeLevels; ///< the same of the coarser levels, where they are made by hand
+    std::vector<TexelRect> m_freshLevels;
     std::shared_ptr<const PreparedScene> m_snapshot;
     Comparison m_comparison = Comparison::Off;
     std::optional<Comparison> m_beforeHold{}; ///< while the key is held that shows the snapshot
