@@ -1,5 +1,6 @@
 #include "export_dialog.h"
 
+#include "disconnect_children.h"
 #include "text.h"
 
 #include "core/scene/export_command.h"
@@ -163,6 +164,11 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent)
     selectRow(0);
     estimate();
     showCommand();
+}
+
+ExportDialog::~ExportDialog()
+{
+    disconnectChildren(*this);
 }
 
 QWidget* ExportDialog::makeList()

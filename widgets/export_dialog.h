@@ -31,6 +31,7 @@ class ExportDialog : public QDialog {
 
 public:
     explicit ExportDialog(Workspace& workspace, QWidget* parent = nullptr);
+    ~ExportDialog() override;
 
     void setFolder(const QString& folder);
     QString folder() const;

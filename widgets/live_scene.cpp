@@ -11,7 +11,7 @@ namespace mirrorball::studio {
 namespace {
 
 /// Maps while a control is dragged: soft enough to be made between two frames, and near enough to judge by.
-constexpr MapDetail coarse{.largestSize = 128, .tolerance = 1e-3, .seconds = 0.015};
+constexpr MapDetail coarse{.largestSize = 128, .tolerance = 1e-3, .texelsPerLobe = 6.0, .probeItselfUpTo = 4.0};
 
 /// The scene without what maps and plan do not depend on: a camera that moves makes nothing anew.
 Scene mapsOnly(Scene scene)

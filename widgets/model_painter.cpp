@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mirrorball::studio {
 
@@ -81,8 +82,13 @@ void ModelPainter::showRing()
         m_ring->show({});
         return;
     }
+    if (m_isPainting) { // a look at the model waits for the picture that is being drawn; while the pen moves the ring goes with it
+        m_ring->show(m_ring->outline().translated(*m_cursor - std::exchange(m_ringAt, *m_cursor)));
+        return;
+    }
+    m_ringAt = m_brushBefore ? m_pressed : *m_cursor;
     const Brush& brush = editor.brush();
-    m_ring->show(outlineAt(m_brushBefore ? m_pressed : *m_cursor),
+    m_ring->show(outlineAt(m_ringAt),
                  m_brushBefore ? tr("radius %1, hardness %2").arg(brush.radius, 0, 'f', 3).arg(brush.hardness, 0, 'f', 2) : QString());
 }
 

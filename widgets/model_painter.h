@@ -41,6 +41,7 @@ private:
     BrushRing* m_ring;  ///< the preview's child
     QTimer m_ringTimer; ///< a moving mouse looks at the model this often
     std::optional<QPointF> m_cursor{};
+    QPointF m_ringAt{}; ///< where the ring stands
     bool m_isPainting = false;
     bool m_isPicking = false;
     bool m_penIsDown = false;

@@ -1,5 +1,7 @@
 #include "number_field.h"
 
+#include "disconnect_children.h"
+
 #include <QApplication>
 #include <QHBoxLayout>
 #include <QLocale>
@@ -139,6 +141,11 @@ NumberField::NumberField(const NumberStyle& style, QWidget* parent)
     connect(m_box, &NumberBox::stepped, this, &NumberField::finishSoon);
     connect(m_box, &QDoubleSpinBox::editingFinished, this, &NumberField::finished);
     setValue(style.initial);
+}
+
+NumberField::~NumberField()
+{
+    disconnectChildren(*this);
 }
 
 void NumberField::setValue(double value)

@@ -65,6 +65,7 @@ class NumberField : public QWidget {
 
 public:
     explicit NumberField(const NumberStyle& style, QWidget* parent = nullptr);
+    ~NumberField() override;
 
     double value() const { return m_value; }
     /// Shows a value; says nothing to anybody.

@@ -1,17 +1,14 @@
 #include "preview_widget.h"
 
-#include "core/error.h"
 #include "core/preview/scene_settings.h"
 
-#include <QElapsedTimer>
 #include <QMouseEvent>
-#include <QOpenGLContext>
 #include <QPainter>
-#include <QSurfaceFormat>
 #include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mirrorball::studio {
 
@@ -19,24 +16,28 @@ namespace {
 
 constexpr double degreesPerPixel = 0.4;
 constexpr int wipeGrip = 6; ///< pixels to either side of the line
-constexpr float differenceGain = 4.0f;
+constexpr int patchGrid = 16; ///< texels: what a stroke touched is taken in whole squares, so that four coarser levels are exact
+
+TexelRect onGrid(const TexelRect& rect, int size)
+{
+    const auto up = [size](int x) { return std::min((x + patchGrid - 1) / patchGrid * patchGrid, size); };
+    return {rect.x0 / patchGrid * patchGrid, rect.y0 / patchGrid * patchGrid, up(rect.x1), up(rect.y1)};
+}
+
+Image cutOut(const Image& picture, const TexelRect& rect)
+{
+    Image part(rect.width(), rect.height(), 4);
+    for (int y = 0; y < part.height; ++y)
+        std::copy_n(picture.texel(rect.x0, rect.y0 + y), static_cast<size_t>(part.width) * 4, part.row(y));
+    return part;
+}
 
 } // namespace
 
-QSurfaceFormat previewFormat()
+PreviewWidget::PreviewWidget(Workspace& workspace, QWidget* parent) : QWidget(parent), m_workspace(workspace)
 {
-    QSurfaceFormat format;
-    format.setRenderableType(QSurfaceFormat::OpenGL);
-    format.setVersion(4, 5);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(0); // the renderer has targets of its own
-    format.setStencilBufferSize(0);
-    return format;
-}
-
-PreviewWidget::PreviewWidget(Workspace& workspace, QWidget* parent) : QOpenGLWidget(parent), m_workspace(workspace)
-{
-    setFormat(previewFormat());
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setObjectName(QStringLiteral("preview"));
@@ -53,7 +54,7 @@ PreviewWidget::PreviewWidget(Workspace& workspace, QWidget* parent) : QOpenGLWid
         if (m_workspace.sphereMap.isPainting() || !m_strokeRect.empty()) {
             m_strokeRect = m_strokeRect.united(touched);
             m_freshRect = m_freshRect.united(touched);
-            update();
+            redraw();
         }
     });
     connect(&m_workspace.sphereMap, &SphereMapEditor::levelsChanged, this, [this](const std::vector<TexelRect>& touched) {
@@ -70,63 +71,17 @@ PreviewWidget::PreviewWidget(Workspace& workspace, QWidget* parent) : QOpenGLWid
             m_freshLevels.clear();
         }
     });
-    connect(&m_workspace.live, &LiveScene::updated, this, qOverload<>(&QWidget::update));
+    connect(&m_workspace.live, &LiveScene::updated, this, &PreviewWidget::redraw);
     connect(&m_workspace.document, &Document::changed, this, [this](Parts parts) {
         if (parts & (Part::View | Part::Probe))
-            update();
+            redraw();
     });
-    connect(&m_workspace.document, &Document::dragFinished, this, qOverload<>(&QWidget::update));
+    connect(&m_workspace.document, &Document::dragFinished, this, &PreviewWidget::redraw);
     connect(&m_workspace.cursor, &DirectionCursor::moved, this, [this] {
         if (!m_isPointing)
-            update();
+            redraw();
     });
-}
-
-namespace {
-
-Image cutOut(const Image& picture, const TexelRect& rect)
-{
-    Image part(rect.width(), rect.height(), 4);
-    for (int y = 0; y < part.height; ++y)
-        std::copy_n(picture.texel(rect.x0, rect.y0 + y), static_cast<size_t>(part.width) * 4, part.row(y));
-    return part;
-}
-
-/// Every 2 x 2 texels become one.
-Image averaged(const Image& finer)
-{
-    Image coarse(finer.width / 2, finer.height / 2, 4);
-    for (int y = 0; y < coarse.height; ++y)
-        for (int x = 0; x < coarse.width; ++x)
-            for (int c = 0; c < 4; ++c)
-                coarse.texel(x, y)[c] = 0.25f * (finer.texel(2 * x, 2 * y)[c] + finer.texel(2 * x + 1, 2 * y)[c] +
-                                                 finer.texel(2 * x, 2 * y + 1)[c] + finer.texel(2 * x + 1, 2 * y + 1)[c]);
-    return coarse;
-}
-
-} // namespace
-
-PreviewWidget::~PreviewWidget()
-{
-    releaseGL();
-}
-
-void PreviewWidget::initializeGL()
-{
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &PreviewWidget::releaseGL);
-    m_renderer = std::make_unique<preview::Renderer>();
-}
-
-void PreviewWidget::releaseGL()
-{
-    if (!m_renderer)
-        return;
-    makeCurrent();
-    m_renderer.reset();
-    m_shownSphereMap.reset();
-    m_snapshotRenderer.reset();
-    m_difference = {};
-    doneCurrent();
+    connect(&m_thread, &RenderThread::drawn, this, &PreviewWidget::show);
 }
 
 QSize PreviewWidget::deviceSize() const
@@ -151,119 +106,128 @@ preview::RenderSettings PreviewWidget::settings(const PreparedScene& made) const
     preview::RenderSettings settings = preview::renderSettings(shown, made.plan, made.mesh, made.display);
     settings.pixelRatio = static_cast<float>(devicePixelRatioF());
     if (m_workspace.document.isDragging())
-        settings.samples = 1; // smooth edges follow when the drag ends
+        settings.samples = m_dragSamples;
     if (const auto& direction = m_workspace.cursor.direction(); direction && !m_isPointing)
         settings.marker = glm::vec3(*direction);
     return settings;
 }
 
-void PreviewWidget::draw(preview::Renderer& renderer, const PreparedScene& made, const preview::Destination& destination)
+// Whatever changes in one moment - a value, its maps, the end of a drag - is drawn once.
+void PreviewWidget::redraw()
 {
-    renderer.drawDisplay(settings(made), preview::renderMaps(made.maps), destination);
+    if (m_isDue)
+        return;
+    m_isDue = true;
+    QMetaObject::invokeMethod(this, &PreviewWidget::order, Qt::QueuedConnection);
 }
 
-// A stroke that is being drawn goes straight into the texture, only where it touched; when it is done, the scene's maps hold it.
-void PreviewWidget::patchSphereMap(const PreparedScene& made)
+void PreviewWidget::order()
+{
+    m_isDue = false;
+    const std::shared_ptr<const PreparedScene> made = m_workspace.live.made();
+    if (!made || !isVisible())
+        return; // the first maps, or being shown, ask again
+    PictureOrder order{.made = made, .settings = settings(*made), .comparison = m_comparison};
+    if (m_comparison != Comparison::Off) {
+        order.snapshot = m_snapshot;
+        order.snapshotSettings = settings(*m_snapshot);
+        order.wipe = static_cast<int>(std::lround(m_wipe * order.settings.width));
+    }
+    order.number = m_ordered.number;
+    if (!patchSphereMap(*made) && order == m_ordered)
+        return; // it is being drawn, or shown
+    ++order.number;
+    m_isDrawing = true;
+    m_ordered = order;
+    m_thread.draw(std::move(order));
+}
+
+// A map that was made while a stroke goes on knows nothing of the stroke: it gets all of it.
+/// @return whether there was something new
+bool PreviewWidget::patchSphereMap(const PreparedScene& made)
 {
     const SphereMapChain chain = made.maps.sphereMaps.empty() ? nullptr : made.maps.sphereMaps.front();
-    const Image& picture = m_workspace.sphereMap.picture();
-    if (!chain || m_strokeRect.empty() || chain->levels.front().width != picture.width) {
-        m_shownSphereMap = chain;
-        return;
-    }
-    if (chain != m_shownSphereMap) { // a new texture: it is made by drawing, and knows nothing of the stroke
-        draw(*m_renderer, made, {.framebuffer = defaultFramebufferObject(), .clip = preview::PixelRectangle{0, 0, 1, 1}});
-        m_shownSphereMap = chain;
+    if (std::exchange(m_patchedMap, chain) != chain) {
         m_freshRect = m_strokeRect;
         m_freshLevels = m_strokeLevels;
     }
-    if (m_freshRect.empty())
-        return;
-    m_renderer->patchSphereMap(cutOut(picture, m_freshRect), m_freshRect.x0, m_freshRect.y0, 0);
-    patchLevels(*chain, m_freshRect);
-    m_freshRect = {};
-    m_freshLevels.clear();
-}
-
-void PreviewWidget::patchLevels(const SphereMapTexels& chain, const TexelRect& fresh)
-{
-    if (chain.hasAuthoredLevels) {
-        const std::vector<Image>& levels = m_workspace.sphereMap.coarserLevels();
-        for (size_t i = 0; i < std::min(m_freshLevels.size(), levels.size()); ++i)
-            if (const TexelRect& rect = m_freshLevels[i];
-                !rect.empty() && i + 1 < chain.levels.size() && levels[i].width == chain.levels[i + 1].width)
-                m_renderer->patchSphereMap(cutOut(levels[i], rect), rect.x0, rect.y0, static_cast<int>(i) + 1);
-        return;
-    }
     const Image& picture = m_workspace.sphereMap.picture();
-    TexelRect rect = fresh;
-    Image part;
-    for (int level = 1; level < static_cast<int>(chain.levels.size()); ++level) {
-        const TexelRect even{rect.x0 & ~1, rect.y0 & ~1, (rect.x1 + 1) & ~1, (rect.y1 + 1) & ~1};
-        const Image finer = level == 1 ? cutOut(picture, even.intersected({0, 0, picture.width, picture.height})) : std::move(part);
-        if (level > 1 && even != rect)
-            break; // the coarsest levels wait for the end of the stroke
-        rect = {even.x0 / 2, even.y0 / 2, even.x1 / 2, even.y1 / 2};
-        if (rect.x1 > chain.levels[static_cast<size_t>(level)].width || rect.y1 > chain.levels[static_cast<size_t>(level)].width)
-            break;
-        part = averaged(finer);
-        m_renderer->patchSphereMap(part, rect.x0, rect.y0, level);
-    }
+    if (!chain || m_freshRect.empty() || chain->levels.front().width != picture.width)
+        return false;
+    const TexelRect rect = onGrid(std::exchange(m_freshRect, {}), picture.width);
+    SphereMapPatch patch{.chain = chain, .texels = cutOut(picture, rect), .rect = rect};
+    const std::vector<TexelRect> fresh = std::exchange(m_freshLevels, {});
+    const std::vector<Image>& coarser = m_workspace.sphereMap.coarserLevels();
+    for (size_t i = 0; i < std::min(fresh.size(), coarser.size()); ++i)
+        if (!fresh[i].empty() && i + 1 < chain->levels.size() && coarser[i].width == chain->levels[i + 1].width)
+            patch.coarser.push_back({static_cast<int>(i) + 1, fresh[i], cutOut(coarser[i], fresh[i])});
+    m_thread.patch(std::move(patch));
+    return true;
 }
 
-void PreviewWidget::paintComparison(const PreparedScene& made)
+void PreviewWidget::show(const Picture& picture)
 {
-    const QSize size = deviceSize();
-    const unsigned screen = defaultFramebufferObject();
-    if (!m_snapshotRenderer)
-        m_snapshotRenderer = std::make_unique<preview::Renderer>();
-    switch (m_comparison) {
-    case Comparison::Off:
-        break;
-    case Comparison::Hold:
-        draw(*m_snapshotRenderer, *m_snapshot, {.framebuffer = screen});
-        break;
-    case Comparison::Wipe: {
-        const int line = static_cast<int>(std::lround(m_wipe * size.width()));
-        draw(*m_snapshotRenderer, *m_snapshot, {.framebuffer = screen, .clip = preview::PixelRectangle{0, 0, line, size.height()}});
-        draw(*m_renderer, made, {.framebuffer = screen, .clip = preview::PixelRectangle{line, 0, size.width() - line, size.height()}});
-        break;
+    if (picture.order.number == m_ordered.number)
+        m_isDrawing = false;
+    if (!picture.problem.isEmpty()) {
+        m_workspace.notices.set({.subject = QStringLiteral("preview"), .text = picture.problem});
+        return;
     }
-    case Comparison::Difference:
-        draw(*m_renderer, made, {.framebuffer = m_difference.target(0, size.width(), size.height())});
-        draw(*m_snapshotRenderer, *m_snapshot, {.framebuffer = m_difference.target(1, size.width(), size.height())});
-        m_difference.draw(screen, differenceGain);
-        break;
-    }
+    m_workspace.notices.clear(QStringLiteral("preview"));
+    m_picture = picture;
+    m_picture.image.setDevicePixelRatio(devicePixelRatioF());
+    m_isNew = true;
+    update();
 }
 
-void PreviewWidget::paintGL()
+void PreviewWidget::paintEvent(QPaintEvent*)
 {
-    const std::shared_ptr<const PreparedScene> made = m_workspace.live.made();
-    if (!m_renderer || !made)
-        return;
-    QElapsedTimer clock;
-    clock.start();
-    try {
-        patchSphereMap(*made);
-        if (m_comparison == Comparison::Off)
-            draw(*m_renderer, *made, {.framebuffer = defaultFramebufferObject()});
-        else
-            paintComparison(*made);
-        m_workspace.notices.clear(QStringLiteral("preview"));
-    } catch (const Error& error) {
-        m_workspace.notices.set({.subject = QStringLiteral("preview"), .text = QString::fromUtf8(error.what())});
+    QPainter painter(this);
+    if (m_picture.image.isNull()) {
+        painter.fillRect(rect(), QColor(0x26, 0x26, 0x26));
         return;
     }
-    if (m_comparison == Comparison::Wipe) {
-        QPainter painter(this);
-        const double x = m_wipe * width();
-        painter.setPen(QPen(QColor(20, 20, 20, 160), 3.0));
-        painter.drawLine(QPointF(x, 0), QPointF(x, height()));
-        painter.setPen(QPen(QColor(235, 235, 235), 1.0));
-        painter.drawLine(QPointF(x, 0), QPointF(x, height()));
+    if (m_picture.image.hasAlphaChannel())
+        paintGround(painter);
+    if (m_picture.image.size() == deviceSize()) {
+        painter.drawImage(0, 0, m_picture.image);
+    } else { // until the new size is drawn
+        painter.drawImage(rect(), m_picture.image);
+        redraw();
     }
-    emit painted(made, static_cast<double>(clock.nsecsElapsed()) * 1e-9);
+    if (m_comparison == Comparison::Wipe)
+        paintWipe(painter);
+    if (std::exchange(m_isNew, false))
+        emit painted(m_picture.order.made, m_picture.seconds);
+}
+
+/// What stands for nothing: a chequer of two greys.
+void PreviewWidget::paintGround(QPainter& painter) const
+{
+    constexpr int square = 12;
+    painter.fillRect(rect(), QColor(0x2e, 0x2e, 0x2e));
+    for (int y = 0; y < height(); y += square)
+        for (int x = y / square % 2 * square; x < width(); x += 2 * square)
+            painter.fillRect(x, y, square, square, QColor(0x38, 0x38, 0x38));
+}
+
+void PreviewWidget::paintWipe(QPainter& painter) const
+{
+    const double x = m_wipe * width();
+    painter.setPen(QPen(QColor(20, 20, 20, 160), 3.0));
+    painter.drawLine(QPointF(x, 0), QPointF(x, height()));
+    painter.setPen(QPen(QColor(235, 235, 235), 1.0));
+    painter.drawLine(QPointF(x, 0), QPointF(x, height()));
+}
+
+void PreviewWidget::resizeEvent(QResizeEvent*)
+{
+    redraw();
+}
+
+void PreviewWidget::showEvent(QShowEvent*)
+{
+    redraw();
 }
 
 void PreviewWidget::frame()
@@ -295,21 +259,21 @@ void PreviewWidget::takeSnapshot()
 {
     m_snapshot = m_workspace.live.made();
     if (m_comparison != Comparison::Off)
-        update();
+        redraw();
     emit comparisonChanged();
 }
 
 void PreviewWidget::setComparison(Comparison comparison)
 {
     m_comparison = m_snapshot ? comparison : Comparison::Off;
-    update();
+    redraw();
     emit comparisonChanged();
 }
 
 void PreviewWidget::setWipe(double fraction)
 {
     m_wipe = std::clamp(fraction, 0.0, 1.0);
-    update();
+    redraw();
 }
 
 bool PreviewWidget::isOnWipe(const QPointF& position) const
@@ -401,7 +365,7 @@ void PreviewWidget::wheelEvent(QWheelEvent* event)
 void PreviewWidget::keyPressEvent(QKeyEvent* event)
 {
     if (event->key() != Qt::Key_B || event->modifiers() != Qt::NoModifier || !m_snapshot) {
-        QOpenGLWidget::keyPressEvent(event);
+        QWidget::keyPressEvent(event);
         return;
     }
     if (!event->isAutoRepeat() && !m_beforeHold) {
@@ -413,7 +377,7 @@ void PreviewWidget::keyPressEvent(QKeyEvent* event)
 void PreviewWidget::keyReleaseEvent(QKeyEvent* event)
 {
     if (event->key() != Qt::Key_B || event->isAutoRepeat() || !m_beforeHold) {
-        QOpenGLWidget::keyReleaseEvent(event);
+        QWidget::keyReleaseEvent(event);
         return;
     }
     setComparison(*m_beforeHold);
@@ -430,31 +394,32 @@ void PreviewWidget::leaveEvent(QEvent*)
 std::optional<preview::SurfaceHit> PreviewWidget::pick(const QPointF& position)
 {
     const auto made = m_workspace.live.made();
-    if (!made || !m_renderer)
+    if (!made)
         return std::nullopt;
+    const QPoint pixel = devicePixel(position);
+    return m_thread.pick(settings(*made), pixel.x(), pixel.y());
+}
+
+QPoint PreviewWidget::devicePixel(const QPointF& position) const
+{
     const double ratio = devicePixelRatioF();
-    std::optional<preview::SurfaceHit> hit;
-    makeCurrent();
-    try {
-        hit = m_renderer->pick(settings(*made), static_cast<int>(position.x() * ratio), static_cast<int>(position.y() * ratio));
-    } catch (const Error&) {
-        // the next picture says what is wrong
-    }
-    doneCurrent();
-    return hit;
+    return {static_cast<int>(position.x() * ratio), static_cast<int>(position.y() * ratio)};
 }
 
 // Where the reflection under the mouse comes from: the map shows it. The picture itself needs no mark there.
 void PreviewWidget::point()
 {
-    if (m_drag != Drag::None || !underMouse() || m_workspace.sphereMap.isPainting())
+    const auto made = m_workspace.live.made();
+    if (!made || m_drag != Drag::None || !underMouse() || m_workspace.sphereMap.isPainting())
         return;
-    std::optional<glm::dvec3> direction;
-    if (const auto hit = pick(m_last))
-        direction = glm::dvec3(hit->lookup);
-    m_isPointing = true;
-    m_workspace.cursor.set(direction);
-    m_isPointing = direction.has_value();
+    const QPoint pixel = devicePixel(m_last);
+    m_thread.pick(settings(*made), pixel.x(), pixel.y(), [this](const std::optional<preview::SurfaceHit>& hit) {
+        if (m_drag != Drag::None || !underMouse())
+            return; // it has gone on
+        m_isPointing = true;
+        m_workspace.cursor.set(hit ? std::optional(glm::dvec3(hit->lookup)) : std::nullopt);
+        m_isPointing = hit.has_value();
+    });
 }
 
 } // namespace mirrorball::studio

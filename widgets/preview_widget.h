@@ -1,14 +1,11 @@
 #pragma once
 
-#include "picture_comparison.h"
+#include "render_thread.h"
 #include "workspace.h"
 
-#include "core/preview/renderer.h"
-#include "core/spheremap/texel_rect.h"
-
-#include <QOpenGLWidget>
 #include <QPointF>
 #include <QTimer>
+#include <QWidget>
 
 #include <memory>
 #include <optional>
@@ -16,24 +13,29 @@
 
 namespace mirrorball::studio {
 
-/// The picture, live: core/preview's renderer in a window's context.
+/// The picture, live, as the render thread draws it.
 ///
 /// Left drag orbits, middle drag pans, the wheel zooms, Shift and right drag turns the environment. Every move is an edit of the
 /// document's view, one undo step a drag. A snapshot keeps a scene with its maps, to be compared from where the camera is now; while B is
 /// held it is shown.
-class PreviewWidget : public QOpenGLWidget {
+class PreviewWidget : public QWidget {
     Q_OBJECT
 
 public:
     explicit PreviewWidget(Workspace& workspace, QWidget* parent = nullptr);
-    ~PreviewWidget() override;
 
     QSize sizeHint() const override { return {960, 540}; }
     QSize minimumSizeHint() const override { return {160, 120}; }
 
-    /// What the picture shows at a place of the widget; nothing beside the model.
+    /// The newest picture, in device pixels; null before the first.
+    const QImage& picture() const { return m_picture.image; }
+    /// Whether picture() is of all that is known: nothing waits to be drawn.
+    bool isUpToDate() const { return !m_isDue && !m_isDrawing && !m_picture.image.isNull(); }
+    /// What the picture shows at a place of the widget; nothing beside the model. Waits for the answer.
     std::optional<preview::SurfaceHit> pick(const QPointF& position);
 
+    /// Samples a pixel while something is dragged; smooth edges follow when the drag ends. 1 at first.
+    void setSamplesWhileDragging(int samples) { m_dragSamples = samples; }
     bool hasSnapshot() const { return m_snapshot != nullptr; }
     Comparison comparison() const { return m_comparison; }
     /// Where the wipe's line stands, as a fraction of the width.
@@ -51,13 +53,14 @@ public slots:
     void setWipe(double fraction);
 
 signals:
-    /// A picture of this scene is on its way to the screen. @param seconds that drawing it took
+    /// A new picture of this scene is on its way to the screen. @param seconds that drawing it took
     void painted(std::shared_ptr<const mirrorball::studio::PreparedScene> made, double seconds);
     void comparisonChanged();
 
 protected:
-    void initializeGL() override;
-    void paintGL() override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -69,38 +72,41 @@ protected:
 private:
     enum class Drag { None, Orbit, Pan, TurnEnvironment, Wipe };
 
-    void releaseGL();
     QSize deviceSize() const;
+    QPoint devicePixel(const QPointF& position) const;
     preview::RenderSettings settings(const PreparedScene& made) const;
-    void draw(preview::Renderer& renderer, const PreparedScene& made, const preview::Destination& destination);
-    void patchSphereMap(const PreparedScene& made);
-    void patchLevels(const SphereMapTexels& chain, const TexelRect& fresh);
-    void paintComparison(const PreparedScene& made);
+    void redraw();
+    void order();
+    bool patchSphereMap(const PreparedScene& made);
+    void show(const Picture& picture);
+    void paintGround(QPainter& painter) const;
+    void paintWipe(QPainter& painter) const;
     void drag(const QPointF& moved);
     void point();
     bool isOnWipe(const QPointF& position) const;
 
     Workspace& m_workspace;
-    std::unique_ptr<preview::Renderer> m_renderer;
-    std::unique_ptr<preview::Renderer> m_snapshotRenderer; ///< of its own, so that neither drops the other's textures
-    PictureDifference m_difference;
-    SphereMapChain m_shownSphereMap; ///< that the last picture read
-    TexelRect m_strokeRect;          ///< where a stroke that is being drawn has changed the sphere map since it was made
-    TexelRect m_freshRect;           ///< the part of it that the texture does not hold yet
+    RenderThread m_thread;
+    Picture m_picture;
+    PictureOrder m_ordered;         ///< the newest
+    bool m_isDue = false;           ///< something changed: an order follows when all of this moment's events are through
+    bool m_isDrawing = false;       ///< the newest order is not fulfilled
+    bool m_isNew = false;           ///< the picture has not been painted yet
+    SphereMapChain m_patchedMap;    ///< that the newest order reads
+    TexelRect m_strokeRect;         ///< where a stroke that is being drawn has changed the sphere map since it was made
+    TexelRect m_freshRect;          ///< the part of it that the texture does not hold yet
     std::vector<TexelRect> m_strokeLevels; ///< the same of the coarser levels, where they are made by hand
     std::vector<TexelRect> m_freshLevels;
     std::shared_ptr<const PreparedScene> m_snapshot;
     Comparison m_comparison = Comparison::Off;
     std::optional<Comparison> m_beforeHold{}; ///< while the key is held that shows the snapshot
     double m_wipe = 0.5;
+    int m_dragSamples = 1;
     Drag m_drag = Drag::None;
     QPointF m_last;
     QTimer m_rest;     ///< runs out when wheel and keys have come to rest
     QTimer m_pointing; ///< a moving mouse looks at the model this often
     bool m_isPointing = false;
 };
-
-/// The format that windows must have: set as the default before the first one is made.
-QSurfaceFormat previewFormat();
 
 } // namespace mirrorball::studio

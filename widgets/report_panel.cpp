@@ -14,12 +14,14 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace mirrorball::studio {
 
 namespace {
 
 constexpr double longWait = 3.0; ///< seconds of filtering that nobody starts by a mere click
+constexpr int restTime = 1000;    ///< ms: who looks for a value is not disturbed by measurements of those on the way
 constexpr int measuredSize = 64; ///< texels: small enough to measure every method while one waits
 
 enum Column { MethodColumn, TimeColumn, ErrorColumn, SettingColumn, ColumnCount };
@@ -170,11 +172,21 @@ ReportPanel::ReportPanel(Workspace& workspace, QWidget* parent)
         QGuiApplication::clipboard()->setText(
             QString::fromStdString(filterCommand(probe.toStdString(), point.setting.options(m_race->lobe(), m_race->options().target))));
     });
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(restTime);
+    connect(&m_rest, &QTimer::timeout, this, &ReportPanel::goOn);
+    connect(&workspace.document, &Document::changed, this, &ReportPanel::giveWay);
     connect(&workspace.live, &LiveScene::updated, this, &ReportPanel::follow);
+    connect(&workspace.document, &Document::dragFinished, this, &ReportPanel::follow);
     connect(&m_runner, &JobRunner::failed, this, &ReportPanel::finish);
     connect(&m_errorRunner, &JobRunner::failed, m_facts, &QLabel::setText);
     m_stop->hide();
-    m_status->setText(tr("Methods are measured once the material has come to rest."));
+    m_status->setText(waitingText());
+}
+
+QString ReportPanel::waitingText()
+{
+    return tr("Methods are measured once the material has come to rest.");
 }
 
 void ReportPanel::resizeEvent(QResizeEvent*)
@@ -222,12 +234,35 @@ void ReportPanel::showEvent(QShowEvent*)
 /// Measures when the scene has come to rest and its lobe or probe is another one; never while nobody looks.
 void ReportPanel::follow()
 {
-    if (!isVisible() || !m_workspace.live.isUpToDate())
+    if (!isVisible())
         return;
     const bool hasPoints = m_isMeasuring || !m_points.empty() || m_race;
-    if (hasPoints && isSameWork(m_measured, m_workspace.document.scene()))
+    if (m_gaveWay || !hasPoints || !isSameWork(m_measured, m_workspace.document.scene()))
+        m_rest.start();
+}
+
+/// What an edit wants of the processor comes first; and what is measured beside it would be measured wrongly.
+void ReportPanel::giveWay()
+{
+    m_rest.stop();
+    if (!m_isMeasuring || m_gaveWay)
         return;
-    start();
+    m_gaveWay = true;
+    m_runner.stop();
+    m_status->setText(waitingText());
+}
+
+void ReportPanel::goOn()
+{
+    if (!isVisible() || !m_workspace.live.isUpToDate() || m_workspace.document.isDragging())
+        return; // the end of the drag, the new maps or the panel's showing call again
+    const bool waited = std::exchange(m_gaveWay, false);
+    if (!isSameWork(m_measured, m_workspace.document.scene()) || (!m_isMeasuring && m_points.empty() && !m_race))
+        start();
+    else if (waited && m_race)
+        measureNext(m_next);
+    else if (waited)
+        start();
 }
 
 void ReportPanel::measure()
@@ -245,7 +280,7 @@ void ReportPanel::stop()
 
 void ReportPanel::finish(const QString& status)
 {
-    m_isMeasuring = false;
+    m_isMeasuring = m_gaveWay = false;
     m_progress->hide();
     m_stop->hide();
     m_again->show();
@@ -255,6 +290,8 @@ void ReportPanel::finish(const QString& status)
 void ReportPanel::start()
 {
     const auto made = m_workspace.live.made();
+    m_rest.stop();
+    m_gaveWay = false;
     m_measured = m_workspace.document.scene();
     m_points.clear();
     m_race.reset();
@@ -291,6 +328,7 @@ void ReportPanel::start()
 
 void ReportPanel::measureNext(size_t setting)
 {
+    m_next = setting;
     m_progress->setValue(static_cast<int>(setting));
     if (setting >= m_race->settings().size()) {
         const auto measured = std::count_if(m_points.begin(), m_points.end(), [](const RacePoint& p) { return p.state == MeasurementState::Measured; });

@@ -12,6 +12,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSplitter>
+#include <QTimer>
 #include <QTreeWidget>
 #include <QWidget>
 
@@ -54,10 +55,13 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    static QString waitingText();
     void addTolerance(OptionsForm& form);
     void follow();
     void start();
     void measureNext(size_t setting);
+    void giveWay();
+    void goOn();
     void add(const RacePoint& point);
     void finish(const QString& status);
     void showPicked();
@@ -76,7 +80,10 @@ private:
     std::shared_ptr<MethodRace> m_race; ///< used by one worker at a time
     std::vector<RacePoint> m_points;
     Scene m_measured{}; ///< what the points are of
+    QTimer m_rest;      ///< runs out when the scene has been left alone for a while
+    size_t m_next = 0;  ///< the setting that is being measured
     bool m_isMeasuring = false;
+    bool m_gaveWay = false; ///< measuring waits for the end of a drag
     bool m_isArranged = false; ///< the splitter has its first sizes
     int m_picked = -1;
 };

@@ -1,5 +1,7 @@
 #include "settings_form.h"
 
+#include "disconnect_children.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCompleter>
@@ -20,6 +22,11 @@ SettingsForm::SettingsForm(QWidget* parent) : QWidget(parent), m_layout(new QFor
     m_layout->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     m_layout->setLabelAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_layout->setRowWrapPolicy(QFormLayout::DontWrapRows);
+}
+
+SettingsForm::~SettingsForm()
+{
+    disconnectChildren(*this);
 }
 
 // A control may be what asked for this, by its signal: rows go when it has returned.

@@ -39,6 +39,7 @@ public:
     using Edit = std::function<void(const QString& label, const QString& key, const std::function<void(Settings&)>& change)>;
 
     explicit SettingsForm(QWidget* parent = nullptr);
+    ~SettingsForm() override;
 
     /// Removes all controls and makes those of this struct.
     template <typename Settings>

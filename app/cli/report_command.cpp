@@ -6,6 +6,7 @@
 #include "core/report/lobe_words.h"
 #include "core/report/make_report.h"
 #include "core/report/report_files.h"
+#include "core/shell_word.h"
 
 #include <algorithm>
 #include <cstdio>

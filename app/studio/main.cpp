@@ -4,7 +4,6 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QLocale>
-#include <QSurfaceFormat>
 #include <QTranslator>
 
 #include <algorithm>
@@ -31,7 +30,6 @@ int main(int count, char** arguments)
     QCoreApplication::setApplicationName(QStringLiteral("mirrorball-studio"));
     QCoreApplication::setApplicationVersion(QStringLiteral(MIRRORBALL_VERSION));
     QGuiApplication::setDesktopFileName(QStringLiteral("org.mirrorball.Studio"));
-    QSurfaceFormat::setDefaultFormat(previewFormat());
     const bool onlyText = asksForText(count, arguments);
     const std::unique_ptr<QCoreApplication> application(onlyText ? new QCoreApplication(count, arguments) : new QApplication(count, arguments));
 

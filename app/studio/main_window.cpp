@@ -2,6 +2,7 @@
 
 #include "command_palette.h"
 #include "docks.h"
+#include "panel_rest.h"
 #include "theme.h"
 
 #include "widgets/export_dialog.h"
@@ -100,6 +101,7 @@ void MainWindow::addDocks()
         dock->setWidget(entry.make(*m_workspace));
         dock->toggleViewAction()->setIcon(icon(entry.icon));
         addDockWidget(entry.area, dock);
+        new PanelRest(*dock);
     }
     for (const DockTabs& tabs : dockTabs()) {
         tabifyDockWidget(dock(QLatin1String(tabs.front)), dock(QLatin1String(tabs.behind)));

@@ -59,7 +59,7 @@ public:
     const RadianceTree& radianceTree(const JobControl& job = {});
     const MipPyramid& blurPyramid(MipFiltering filtering, const JobControl& job = {});
 
-    /// What the paraboloid method runs on; null: it is refused.
+    /// What the paraboloid method runs on; null: on the CPU.
     ParaboloidDevice* paraboloidDevice() const { return m_paraboloidDevice.get(); }
     void useParaboloidDevice(std::shared_ptr<ParaboloidDevice> device) { m_paraboloidDevice = std::move(device); }
 

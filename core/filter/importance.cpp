@@ -132,10 +132,30 @@ std::vector<LobeSample> lobeSamples(const Lobe& lobe, int count, int latlongHeig
     return samples;
 }
 
+EnvironmentMap withInterpolatedEnergy(EnvironmentMap map)
+{
+    const int n = map.layout.size, last = n - 1, width = 3 * map.image.width;
+    const double h = pi / n, half = std::sin(0.5 * h);
+    double surplus = 1.0 - 2.0 / h * half; // of the tent that is folded back over the pole
+    for (int y = 0; y + 1 <= last / 2; ++y) {
+        const double across = std::sin(h * (y + 0.5)), own = y == 0 ? surplus : 0.0;
+        const double interpolated = 2.0 * (1.0 - std::cos(h)) / h * across + own, area = 2.0 * half * across;
+        surplus = interpolated + (y == 0 ? 0.0 : surplus) - area;
+        const auto share = static_cast<float>(surplus / interpolated);
+        for (const int row : {y, last - y}) {
+            float* values = map.image.row(row);
+            const float* inner = map.image.row(row == y ? y + 1 : row - 1);
+            for (int i = 0; i < width; ++i)
+                values[i] += share * (inner[i] - values[i]);
+        }
+    }
+    return map;
+}
+
 LookupPyramid::LookupPyramid(const EnvironmentMap& latlong, const JobControl& job)
 {
     for (EnvironmentMap& map : buildMipPyramid(latlong, job).levels) {
-        const EnvironmentMap smooth = map.layout.size >= 4 ? smoothedPoles(std::move(map)) : std::move(map);
+        const EnvironmentMap smooth = withInterpolatedEnergy(map.layout.size >= 4 ? smoothedPoles(std::move(map)) : std::move(map));
         Level level{.width = smooth.image.width, .height = smooth.image.height};
         level.texels.resize(4 * static_cast<size_t>(level.width + 2) * static_cast<size_t>(level.height + 2));
         for (int y = -1; y <= level.height; ++y)

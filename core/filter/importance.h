@@ -29,8 +29,16 @@ struct LobeSample {
 /// @param latlongHeight  rows of the probe; the samples' levels are those of its pyramid
 std::vector<LobeSample> lobeSamples(const Lobe& lobe, int count, int latlongHeight);
 
+/// A latlong map whose bilinear lookups, integrated over the sphere, give what the texels of the one passed in hold: sum_j L_j w_j. A plain
+/// one's do not. The tent of a row integrates to t_i = 2 (1 - cos h)/h sin theta_i, h = pi/height, a little less than its area
+/// w_i = 2 sin(h/2) sin theta_i; that of a row at a pole, folded back over it, to 1 - 2/h sin(h/2) more, 13/12 of its area. From the pole
+/// inwards each row takes on as much of the next as sheds its surplus s:
+///   L'_i = L_i + s_i/t_i (L_(i+1) - L_i),   s_i = t_i + s_(i-1) - w_i
+/// and at the equator none is left. A constant stays that constant.
+EnvironmentMap withInterpolatedEnergy(EnvironmentMap latlong);
+
 /// A latlong probe's mip pyramid made ready for many quick lookups: rows near the poles smoothed to texels that are as wide as they are
-/// high in every level, four floats a texel, a halo that carries over the seam and the poles.
+/// high in every level, lookups that keep the energy, four floats a texel, a halo that carries over the seam and the poles.
 class LookupPyramid {
 public:
     explicit LookupPyramid(const EnvironmentMap& latlong, const JobControl& job = {});

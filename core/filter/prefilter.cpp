@@ -87,9 +87,19 @@ EnvironmentMap runParaboloid(FilterSource& source, const PrefilterOptions& optio
     const ParaboloidHalves halves = timedStage(outcome.stages, "paraboloid halves", [&] {
         return layOutHalves(*source.latlong(), options.lobe, resolved(options.knobs.paraboloid, source.height()), job);
     });
-    return timedStage(outcome.stages, "paraboloid sums", [&] {
-        return toMap(options.target, source.paraboloidDevice()->sum(halves, lookupDirections(options.target, options.yaw), job));
-    });
+    const std::vector<glm::dvec3> directions = lookupDirections(options.target, options.yaw);
+    std::string why = "no OpenGL device was given";
+    if (ParaboloidDevice* device = source.paraboloidDevice()) {
+        try {
+            return timedStage(outcome.stages, "paraboloid sums", [&] { return toMap(options.target, device->sum(halves, directions, job)); });
+        } catch (const WorkError& error) {
+            why = error.what();
+        }
+    }
+    EnvironmentMap map =
+        timedStage(outcome.stages, "paraboloid sums on the CPU", [&] { return toMap(options.target, paraboloidSum(halves, directions, job)); });
+    outcome.stages.back().why = why;
+    return map;
 }
 
 EnvironmentMap run(Method method, FilterSource& source, const PrefilterOptions& options, const JobControl& job, PrefilterOutcome& outcome)
@@ -158,7 +168,7 @@ PrefilterPlan cheapestPlan(const PrefilterOptions& options, const ProbeTraits& p
     };
     std::vector<Candidate> candidates;
     for (const Method method : allMethods)
-        if (method != Method::Auto && method != Method::Paraboloid && refusal(method, options, probe).empty())
+        if (method != Method::Auto && (method != Method::Paraboloid || probe.hasParaboloidDevice) && refusal(method, options, probe).empty())
             candidates.push_back({method, predictedSeconds(method, options, probe)});
     std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.seconds < b.seconds; });
 
@@ -222,6 +232,17 @@ PrefilterOutcome prefilter(FilterSource& source, const PrefilterOptions& options
                                        : lookUp(*source.latlong(), options.target, options.yaw, job);
     });
     return outcome;
+}
+
+double informedError(const PrefilterOutcome& outcome, const PrefilterOptions& options, FilterSource& source, const JobControl& job)
+{
+    const Method method = outcome.method;
+    if (!outcome.filtered || (method != Method::Importance && method != Method::Mip && method != Method::Sh9))
+        return outcome.predictedError;
+    constexpr int enough = 256; // beyond it a spectrum goes on at the level of its last degrees
+    if (source.latlong())
+        source.spectrum(enough, job);
+    return predictedError(method, options, traits(source));
 }
 
 double chainRoughness(int level, int levels)

@@ -43,6 +43,10 @@ PrefilterPlan planPrefilter(const PrefilterOptions& options, const ProbeTraits& 
 /// @throws InvalidArgument naming the field; Cancelled
 PrefilterOutcome prefilter(FilterSource& source, const PrefilterOptions& options, const JobControl& job = {});
 
+/// What the method that ran expects its error to be, now that the probe may be looked at: importance, mip and sh9 read it off the probe's
+/// spectrum, which they do not need for their work, so that the outcome's own figure bounds it for any probe.
+double informedError(const PrefilterOutcome& outcome, const PrefilterOptions& options, FilterSource& source, const JobControl& job = {});
+
 /// Roughness of level i of a ggx chain of n levels: i/(n-1), so that the base is a mirror and the last level is fully rough.
 /// alpha is its square.
 double chainRoughness(int level, int levels);

@@ -193,7 +193,9 @@ void seams(const Report& report, std::vector<std::string>& sentences)
     if (most == worst.end() || most->second < 1.1)
         return;
     const auto least = std::min_element(worst.begin(), worst.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-    sentences.push_back("Seams show most in maps by " + most->first + ", which change up to " + times(most->second) +
+    constexpr double tellable = 1000.0; // beyond it there is hardly a step inside, as in a level of a few texels
+    sentences.push_back("Seams show most in maps by " + most->first + ", which change " +
+                        (most->second > tellable ? "over " + times(tellable) : "up to " + times(most->second)) +
                         " as much across a seam as beside it; least in those by " + least->first + " (" + shortNumber(least->second) + ").");
 }
 

@@ -133,7 +133,7 @@ private:
         m.ran = outcome.method;
         m.filtered = outcome.filtered;
         m.bandLimit = outcome.bandLimit;
-        m.predictedError = outcome.predictedError;
+        m.predictedError = informedError(outcome, options, source, m_job);
         if (options.method == Method::Auto || !outcome.filtered)
             m.why = outcome.why;
         map = std::move(outcome.map);

@@ -81,7 +81,7 @@ void measureStability(const ReportOptions& options, const JobControl& job, Repor
 {
     JobControl inner = job;
     inner.progress = nullptr;
-    const std::vector<StabilityCase> cases = stabilityCases();
+    const std::vector<StabilityCase> cases = stabilityCases(options.sweep == Sweep::Few ? StabilityScale::Small : StabilityScale::Large);
     size_t done = 0;
     for (const StabilityCase& test : cases) {
         for (const Method method : options.methods)

@@ -22,10 +22,10 @@ struct ReportOptions {
     int repeats = 5;
     double longest = 3.0;
     int directions = 512;
-    int growthTo = 2048; ///< columns; 0 leaves the growth of cost out
+    int growthTo = 16384; ///< columns; 0 leaves the growth of cost out
     bool parameterizations = true;
     bool stability = false;
-    std::shared_ptr<ParaboloidDevice> device{}; ///< of the paraboloid method; null: it is refused
+    std::shared_ptr<ParaboloidDevice> device{}; ///< of the paraboloid method; null: the CPU
     std::string deviceName{};
     std::string command{};                      ///< as typed, for the record
     std::string version{};

@@ -57,7 +57,6 @@ RacePoint MethodRace::measure(const MethodSetting& setting, const JobControl& jo
     try {
         const PrefilterPlan plan = planPrefilter(options, traits(m_probe));
         point.predictedSeconds = plan.predictedSeconds;
-        point.predictedError = plan.predictedError;
         if (plan.predictedSeconds > m_options.longest) {
             point.state = MeasurementState::LeftOut;
             point.why = "predicted to take " + shortNumber(plan.predictedSeconds, 2) + " s, more than the " + shortNumber(m_options.longest, 2) +
@@ -65,12 +64,14 @@ RacePoint MethodRace::measure(const MethodSetting& setting, const JobControl& jo
             return point;
         }
         PrefilterOutcome outcome;
+        FilterSource source = m_probe;
         const RunTimes times = repeated(m_options.repeats, m_options.longest, [&] {
-            FilterSource source = m_probe; // which holds nothing but the probe
+            source = m_probe; // which holds nothing but the probe
             return secondsOf([&] { outcome = prefilter(source, options, job); });
         });
         point.seconds = times.median();
         point.ran = outcome.method;
+        point.predictedError = informedError(outcome, options, source, job);
         point.error = errorAt(m_reference, outcome.map);
         point.map = std::make_shared<const EnvironmentMap>(std::move(outcome.map));
     } catch (const Cancelled&) {

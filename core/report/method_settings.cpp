@@ -1,8 +1,9 @@
 #include "method_settings.h"
 
+#include "../shell_word.h"
+
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -98,19 +99,6 @@ std::vector<MethodSetting> methodSettings(Method method, Sweep sweep, double tol
     case Method::Sh9: return {{.method = method}};
     default: return toleranceSweep(method, sweep, tolerance);
     }
-}
-
-std::string shellWord(const std::string& text)
-{
-    bool plain = !text.empty();
-    for (const char c : text)
-        plain = plain && (std::isalnum(static_cast<unsigned char>(c)) != 0 || std::string_view("-_./:=,+@").find(c) != std::string_view::npos);
-    if (plain)
-        return text;
-    std::string quoted = "'";
-    for (const char c : text)
-        quoted += c == '\'' ? "'\\''" : std::string(1, c);
-    return quoted + "'";
 }
 
 std::string exactNumber(double value)

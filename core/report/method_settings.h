@@ -30,9 +30,6 @@ std::vector<MethodSetting> methodSettings(Method method, Sweep sweep, double tol
 /// --size 64 --method importance --samples 1024". Empty for a lobe that the command line cannot spell.
 std::string filterCommand(const std::string& probe, const PrefilterOptions& options);
 
-/// A word for the shell: in single quotes unless it is plain.
-std::string shellWord(const std::string& text);
-
 /// A number in as many digits as it takes to be read back the same: "0.1", "50".
 std::string exactNumber(double value);
 

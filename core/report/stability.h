@@ -32,13 +32,16 @@ struct StabilityCase {
 
 std::vector<StabilityCase> stabilityCases(StabilityScale scale = StabilityScale::Small);
 
-/// What a method may do at most, where it promises anything. A method's ringing is bounded by its kernel's negative part.
+/// What a method may do at most: one that holds a tolerance, within that; one that approximates, within what it predicts of itself. A
+/// method's ringing is bounded by its kernel's negative part.
 struct StabilityBounds {
-    std::optional<double> tolerance{}; ///< factor of the case's tolerance that rel_rms keeps within; empty: the method promises none
+    std::optional<double> tolerance{};  ///< factor of the case's tolerance that rel_rms keeps within
+    std::optional<double> prediction{}; ///< factor of the predicted error that rel_rms keeps within, where there is no tolerance
     double energy = 0.0;               ///< largest |energy - 1|
     double negative = 0.0;             ///< largest -lowest, see StabilityRow
 };
-StabilityBounds stabilityBounds(Method method, const StabilityCase& test);
+/// @param predictedError  the method's own, see informedError()
+StabilityBounds stabilityBounds(Method method, const StabilityCase& test, double predictedError);
 
 /// What a method did in a case.
 struct StabilityRow {
@@ -59,7 +62,7 @@ struct StabilityRow {
 
 /// Runs one method through one case and judges the outcome: finite, within the tolerance, energy kept, a constant kept to 1e-6, not
 /// negative.
-/// @param device  for the paraboloid method; null: it refuses
+/// @param device  for the paraboloid method; null: the CPU
 /// @throws Cancelled
 StabilityRow runStability(const StabilityCase& test, Method method, const JobControl& job = {},
                           std::shared_ptr<ParaboloidDevice> device = nullptr);

@@ -1,7 +1,6 @@
 #include "export_command.h"
 
-#include <algorithm>
-#include <cctype>
+#include "../shell_word.h"
 
 namespace mirrorball {
 
@@ -11,27 +10,16 @@ namespace {
 std::string pathWord(const std::filesystem::path& path)
 {
     const std::string text = path.string();
-    return shellQuoted(text.starts_with('-') ? "./" + text : text);
+    return shellWord(text.starts_with('-') ? "./" + text : text);
 }
 
 } // namespace
-
-std::string shellQuoted(std::string_view word)
-{
-    const auto safe = [](unsigned char c) { return std::isalnum(c) != 0 || std::string_view("@%+=:,./-_").find(static_cast<char>(c)) != std::string_view::npos; };
-    if (!word.empty() && std::all_of(word.begin(), word.end(), safe))
-        return std::string(word);
-    std::string quoted = "'";
-    for (const char c : word)
-        quoted += c == '\'' ? "'\\''" : std::string(1, c);
-    return quoted + "'";
-}
 
 std::string exportCommand(const std::filesystem::path& sceneFile, const std::filesystem::path& folder, const std::vector<std::string>& only)
 {
     std::string command = "mirrorball export " + pathWord(sceneFile) + " -o " + pathWord(folder);
     for (const std::string& name : only)
-        command += " --only=" + shellQuoted(name);
+        command += " --only=" + shellWord(name);
     return command;
 }
 

@@ -2,14 +2,10 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 /// The command line that does what a dialog is about to do.
 namespace mirrorball {
-
-/// A word as a POSIX shell takes it: as it is where that is safe, else in single quotes. Any bytes survive but NUL.
-std::string shellQuoted(std::string_view word);
 
 /// `mirrorball export SCENE -o DIR [--only=NAME...]`: writes the same bytes as exportScene() on the scene that was saved as `sceneFile`.
 /// @param only  names of exports; empty: all of them, and no --only

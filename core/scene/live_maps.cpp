@@ -4,14 +4,20 @@
 #include "../filter/source_file.h"
 #include "../image/map_file.h"
 
+#include "../sphere/direction.h"
+
 #include <algorithm>
+#include <cmath>
 
 namespace mirrorball {
 
 namespace {
 
-/// No map is made smaller than this to save time.
+/// No map is made smaller to save time.
 constexpr int smallestMap = 32;
+
+/// A probe of so many texels becomes a texture between two frames.
+constexpr std::int64_t quickTexels = std::int64_t{2048} * 1024;
 
 void shrink(MapLayout& layout, int size)
 {
@@ -19,10 +25,21 @@ void shrink(MapLayout& layout, int size)
     layout.size = size;
 }
 
+/// Side of a square of a texel's mean solid angle, radians.
+double texelAngle(const MapLayout& layout)
+{
+    return std::sqrt(4.0 * pi / (double(layout.width()) * layout.height()));
+}
+
+/// Angle across the lobe at half its peak.
+double lobeAngle(const Lobe& lobe)
+{
+    return lobe.isMirror() ? 0.0 : 2.0 * LobeShape(lobe).halfWidth();
+}
+
 /// A map without coarser levels may be made smaller: lookups do not notice but for sharpness. Levels are counted from the largest, so
 /// a pyramid keeps its size.
-/// @param source null where nothing is filtered
-void apply(const MapDetail& detail, const FilterSource* source, std::optional<MapPlan>& map)
+void apply(const MapDetail& detail, std::optional<MapPlan>& map)
 {
     if (!map)
         return;
@@ -34,10 +51,25 @@ void apply(const MapDetail& detail, const FilterSource* source, std::optional<Ma
     PrefilterOptions& filter = map->filters.front();
     if (filter.target.size > detail.largestSize)
         shrink(filter.target, detail.largestSize);
-    if (!source)
-        return;
-    while (filter.target.size > smallestMap && planPrefilter(filter, traits(*source)).predictedSeconds > detail.seconds)
+    while (filter.target.size >= 2 * smallestMap && lobeAngle(filter.lobe) > 2.0 * detail.texelsPerLobe * texelAngle(filter.target))
         shrink(filter.target, filter.target.size / 2);
+}
+
+/// Whether the filter only looks the probe up: a mirror, or a lobe that its texels do not resolve.
+bool isLookup(const PrefilterOptions& filter, const SceneProbe& probe)
+{
+    const bool blursByHand = filter.method == Method::Mip && filter.knobs.lambda;
+    return !probe.source || (!blursByHand && (filter.lobe.isMirror() || isUnresolved(filter.lobe, probe.source->width())));
+}
+
+/// What the maps of a plan depend on: lobes that are only looked up make the same map.
+MapPlan keyOf(MapPlan plan, const SceneProbe& probe)
+{
+    for (PrefilterOptions& filter : plan.filters)
+        if (isLookup(filter, probe))
+            filter = {.lobe = probe.source && !filter.lobe.isMirror() ? phongLobe(1e9) : ggxLobe(0.0), .target = filter.target, .yaw = filter.yaw};
+    plan.bandLimits.clear();
+    return plan;
 }
 
 } // namespace
@@ -78,6 +110,7 @@ void LiveMaps::openHeader(const Scene& scene)
     m_key.reset();
     m_probe = {};
     m_environment.reset();
+    m_itself.reset();
     forgetMaps();
     m_certain = true;
     m_problem.clear();
@@ -87,7 +120,7 @@ void LiveMaps::openHeader(const Scene& scene)
         throw;
     } catch (const Error& error) {
         m_problem = error.what();
-        m_environment = std::make_shared<const EnvironmentMap>(placeholderProbe());
+        keepProbe(placeholderProbe());
         m_layout = m_environment->layout;
     }
     m_isStreamed = std::int64_t{m_layout.width()} * m_layout.height() > streamedFrom;
@@ -100,7 +133,7 @@ void LiveMaps::readWhole(const Scene& scene, const JobControl& job, WorkRecord& 
         return;
     try {
         Probe probe = readProbe(resolved(scene, scene.probe.source), {.from = scene.probe.parameterization}, job, record.stages);
-        m_environment = std::make_shared<const EnvironmentMap>(std::move(probe.map));
+        keepProbe(std::move(probe.map));
         m_probe.repaired = probe.repaired;
         m_probe.origin = std::move(probe.origin);
         m_certain = probe.certain;
@@ -108,9 +141,17 @@ void LiveMaps::readWhole(const Scene& scene, const JobControl& job, WorkRecord& 
         throw;
     } catch (const Error& error) {
         m_problem = error.what();
-        m_environment = std::make_shared<const EnvironmentMap>(placeholderProbe());
+        keepProbe(placeholderProbe());
     }
     m_layout = m_environment->layout;
+}
+
+void LiveMaps::keepProbe(EnvironmentMap probe)
+{
+    std::vector<EnvironmentMap> levels;
+    levels.push_back(std::move(probe));
+    m_itself = std::make_shared<const std::vector<EnvironmentMap>>(std::move(levels));
+    m_environment = std::shared_ptr<const EnvironmentMap>(m_itself, &m_itself->front());
 }
 
 // A probe this large is read as the plan needs it, and again when the next plan needs more of it.
@@ -132,17 +173,43 @@ void LiveMaps::openStreamed(const Scene& scene, const Plan& plan, const JobContr
     m_probe = openProbe(scene, plan, job, record);
 }
 
-MapLevels LiveMaps::levels(KeptMap& kept, const std::optional<MapPlan>& plan, SceneProbe& probe, double exposure, const JobControl& job,
-                           WorkRecord& record)
+/// Whether the map that is planned is the probe's own texels: exactly, or as far as the detail asks.
+bool LiveMaps::isProbeItself(const MapPlan& plan, const SceneProbe& probe, const MapDetail& detail, double exposure) const
+{
+    if (!m_itself || plan.pyramid || plan.filters.size() != 1 || exposure != 0.0)
+        return false;
+    const PrefilterOptions& filter = plan.filters.front();
+    if (filter.yaw != 0.0)
+        return false;
+    const MapLayout& own = m_environment->layout;
+    if (filter.target == own && isLookup(filter, probe))
+        return true;
+    const bool isQuick = std::int64_t{own.width()} * own.height() <= quickTexels || m_background.levels == m_itself;
+    return isQuick && detail.probeItselfUpTo > 0.0 && filter.method == Method::Auto &&
+           lobeAngle(filter.lobe) <= detail.probeItselfUpTo * texelAngle(own);
+}
+
+MapLevels LiveMaps::levels(KeptMap& kept, const std::optional<MapPlan>& plan, SceneProbe& probe, const MapDetail& detail, double exposure,
+                           const JobControl& job, WorkRecord& record)
 {
     if (!plan) {
         kept = {};
-    } else if (!kept.levels || kept.plan != *plan || kept.exposure != exposure) {
-        auto made = std::make_shared<const std::vector<EnvironmentMap>>(buildMap(*plan, probe, exposure, job, record));
-        kept = {*plan, exposure, std::move(made)};
-    } else {
-        record.stages.push_back({.name = plan->name, .leftOut = true, .why = "kept: nothing that it depends on has changed"});
+        return nullptr;
     }
+    const auto isKept = [&] { record.stages.push_back({.name = plan->name, .leftOut = true, .why = "kept: nothing that it depends on has changed"}); };
+    MapPlan key = keyOf(*plan, probe);
+    if (kept.levels && kept.key == key && kept.exposure == exposure) {
+        isKept();
+        return kept.levels;
+    }
+    if (isProbeItself(*plan, probe, detail, exposure)) {
+        isKept();
+        if (plan->filters.front().target == m_environment->layout)
+            kept = {std::move(key), exposure, m_itself};
+        return m_itself;
+    }
+    auto made = std::make_shared<const std::vector<EnvironmentMap>>(buildMap(*plan, probe, exposure, job, record));
+    kept = {std::move(key), exposure, std::move(made)};
     return kept.levels;
 }
 
@@ -167,11 +234,14 @@ MadeScene LiveMaps::update(const Scene& scene, const MapDetail& detail, const Jo
     SceneProbe plain{.environment = m_environment};
     SceneProbe& probe = m_isStreamed || made.plan.filtersAny() ? m_probe : plain;
     for (std::optional<MapPlan>* map : {&made.plan.specular, &made.plan.diffuse})
-        apply(detail, probe.source ? &*probe.source : nullptr, *map);
+        apply(detail, *map);
 
-    made.maps = {.specular = levels(m_specular, made.plan.specular, probe, scene.probe.exposure, job, made.record),
-                 .diffuse = levels(m_diffuse, made.plan.diffuse, probe, scene.probe.exposure, job, made.record),
-                 .background = levels(m_background, made.plan.background, probe, scene.probe.exposure, job, made.record)};
+    const auto make = [&](KeptMap& kept, const std::optional<MapPlan>& plan) {
+        return levels(kept, plan, probe, detail, scene.probe.exposure, job, made.record);
+    };
+    made.maps.background = make(m_background, made.plan.background); // first: where it is the probe itself, the others may be, too
+    made.maps.specular = make(m_specular, made.plan.specular);
+    made.maps.diffuse = make(m_diffuse, made.plan.diffuse);
     made.maps.sphereMaps = sphereMaps(scene, made.plan, job, made.record);
     made.probeLayout = m_layout;
     made.environment = m_isStreamed ? m_probe.environment : m_environment;

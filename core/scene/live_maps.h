@@ -13,9 +13,12 @@ namespace mirrorball {
 
 /// How good the maps of a scene must be.
 struct MapDetail {
-    int largestSize = 16384;  ///< texels: maps without coarser levels are made no larger
-    double tolerance = 1e-5;  ///< rel_rms of the filters, (0, 1]
-    double seconds = std::numeric_limits<double>::infinity(); ///< maps are made smaller where a filter is predicted to take longer
+    int largestSize = 16384; ///< texels: maps without coarser levels are made no larger
+    double tolerance = 1e-5; ///< rel_rms of the filters, (0, 1]
+    double texelsPerLobe = std::numeric_limits<double>::infinity(); ///< maps are made smaller where their lobe spans more at half its peak
+    /// Texels of the probe that a lobe spans at half its peak: for one that spans no more, the probe's own texels in their own layout may stand
+    /// in, which costs nothing; 0: never.
+    double probeItselfUpTo = 0.0;
     bool operator==(const MapDetail&) const = default;
 };
 
@@ -54,7 +57,7 @@ private:
         bool operator==(const ProbeKey&) const = default;
     };
     struct KeptMap {
-        MapPlan plan{};
+        MapPlan key{}; ///< what of its plan the map depends on
         double exposure = 0.0;
         MapLevels levels{};
     };
@@ -71,8 +74,10 @@ private:
     void readWhole(const Scene& scene, const JobControl& job, WorkRecord& record);
     void openStreamed(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record);
     void forgetMaps();
-    MapLevels levels(KeptMap& kept, const std::optional<MapPlan>& plan, SceneProbe& probe, double exposure, const JobControl& job,
-                     WorkRecord& record);
+    MapLevels levels(KeptMap& kept, const std::optional<MapPlan>& plan, SceneProbe& probe, const MapDetail& detail, double exposure,
+                     const JobControl& job, WorkRecord& record);
+    void keepProbe(EnvironmentMap probe);
+    bool isProbeItself(const MapPlan& plan, const SceneProbe& probe, const MapDetail& detail, double exposure) const;
     std::vector<SphereMapChain> sphereMaps(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record);
 
     std::optional<ProbeKey> m_key{};
@@ -80,7 +85,8 @@ private:
     bool m_isStreamed = false;
     std::string m_problem{};
     SceneProbe m_probe{};                                  ///< its source serves the filters
-    std::shared_ptr<const EnvironmentMap> m_environment{}; ///< the probe as it is
+    MapLevels m_itself{};                                  ///< the probe as it is, one level
+    std::shared_ptr<const EnvironmentMap> m_environment{}; ///< that level
     bool m_certain = true;
     KeptMap m_specular{}, m_diffuse{}, m_background{};
     std::vector<KeptSphereMap> m_sphereMaps{};

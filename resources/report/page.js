@@ -320,8 +320,13 @@ function errorTimePlot(c) {
   }));
   const best = front(points);
   best.forEach(p => p.front = true);
-  const sets = methods.filter(name => points.some(p => p.m.method === name)).map(name =>
-    methodSet(name, points.filter(p => p.m.method === name).sort((a, b) => a.x - b.x), name === "auto" ? {showLine: false, order: -1} : {showLine: name !== "mip"}));
+  // A line joins settings of one knob: the two variants of the paraboloid are not.
+  const variant = p => p.m.method === "paraboloid" ? p.m.setting.split(" ")[0] : "";
+  const sets = methods.flatMap(name => {
+    const own = points.filter(p => p.m.method === name).sort((a, b) => a.x - b.x);
+    return [...new Set(own.map(variant))].map(v =>
+      methodSet(name, own.filter(p => variant(p) === v), name === "auto" ? {showLine: false, order: -1} : {showLine: name !== "mip"}));
+  });
   sets.push({label: "Pareto front", data: best.map(p => ({x: p.x, y: p.y})), silent: true, showLine: true, stepped: "before", borderColor: color("front"),
     borderWidth: 9, borderJoinStyle: "round", borderCapStyle: "round", pointRadius: 0, pointHoverRadius: 0, order: 10});
   if (shown.predicted)

@@ -5,6 +5,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <fstream>
 #include <string>
 
@@ -74,12 +75,26 @@ double kilobytes(const std::string& field)
     return 0.0;
 }
 
+/// @return the plan that was followed
+Plan makePicture(const Scene& scene, PlanExtent extent)
+{
+    const JobControl job{.threads = 2};
+    Plan plan = makePlan(scene, probeLayout(scene), {.extent = extent});
+    WorkRecord record;
+    SceneProbe probe = openProbe(scene, plan, job, record);
+    const SceneMaps maps = buildMaps(scene, plan, probe, job, record);
+    const OffscreenContext context;
+    Renderer renderer;
+    benchmark::DoNotOptimize(renderer.renderDisplay(renderSettings(scene, plan), renderMaps(maps)));
+    return plan;
+}
+
 void pictureOf(benchmark::State& state, Scene (*make)(), PlanExtent extent)
 {
+    static const Plan warmUp = makePicture(mirrorOnly(), PlanExtent::Needed); // a process loads its graphics driver once
     const Scene scene = make();
-    const JobControl job{.threads = 2};
     double peak = 0.0;
-    int done = 0, leftOut = 0;
+    Plan plan;
     for (auto _ : state) {
         state.PauseTiming();
         malloc_trim(0);
@@ -87,24 +102,16 @@ void pictureOf(benchmark::State& state, Scene (*make)(), PlanExtent extent)
         const double before = kilobytes("VmRSS:");
         state.ResumeTiming();
 
-        const Plan plan = makePlan(scene, probeLayout(scene), {.extent = extent});
-        WorkRecord record;
-        SceneProbe probe = openProbe(scene, plan, job, record);
-        const SceneMaps maps = buildMaps(scene, plan, probe, job, record);
-        const OffscreenContext context;
-        Renderer renderer;
-        benchmark::DoNotOptimize(renderer.renderDisplay(renderSettings(scene, plan), renderMaps(maps)));
+        plan = makePicture(scene, extent);
 
         state.PauseTiming();
         peak = std::max(peak, kilobytes("VmHWM:") - before);
-        done = leftOut = 0;
-        for (const Stage& stage : plan.stages)
-            ++(stage.leftOut ? leftOut : done);
         state.ResumeTiming();
     }
+    const auto leftOut = std::count_if(plan.stages.begin(), plan.stages.end(), [](const Stage& stage) { return stage.leftOut; });
     state.counters["peak_MB"] = peak / 1024.0;
-    state.counters["stages"] = done;
-    state.counters["left_out"] = leftOut;
+    state.counters["stages"] = static_cast<double>(plan.stages.size()) - static_cast<double>(leftOut);
+    state.counters["left_out"] = static_cast<double>(leftOut);
 }
 
 #define SCENE(name)                                                                                                                        \

@@ -2,11 +2,9 @@
 #include "test_class.h"
 
 #include "app/studio/theme.h"
-#include "widgets/preview_widget.h"
 
 #include <QApplication>
 #include <QStandardPaths>
-#include <QSurfaceFormat>
 
 #include <cstdio>
 #include <cstring>
@@ -19,7 +17,6 @@ int main(int count, char** arguments)
         mirrorball::test::saveForever(QString::fromLocal8Bit(arguments[2]), QString::fromLocal8Bit(arguments[3]));
     }
     QStandardPaths::setTestModeEnabled(true); // settings and caches of a user are left alone
-    QSurfaceFormat::setDefaultFormat(mirrorball::studio::previewFormat());
     QApplication application(count, arguments);
     QApplication::setOrganizationName(QStringLiteral("mirrorball-test"));
     QApplication::setApplicationName(QStringLiteral("widget_tests"));

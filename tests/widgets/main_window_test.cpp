@@ -139,6 +139,22 @@ void MainWindowTest::oneKeyHidesAndShowsAllDocks()
     QCOMPARE(shown(), before);
 }
 
+// A panel that nobody sees does no work; Qt itself counts a dock behind a tab as visible.
+void MainWindowTest::aPanelBehindATabIsHidden()
+{
+    StudioWindow window;
+    window.show();
+    QDockWidget *plan = window->dock(QStringLiteral("plan")), *report = window->dock(QStringLiteral("report"));
+    QTRY_VERIFY(plan->widget()->isVisible() && !report->widget()->isVisible());
+    report->raise();
+    QTRY_VERIFY(!plan->widget()->isVisible() && report->widget()->isVisible());
+    plan->setFloating(true);
+    QTRY_VERIFY(plan->widget()->isVisible());
+    window->hideOrShowDocks();
+    window->hideOrShowDocks();
+    QTRY_VERIFY(plan->widget()->isVisible() && report->widget()->isVisible());
+}
+
 void MainWindowTest::keepsItsLayoutBetweenRuns()
 {
     {

@@ -125,6 +125,21 @@ void ReportPanelTest::measuresAgainWhenTheLobeChangesAndOnlyThen()
     QVERIFY2(shown.panel->statusText().contains(QStringLiteral("phong:40")), qPrintable(shown.panel->statusText()));
 }
 
+void ReportPanelTest::givesWayToADragAndGoesOnAfterIt()
+{
+    ShownPanel shown;
+    QVERIFY(shown.isReady);
+    QTRY_VERIFY_WITH_TIMEOUT(shown.panel->points().size() >= 2, patience);
+    const size_t before = shown.panel->points().size();
+    shown.workspace.document.edit(QStringLiteral("orbit"), QStringLiteral("orbit"), [](Scene& s) { s.view.camera.yawDeg += 1.0; });
+    QTest::qWait(400);
+    QVERIFY(shown.panel->points().size() <= before + 1); // at most the one that was done already
+    QVERIFY(shown.panel->isMeasuring());
+    shown.workspace.document.finishEdit();
+    QVERIFY(shown.settle());
+    QVERIFY(shown.panel->points().size() > before + 1);
+}
+
 void ReportPanelTest::saysThatAMirrorIsNotFiltered()
 {
     ShownPanel shown([](Scene& scene) { scene.material.specular = {}; });

@@ -12,6 +12,7 @@ private slots:
     void aClickOnAPointChoosesTheMethod();
     void keysChooseInTheTable();
     void measuresAgainWhenTheLobeChangesAndOnlyThen();
+    void givesWayToADragAndGoesOnAfterIt();
     void saysThatAMirrorIsNotFiltered();
     void stopsWhenAsked();
     void namesAllControls();

@@ -36,12 +36,14 @@ public:
     void waitForPicture()
     {
         QTRY_VERIFY_WITH_TIMEOUT(m_window->workspace().live.isUpToDate(), 60000);
-        m_window->preview().repaint();
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->preview().isUpToDate(), 60000);
     }
     QImage picture()
     {
         waitForPicture();
-        return m_window->preview().grabFramebuffer().convertToFormat(QImage::Format_RGB888);
+        QImage picture = m_window->preview().picture().convertToFormat(QImage::Format_RGB888);
+        picture.setDevicePixelRatio(1.0);
+        return picture;
     }
 
 private:

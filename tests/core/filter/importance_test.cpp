@@ -84,12 +84,38 @@ TEST(Importance, LooksUpInFloatWhatTheMapSaysInDouble)
     const LookupPyramid pyramid(probe);
     const MapLayout layout{Parameterization::Latlong, 37, 0};
     const EnvironmentMap map = importanceSample(pyramid, phongLobe(1e12), 1, layout, 0.3);
-    const EnvironmentMap smooth = smoothedPoles(probe);
+    const EnvironmentMap smooth = withInterpolatedEnergy(smoothedPoles(probe));
     for (int y = 0; y < 37; ++y)
         for (int x = 0; x < 74; ++x) {
             const glm::dvec3 r = yawed(texelDirection(layout, x, y), -0.3);
             EXPECT_NEAR(map.image.texel(x, y)[0], smooth.radiance(r).x, 1e-3); // angles to 1e-6, 20 texels a radian, steps of up to 30
         }
+}
+
+/// One texel in each row in turn: what its bilinear lookups hold over the sphere, by a midpoint rule finer than the texels, is its radiance
+/// times its solid angle. Plain rows at a pole hold a twelfth more.
+TEST(Importance, LookupsHoldTheEnergyOfTheTexels)
+{
+    constexpr int height = 8, fine = 32 * height;
+    const MapLayout layout{Parameterization::Latlong, height, 0}, dense{Parameterization::Latlong, fine, 0};
+    const auto energy = [&](const EnvironmentMap& map) {
+        double sum = 0.0;
+        for (int y = 0; y < fine; ++y)
+            for (int x = 0; x < 2 * fine; ++x)
+                sum += static_cast<double>(map.radiance(texelDirection(dense, x, y)).x) * texelSolidAngle(dense, x, y);
+        return sum;
+    };
+    for (int row = 0; row < height; ++row) {
+        EnvironmentMap map = test::constantProbe(height, 0.0f);
+        for (int x = 0; x < 2 * height; ++x)
+            map.image.texel(x, row)[0] = 1.0f;
+        const double area = 2 * height * texelSolidAngle(layout, 0, row);
+        EXPECT_NEAR(energy(withInterpolatedEnergy(map)) / area, 1.0, 2e-4) << row; // of the midpoint rule
+        if (row == 0) { // 13/12 for small h
+            const double h = pi / height, half = std::sin(0.5 * h);
+            EXPECT_NEAR(energy(map) / area, 2.0 / h * half + (1.0 - 2.0 / h * half) / (1.0 - std::cos(h)), 2e-4);
+        }
+    }
 }
 
 TEST(Importance, DoesNotDependOnThreads)

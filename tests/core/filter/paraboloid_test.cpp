@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
 
 namespace mirrorball {
 namespace {
@@ -168,6 +169,26 @@ TEST(Paraboloid, IsExactOnRealProbesToItsPrediction)
             EXPECT_LT(exact, 0.1 * published) << name << ' ' << exponent;
         }
     }
+}
+
+/// A machine without a working driver gets its map all the same, and is told.
+TEST(Paraboloid, RunsOnTheCpuWhereThereIsNoDeviceOrItFails)
+{
+    class Failing : public ParaboloidDevice {
+    public:
+        std::vector<glm::vec3> sum(const ParaboloidHalves&, std::span<const glm::dvec3>, const JobControl&) override
+        {
+            throw WorkError("no driver today");
+        }
+        std::string description() override { return "none"; }
+    };
+    const PrefilterOptions options{.lobe = phongLobe(20), .target = {Parameterization::Cube, 4, 0}, .method = Method::Paraboloid};
+    FilterSource without(test::noiseProbe(16, 4)), failing(test::noiseProbe(16, 4));
+    failing.useParaboloidDevice(std::make_shared<Failing>());
+    const PrefilterOutcome own = prefilter(without, options), after = prefilter(failing, options);
+    EXPECT_EQ(own.map.image, after.map.image);
+    EXPECT_EQ(after.stages.back().name, "paraboloid sums on the CPU");
+    EXPECT_EQ(after.stages.back().why, "no driver today");
 }
 
 } // namespace

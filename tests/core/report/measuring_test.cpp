@@ -60,8 +60,10 @@ TEST(PeakMemory, SeesSmallBlocksThatEarlierWorkFreed)
         }
         return static_cast<double>(*watch.bytes()) / (1 << 20);
     };
-    EXPECT_NEAR(small(), 33.0, 4.0);
-    EXPECT_NEAR(small(), 33.0, 4.0);
+    const double first = small();
+    EXPECT_GE(first, 32.0);
+    EXPECT_LE(first, 48.0); // with what the allocator adds: a fiftieth, or a sanitizer's half
+    EXPECT_NEAR(small(), first, 2.0);
 }
 
 } // namespace

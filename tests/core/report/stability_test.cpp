@@ -22,7 +22,7 @@ TEST_P(Stability, HoldsInEveryCase)
         for (const std::string& failure : row.failures)
             ADD_FAILURE() << test.name << ", " << name(method) << ": " << failure;
     }
-    EXPECT_EQ(ran > 0, method != Method::Paraboloid); // which needs a GPU
+    EXPECT_GT(ran, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, Stability, ::testing::ValuesIn(allMethods), [](const auto& method) { return std::string(name(method.param)); });

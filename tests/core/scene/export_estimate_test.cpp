@@ -89,18 +89,6 @@ TEST(ExportEstimate, WritesSizesForPeople)
     EXPECT_EQ(byteText(50'300'000'000), "50 GB");
 }
 
-TEST(ExportCommand, IsReadByAShellAsItWasMeant)
-{
-    const test::TemporaryFolder folder;
-    const std::string weird = "it's a \"$HOME\" `x`; rm *\n& \\ \xc3\xbc |";
-    const std::string out = (folder / "out").string();
-    ASSERT_EQ(std::system(("printf %s " + shellQuoted(weird) + " > " + out).c_str()), 0);
-    EXPECT_EQ(test::readBytes(out), weird);
-    EXPECT_EQ(shellQuoted(""), "''");
-    EXPECT_EQ(shellQuoted("/a/b-c_1.exr"), "/a/b-c_1.exr");
-    EXPECT_EQ(shellQuoted("~"), "'~'");
-}
-
 TEST(ExportCommand, NamesSceneFolderAndExports)
 {
     EXPECT_EQ(exportCommand("/a/show room.mirrorball", "/b"), "mirrorball export '/a/show room.mirrorball' -o /b");

@@ -1,0 +1,117 @@
+#include "core/scene/live_maps.h"
+
+#include "core/error.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace mirrorball {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr MapDetail coarse{.largestSize = 128, .tolerance = 1e-3, .texelsPerLobe = 6.0, .probeItselfUpTo = 4.0};
+
+Scene glossyScene(double exponent)
+{
+    Scene scene;
+    scene.probe.source = "builtin:cube-room";
+    scene.map.size = 256;
+    scene.material.specular = {.lobe = SurfaceLobe::Phong, .exponent = exponent};
+    scene.material.diffuse.weight = 0.5;
+    return scene;
+}
+
+MapLevels commandLineMap(const Scene& scene)
+{
+    WorkRecord record;
+    const Plan plan = makePlan(scene, probeLayout(scene));
+    SceneProbe probe = openProbe(scene, plan, {}, record);
+    return buildMaps(scene, plan, probe, {}, record).specular;
+}
+
+void expectSame(const MapLevels& a, const MapLevels& b)
+{
+    ASSERT_TRUE(a && b);
+    ASSERT_EQ(a->size(), b->size());
+    for (size_t i = 0; i < a->size(); ++i) {
+        EXPECT_TRUE(a->at(i).layout == b->at(i).layout);
+        EXPECT_EQ(a->at(i).image.texels, b->at(i).image.texels);
+    }
+}
+
+// Resampling builds on the probe as it is and not on what a filter keeps of it: the one thing that order could change.
+TEST(LiveMaps, InFullAreThoseOfTheCommandLineWhateverCameBefore)
+{
+    LiveMaps live;
+    for (const double exponent : {20.0, 3.0, 400.0}) {
+        live.update(glossyScene(exponent), coarse);
+        expectSame(live.update(glossyScene(exponent), {}).maps.specular, commandLineMap(glossyScene(exponent)));
+    }
+    Scene mirror = glossyScene(20.0);
+    mirror.material.specular = {};
+    mirror.material.diffuse.weight = 0.0;
+    live.update(mirror, coarse);
+    expectSame(live.update(mirror, {}).maps.specular, commandLineMap(mirror));
+}
+
+TEST(LiveMaps, KeepWhatAnEditDidNotTouch)
+{
+    LiveMaps live;
+    const SceneMaps before = live.update(glossyScene(20.0), {}).maps, after = live.update(glossyScene(40.0), {}).maps;
+    EXPECT_NE(before.specular, after.specular);
+    EXPECT_EQ(before.diffuse, after.diffuse);
+    EXPECT_EQ(before.background, after.background);
+}
+
+// From 1e6 on the lobe is narrower than 1.5 texels of a probe 1024 wide, and the map is the same lookup for all.
+TEST(LiveMaps, MakeOneMapForAllLobesThatTheProbeDoesNotResolve)
+{
+    LiveMaps live;
+    const MapLevels one = live.update(glossyScene(1e6), {}).maps.specular;
+    EXPECT_EQ(live.update(glossyScene(3e6), {}).maps.specular, one);
+    expectSame(one, commandLineMap(glossyScene(3e6)));
+}
+
+// Phong 20000 is 2 acos(2^(-1/n)) = 0.0167 rad wide, 3.4 texels of mean size; 5000 is 6.8.
+TEST(LiveMaps, ShowTheProbeItselfInHasteWhereTheLobeSpansFewOfItsTexels)
+{
+    LiveMaps live;
+    const MadeScene made = live.update(glossyScene(1e6), coarse);
+    EXPECT_EQ(made.maps.specular, made.maps.background); // one texture
+    EXPECT_TRUE(made.maps.specular->front().layout == made.probeLayout);
+    EXPECT_EQ(&made.maps.specular->front(), made.environment.get()); // no copy
+    EXPECT_EQ(live.update(glossyScene(20000.0), coarse).maps.specular, made.maps.background);
+    EXPECT_NE(live.update(glossyScene(5000.0), coarse).maps.specular, made.maps.background);
+    EXPECT_FALSE(live.update(glossyScene(1e6), {}).maps.specular->front().layout == made.probeLayout);
+
+    Scene brighter = glossyScene(1e6);
+    brighter.probe.exposure = 1.0; // the probe's texels are not those
+    EXPECT_TRUE((live.update(brighter, coarse).maps.specular->front().layout == MapLayout{Parameterization::Cube, 128, 0}));
+}
+
+// A lobe 2 acos(2^(-1/n)) wide at half its peak: 13.5 degrees for n = 100, 10 texels of a cube of 64 and 5 of one of 32.
+TEST(LiveMaps, AreSmallInHasteOnlyWhereTheLobeIsWide)
+{
+    LiveMaps live;
+    const auto size = [&](double exponent) { return live.update(glossyScene(exponent), coarse).maps.specular->front().layout.size; };
+    EXPECT_EQ(size(1.0), 32);
+    EXPECT_EQ(size(100.0), 64);
+    EXPECT_EQ(size(1000.0), 128);
+    EXPECT_EQ(size(5000.0), 128);
+}
+
+TEST(LiveMaps, StandInForAProbeThatIsMissingAndSayWhich)
+{
+    LiveMaps live;
+    Scene scene = glossyScene(20.0);
+    scene.probe.source = "/nowhere/lost.hdr";
+    const MadeScene made = live.update(scene, {});
+    EXPECT_THAT(made.problem, HasSubstr("/nowhere/lost.hdr"));
+    EXPECT_EQ(made.environment->image.texels, placeholderProbe().image.texels);
+    scene.probe.source = "builtin:cube-room";
+    EXPECT_EQ(live.update(scene, {}).problem, "");
+}
+
+} // namespace
+} // namespace mirrorball
