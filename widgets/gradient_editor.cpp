@@ -42,6 +42,11 @@ double GradientBar::positionAt(double x) const
     return std::round(std::clamp((x - bar().left()) / bar().width(), 0.0, 1.0) * 1000.0) / 1000.0;
 }
 
+double GradientBar::placeOf(double position) const
+{
+    return bar().left() + position * bar().width();
+}
+
 void GradientBar::setStops(const std::vector<GradientStop>& stops)
 {
     if (stops == m_stops)
@@ -107,7 +112,7 @@ int GradientBar::handleAt(const QPointF& place) const
     int best = -1;
     double nearest = handleHalf + 3.0;
     for (size_t i = 0; i < m_stops.size(); ++i) {
-        const double distance = std::abs(place.x() - (bar().left() + m_stops[i].position * bar().width()));
+        const double distance = std::abs(place.x() - placeOf(m_stops[i].position));
         if (distance < nearest || (distance == nearest && static_cast<int>(i) == m_chosen)) {
             nearest = distance;
             best = static_cast<int>(i);
@@ -231,7 +236,7 @@ void GradientBar::paintEvent(QPaintEvent*)
             const bool isChosen = static_cast<int>(i) == m_chosen && m_beforePull.empty();
             if (isChosen != (pass == 1))
                 continue;
-            const double x = area.left() + m_stops[i].position * area.width(), top = area.bottom() - 2.0;
+            const double x = placeOf(m_stops[i].position), top = area.bottom() - 2.0;
             QPainterPath handle;
             handle.moveTo(x, top);
             handle.lineTo(x + handleHalf, top + 7.0);

@@ -28,6 +28,8 @@ public:
     void removeChosen();
     /// Changes the chosen stop as the user would.
     void changeChosen(const std::function<void(GradientStop&)>& change);
+    /// Where across the widget a position of the gradient is.
+    double placeOf(double position) const;
 
     QSize sizeHint() const override { return {200, 44}; }
     QSize minimumSizeHint() const override { return {100, 44}; }

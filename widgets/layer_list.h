@@ -50,7 +50,7 @@ class LayerList : public QListView {
 
 public:
     explicit LayerList(SphereMapEditor& editor, QWidget* parent = nullptr);
-    QSize sizeHint() const override { return {260, 150}; }
+    QSize sizeHint() const override { return {260, 124}; }
     QSize minimumSizeHint() const override { return {120, 84}; }
 
 protected:

@@ -5,26 +5,91 @@
 #include <QMouseEvent>
 #include <QTabletEvent>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 namespace mirrorball::studio {
 
 namespace {
 /// Two samples farther apart on the disc than this are on different parts of the model.
 constexpr double leap = 0.3;
+/// Pixels from the cursor at which the ring looks how the disc lies on the model.
+constexpr double probe = 4.0;
+constexpr double largestRing = 600.0; ///< pixels: on what is nearly flat a brush has no end
 } // namespace
 
 ModelPainter::ModelPainter(PreviewWidget& preview, Workspace& workspace)
-    : QObject(&preview), m_preview(preview), m_workspace(workspace)
+    : QObject(&preview), m_preview(preview), m_workspace(workspace), m_ring(new BrushRing(preview))
 {
     m_preview.installEventFilter(this);
+    m_ringTimer.setSingleShot(true);
+    m_ringTimer.setInterval(16);
+    connect(&m_ringTimer, &QTimer::timeout, this, &ModelPainter::showRing);
+    const auto soon = [this] { m_ringTimer.start(); };
+    connect(&m_workspace.sphereMap, &SphereMapEditor::brushChanged, this, soon);
+    connect(&m_workspace.sphereMap, &SphereMapEditor::toolChanged, this, soon);
 }
 
 std::optional<glm::dvec2> ModelPainter::placeAt(const QPointF& position)
 {
     const SphereMapDocument* map = m_workspace.sphereMap.map();
+    if (!map || !m_preview.rect().contains(position.toPoint()))
+        return std::nullopt;
     const std::optional<preview::SurfaceHit> hit = m_preview.pick(position);
-    if (!map || !hit)
+    if (!hit)
         return std::nullopt;
     return map->index == SphereMapIndex::Normal ? glm::dvec2(hit->eyeNormal) : sphere_map::discFromDirection(glm::dvec3(hit->eyeReflected));
+}
+
+/// The circle on the disc, seen on the model as far as the model bends like its tangent there: two differences of places make the matrix
+/// from pixels to the disc, and its inverse takes the circle to an ellipse.
+QPolygonF ModelPainter::outlineAt(const QPointF& position)
+{
+    const std::optional<glm::dvec2> here = placeAt(position);
+    if (!here)
+        return {};
+    const auto change = [&](const QPointF& step) -> std::optional<glm::dvec2> {
+        if (const auto ahead = placeAt(position + step))
+            return (*ahead - *here) / probe;
+        if (const auto behind = placeAt(position - step))
+            return (*here - *behind) / probe;
+        return std::nullopt;
+    };
+    const std::optional<glm::dvec2> across = change({probe, 0.0}), down = change({0.0, probe});
+    if (!across || !down)
+        return {};
+    const glm::dmat2 toDisc(*across, *down);
+    const double determinant = glm::determinant(toDisc), radius = m_workspace.sphereMap.brush().radius;
+    QPolygonF outline;
+    for (int i = 0; i < 48; ++i) {
+        const double angle = 2.0 * pi * i / 48;
+        glm::dvec2 step = radius * glm::dvec2(std::cos(angle), std::sin(angle));
+        if (std::abs(determinant) > 1e-12)
+            step = glm::inverse(toDisc) * step;
+        else
+            step *= largestRing / radius;
+        step *= std::min(1.0, largestRing / std::max(glm::length(step), 1e-9));
+        outline << position + QPointF(step.x, step.y);
+    }
+    return outline;
+}
+
+void ModelPainter::showRing()
+{
+    const SphereMapEditor& editor = m_workspace.sphereMap;
+    if (!isOn() || !m_cursor || editor.tool() == PaintTool::PickColor) {
+        m_ring->show({});
+        return;
+    }
+    if (m_isPainting) { // a look at the model waits for the picture that is being drawn; while the pen moves the ring goes with it
+        m_ring->show(m_ring->outline().translated(*m_cursor - std::exchange(m_ringAt, *m_cursor)));
+        return;
+    }
+    m_ringAt = m_brushBefore ? m_pressed : *m_cursor;
+    const Brush& brush = editor.brush();
+    m_ring->show(outlineAt(m_ringAt),
+                 m_brushBefore ? tr("radius %1, hardness %2").arg(brush.radius, 0, 'f', 3).arg(brush.hardness, 0, 'f', 2) : QString());
 }
 
 bool ModelPainter::press(const QPointF& position, Qt::KeyboardModifiers modifiers, double pressure, PenEnd end)
@@ -76,53 +141,99 @@ void ModelPainter::release()
     m_isPainting = m_isPicking = false;
 }
 
-bool ModelPainter::eventFilter(QObject* watched, QEvent* event)
+bool ModelPainter::handleMouse(QEvent* event)
 {
-    const bool isBusy = m_isPainting || m_isPicking;
-    if (!isBusy && !(m_workspace.sphereMap.paintsOnModel() && m_workspace.sphereMap.map()))
-        return QObject::eventFilter(watched, event);
+    const auto* mouse = static_cast<QMouseEvent*>(event);
+    if (m_penIsDown)
+        return true;
+    m_cursor = mouse->position();
+    if (!m_ringTimer.isActive())
+        m_ringTimer.start();
+    const bool isBusy = m_isPainting || m_isPicking || m_brushBefore;
     switch (event->type()) {
-    case QEvent::MouseButtonPress: {
-        const auto* mouse = static_cast<QMouseEvent*>(event);
-        return m_penIsDown || (mouse->button() == Qt::LeftButton && press(mouse->position(), mouse->modifiers(), 1.0, PenEnd::Tip));
-    }
+    case QEvent::MouseButtonPress:
+        if (isBusy)
+            return true;
+        if (mouse->button() == Qt::RightButton && !mouse->modifiers().testFlag(Qt::ShiftModifier)) { // with Shift it turns the environment
+            m_brushBefore = m_workspace.sphereMap.brush();
+            m_pressed = mouse->position();
+            return true;
+        }
+        return mouse->button() == Qt::LeftButton && press(mouse->position(), mouse->modifiers(), 1.0, PenEnd::Tip);
     case QEvent::MouseMove:
-        if (isBusy && !m_penIsDown)
-            move(static_cast<QMouseEvent*>(event)->position(), 1.0);
+        if (m_brushBefore)
+            m_workspace.sphereMap.setBrush(draggedBrush(*m_brushBefore, mouse->position() - m_pressed));
+        else if (isBusy)
+            move(mouse->position(), 1.0);
         return isBusy;
-    case QEvent::MouseButtonRelease:
-        if (isBusy && !m_penIsDown)
+    default:
+        if (m_brushBefore)
+            m_brushBefore.reset();
+        else if (isBusy)
             release();
         return isBusy;
-    case QEvent::TabletPress: {
-        auto* pen = static_cast<QTabletEvent*>(event);
-        const bool isEraser = pen->pointerType() == QPointingDevice::PointerType::Eraser;
-        m_penIsDown = press(pen->position(), pen->modifiers(), pen->pressure(), isEraser ? PenEnd::Eraser : PenEnd::Tip);
-        pen->setAccepted(m_penIsDown);
-        return m_penIsDown;
     }
-    case QEvent::TabletMove: {
-        auto* pen = static_cast<QTabletEvent*>(event);
+}
+
+bool ModelPainter::handlePen(QEvent* event)
+{
+    auto* pen = static_cast<QTabletEvent*>(event);
+    m_cursor = pen->position();
+    if (!m_ringTimer.isActive())
+        m_ringTimer.start();
+    bool isTaken = m_penIsDown;
+    switch (event->type()) {
+    case QEvent::TabletPress: {
+        const bool isEraser = pen->pointerType() == QPointingDevice::PointerType::Eraser;
+        isTaken = m_penIsDown = press(pen->position(), pen->modifiers(), pen->pressure(), isEraser ? PenEnd::Eraser : PenEnd::Tip);
+        break;
+    }
+    case QEvent::TabletMove:
         if (m_penIsDown)
             move(pen->position(), pen->pressure());
-        pen->setAccepted(m_penIsDown);
-        return m_penIsDown;
-    }
-    case QEvent::TabletRelease: {
-        const bool wasDown = m_penIsDown;
-        if (wasDown)
+        break;
+    default:
+        if (m_penIsDown)
             release();
         m_penIsDown = false;
-        event->setAccepted(wasDown);
-        return wasDown;
+        break;
     }
-    case QEvent::KeyPress:
-        if (m_isPainting && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+    pen->setAccepted(isTaken); // then no mouse event follows
+    return isTaken;
+}
+
+bool ModelPainter::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Resize)
+        m_ring->setGeometry(m_preview.rect());
+    if (event->type() == QEvent::Leave) {
+        m_cursor.reset();
+        m_ringTimer.start();
+    }
+    if (!isOn() && !m_isPainting && !m_isPicking && !m_brushBefore)
+        return QObject::eventFilter(watched, event);
+    switch (event->type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseMove:
+    case QEvent::MouseButtonRelease:
+        return handleMouse(event) || QObject::eventFilter(watched, event);
+    case QEvent::TabletPress:
+    case QEvent::TabletMove:
+    case QEvent::TabletRelease:
+        return handlePen(event);
+    case QEvent::KeyPress: {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (m_isPainting && key == Qt::Key_Escape) {
             m_workspace.sphereMap.cancelStroke();
             m_isPainting = false;
             return true;
         }
+        if (key == Qt::Key_BracketLeft || key == Qt::Key_BracketRight) {
+            m_workspace.sphereMap.stepBrush(key == Qt::Key_BracketLeft ? -1 : 1);
+            return true;
+        }
         return QObject::eventFilter(watched, event);
+    }
     default:
         return QObject::eventFilter(watched, event);
     }

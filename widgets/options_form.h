@@ -32,6 +32,8 @@ struct FieldStyle {
     std::function<bool(const Scene&)> isShown{};          ///< empty: always
     QVector<int> choices{};                               ///< whole numbers that a list offers
     bool isHidden = false;                                ///< no control at all
+    QStringList suggestions{};                            ///< texts that are often wanted
+    QString fileFilter{};                                 ///< a text that names a file: what its chooser shows; empty: no chooser
 };
 using FieldStyles = std::map<std::string, FieldStyle, std::less<>>;
 

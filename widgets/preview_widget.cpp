@@ -57,9 +57,19 @@ PreviewWidget::PreviewWidget(Workspace& workspace, QWidget* parent) : QWidget(pa
             redraw();
         }
     });
+    connect(&m_workspace.sphereMap, &SphereMapEditor::levelsChanged, this, [this](const std::vector<TexelRect>& touched) {
+        for (std::vector<TexelRect>* rects : {&m_strokeLevels, &m_freshLevels}) {
+            rects->resize(std::max(rects->size(), touched.size()));
+            for (size_t i = 0; i < touched.size(); ++i)
+                (*rects)[i] = (*rects)[i].united(touched[i]);
+        }
+    });
     connect(&m_workspace.live, &LiveScene::updated, this, [this] {
-        if (!m_workspace.sphereMap.isPainting() && m_workspace.live.isUpToDate())
+        if (!m_workspace.sphereMap.isPainting() && m_workspace.live.isUpToDate()) {
             m_strokeRect = m_freshRect = {};
+            m_strokeLevels.clear();
+            m_freshLevels.clear();
+        }
     });
     connect(&m_workspace.live, &LiveScene::updated, this, &PreviewWidget::redraw);
     connect(&m_workspace.document, &Document::changed, this, [this](Parts parts) {
@@ -137,13 +147,21 @@ void PreviewWidget::order()
 bool PreviewWidget::patchSphereMap(const PreparedScene& made)
 {
     const SphereMapChain chain = made.maps.sphereMaps.empty() ? nullptr : made.maps.sphereMaps.front();
-    if (std::exchange(m_patchedMap, chain) != chain)
+    if (std::exchange(m_patchedMap, chain) != chain) {
         m_freshRect = m_strokeRect;
+        m_freshLevels = m_strokeLevels;
+    }
     const Image& picture = m_workspace.sphereMap.picture();
     if (!chain || m_freshRect.empty() || chain->levels.front().width != picture.width)
         return false;
     const TexelRect rect = onGrid(std::exchange(m_freshRect, {}), picture.width);
-    m_thread.patch({.chain = chain, .texels = cutOut(picture, rect), .rect = rect});
+    SphereMapPatch patch{.chain = chain, .texels = cutOut(picture, rect), .rect = rect};
+    const std::vector<TexelRect> fresh = std::exchange(m_freshLevels, {});
+    const std::vector<Image>& coarser = m_workspace.sphereMap.coarserLevels();
+    for (size_t i = 0; i < std::min(fresh.size(), coarser.size()); ++i)
+        if (!fresh[i].empty() && i + 1 < chain->levels.size() && coarser[i].width == chain->levels[i + 1].width)
+            patch.coarser.push_back({static_cast<int>(i) + 1, fresh[i], cutOut(coarser[i], fresh[i])});
+    m_thread.patch(std::move(patch));
     return true;
 }
 

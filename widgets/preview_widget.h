@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace mirrorball::studio {
 
@@ -101,6 +102,8 @@ private:
     SphereMapChain m_patchedMap;    ///< that the newest order reads
     TexelRect m_strokeRect;         ///< where a stroke that is being drawn has changed the sphere map since it was made
     TexelRect m_freshRect;          ///< the part of it that the texture does not hold yet
+    std::vector<TexelRect> m_strokeLevels; ///< the same of the coarser levels, where they are made by hand
+    std::vector<TexelRect> m_freshLevels;
     std::shared_ptr<const PreparedScene> m_snapshot;
     Comparison m_comparison = Comparison::Off;
     std::optional<Comparison> m_beforeHold{}; ///< while the key is held that shows the snapshot

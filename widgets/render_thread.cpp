@@ -167,6 +167,11 @@ private:
     void apply(const SphereMapPatch& patch)
     {
         renderer.patchSphereMap(patch.texels, patch.rect.x0, patch.rect.y0, 0);
+        if (patch.chain->hasAuthoredLevels) {
+            for (const LevelPatch& level : patch.coarser)
+                renderer.patchSphereMap(level.texels, level.rect.x0, level.rect.y0, level.level);
+            return;
+        }
         Image part = patch.texels;
         TexelRect rect = patch.rect;
         for (int level = 1; level < static_cast<int>(patch.chain->levels.size()); ++level) {

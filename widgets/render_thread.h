@@ -4,7 +4,7 @@
 #include "picture_comparison.h"
 
 #include "core/preview/renderer.h"
-#include "core/spheremap/texel_rect.h"
+#include "core/spheremap/levels_cache.h"
 
 #include <QImage>
 #include <QObject>
@@ -46,6 +46,7 @@ struct SphereMapPatch {
     SphereMapChain chain{}; ///< the map
     Image texels{};         ///< of its finest level, RGBA
     TexelRect rect{};       ///< where they belong
+    std::vector<LevelPatch> coarser{}; ///< where the map's levels are made by hand; otherwise they are averages
 };
 
 /// Draws pictures with core/preview's renderer on a thread of its own, in a context of the window system that Qt made.

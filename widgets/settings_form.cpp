@@ -4,10 +4,15 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCompleter>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <QToolButton>
 
 namespace mirrorball::studio {
 
@@ -66,6 +71,19 @@ void SettingsForm::addRow(const Field& field, const FieldStyle& style, QWidget* 
     label->setBuddy(control);
     label->setToolTip(help);
     m_layout->addRow(label, control);
+    m_rows.push_back(std::move(show));
+}
+
+void SettingsForm::addItemRows(const Field& field, const FieldStyle& style, ItemChooser* chooser, SettingsForm* form,
+                               std::function<void(const std::any&)> show)
+{
+    chooser->setObjectName(toQString(field.name));
+    chooser->describe(labelOf(field, style), labelText(field.help));
+    form->setObjectName(toQString(field.name) + QStringLiteral("Form"));
+    auto* label = new QLabel(labelOf(field, style));
+    label->setToolTip(labelText(field.help));
+    m_layout->addRow(label, chooser);
+    m_layout->addRow(form);
     m_rows.push_back(std::move(show));
 }
 
@@ -129,6 +147,13 @@ void SettingsForm::addText(const Field& field, const FieldStyle& style, const st
                            const std::function<std::string(const std::any&)>& get)
 {
     auto* control = new QLineEdit(this);
+    if (!style.suggestions.isEmpty()) {
+        auto* completer = new QCompleter(style.suggestions, control);
+        completer->setCaseSensitivity(Qt::CaseInsensitive);
+        completer->setFilterMode(Qt::MatchContains);
+        control->setCompleter(completer);
+        control->setPlaceholderText(style.suggestions.first());
+    }
     connect(control, &QLineEdit::editingFinished, this, [this, control, set] {
         set(control->text().toStdString());
         emit finished();
@@ -137,6 +162,18 @@ void SettingsForm::addText(const Field& field, const FieldStyle& style, const st
         const QString text = QString::fromStdString(get(settings));
         if (control->text() != text)
             control->setText(text);
+    });
+    if (style.fileFilter.isEmpty())
+        return;
+    QAction* browse = control->addAction(QIcon(QStringLiteral(":/icons/open.svg")), QLineEdit::TrailingPosition);
+    browse->setObjectName(QStringLiteral("chooseFile"));
+    browse->setToolTip(tr("Choose a file"));
+    connect(browse, &QAction::triggered, this, [this, control, set, filter = style.fileFilter] {
+        const QString path = QFileDialog::getOpenFileName(this, tr("Choose a file"), QFileInfo(control->text()).path(), filter);
+        if (path.isEmpty())
+            return;
+        set(path.toStdString());
+        emit finished();
     });
 }
 

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "gradient_editor.h"
+#include "item_chooser.h"
 #include "number_field.h"
 #include "options_form.h"
 #include "text.h"
 
 #include "core/spheremap/gradient_table.h"
+#include "core/spheremap/stroke.h"
 
 #include <QFormLayout>
 #include <QVector>
@@ -18,6 +20,13 @@
 #include <vector>
 
 namespace mirrorball::studio {
+
+/// Lists that a form shows item by item.
+template <typename T>
+inline constexpr bool isListOfSettings = false;
+template <typename Item>
+inline constexpr bool isListOfSettings<std::vector<Item>> =
+    !std::is_same_v<Item, Stroke> && requires(const Item& item) { Item::visitFields(item, [](const Field&, const auto&) {}); };
 
 /// Controls for the fields of one settings struct, whichever it is at the moment: a layer's parameters, a brush. Built from its visitFields as
 /// OptionsForm is, but over a value that is handed in instead of the scene. Each control is named by its field.
@@ -37,6 +46,7 @@ public:
     void build(const Settings& value, const Edit<Settings>& edit, const FieldStyles& styles = {})
     {
         clear();
+        m_styles = styles;
         const Settings initial;
         Settings::visitFields(initial, [&](const Field& field, const auto& preset) {
             using T = std::remove_cvref_t<decltype(preset)>;
@@ -109,11 +119,58 @@ private:
             addText(field, style, set, get);
         } else if constexpr (std::is_same_v<T, std::vector<GradientStop>>) {
             addGradient(field, style, set, get);
+        } else if constexpr (isListOfSettings<T>) {
+            addItems(field, style, set, get);
         } else if constexpr (std::is_enum_v<T>) {
             addChoice(field, style, words(preset), [set](const int& index) { set(static_cast<T>(index)); },
                       [get](const std::any& settings) { return static_cast<int>(get(settings)); });
         }
     }
+
+    /// A list of structs: which one, and controls for its fields below.
+    template <typename Item>
+    void addItems(const Field& field, const FieldStyle& style, const std::function<void(const std::vector<Item>&)>& set,
+                  const std::function<std::vector<Item>(const std::any&)>& get)
+    {
+        auto* chooser = new ItemChooser(static_cast<int>(field.low), static_cast<int>(field.high), this);
+        auto* form = new SettingsForm(this);
+        const auto items = std::make_shared<std::vector<Item>>();
+        const auto show = [chooser, form, items] {
+            chooser->setCount(static_cast<int>(items->size()));
+            form->setVisible(!items->empty());
+            if (!items->empty())
+                form->SettingsForm::show((*items)[static_cast<size_t>(chooser->chosen())]);
+        };
+        form->build<Item>(Item{}, [chooser, items, set](const QString&, const QString&, const std::function<void(Item&)>& change) {
+            std::vector<Item> changed = *items;
+            if (chooser->chosen() < 0)
+                return;
+            change(changed[static_cast<size_t>(chooser->chosen())]);
+            set(changed);
+        }, m_styles);
+        connect(form, &SettingsForm::finished, this, &SettingsForm::finished);
+        connect(chooser, &ItemChooser::chosenChanged, form, show);
+        connect(chooser, &ItemChooser::addRequested, this, [this, chooser, items, set] {
+            std::vector<Item> changed = *items;
+            const int at = chooser->chosen() + 1;
+            changed.insert(changed.begin() + at, at > 0 ? changed[static_cast<size_t>(at - 1)] : Item{});
+            set(changed);
+            emit finished();
+            chooser->choose(at);
+        });
+        connect(chooser, &ItemChooser::removeRequested, this, [this, chooser, items, set] {
+            std::vector<Item> changed = *items;
+            changed.erase(changed.begin() + chooser->chosen());
+            set(changed);
+            emit finished();
+        });
+        addItemRows(field, style, chooser, form, [items, get, show](const std::any& settings) {
+            *items = get(settings);
+            show();
+        });
+    }
+    void addItemRows(const Field& field, const FieldStyle& style, ItemChooser* chooser, SettingsForm* form,
+                     std::function<void(const std::any&)> show);
 
     void clear();
     static QString labelOf(const Field& field, const FieldStyle& style);
@@ -133,6 +190,7 @@ private:
                      const std::function<std::vector<GradientStop>(const std::any&)>& get);
 
     QFormLayout* m_layout;
+    FieldStyles m_styles{}; ///< of the struct at hand, for its parts too
     QVector<std::function<void(const std::any&)>> m_rows;
 };
 

@@ -234,14 +234,9 @@ void SphereMapCanvas::move(const QPointF& place, double pressure)
         m_center -= glm::dvec2(place.x() - m_last.x(), m_last.y() - place.y()) / scale();
         m_center = glm::clamp(m_center, -1.5, 1.5);
         break;
-    case Drag::Brush: {
-        Brush brush = m_brushBefore;
-        const QPointF moved = place - m_pressed;
-        brush.radius = std::clamp(std::round(brush.radius * std::exp(moved.x() / 120.0) * 1e4) / 1e4, smallestRadius, largestRadius);
-        brush.hardness = std::clamp(std::round((brush.hardness - moved.y() / 250.0) * 100.0) / 100.0, 0.0, 1.0);
-        m_editor.setBrush(brush);
+    case Drag::Brush:
+        m_editor.setBrush(draggedBrush(m_brushBefore, place - m_pressed));
         break;
-    }
     }
     m_last = place;
     m_cursor = place;
@@ -307,17 +302,12 @@ void SphereMapCanvas::wheelEvent(QWheelEvent* event)
 
 void SphereMapCanvas::keyPressEvent(QKeyEvent* event)
 {
-    const auto scaleBrush = [&](double factor) {
-        Brush brush = m_editor.brush();
-        brush.radius = std::clamp(std::round(brush.radius * factor * 1e4) / 1e4, smallestRadius, largestRadius);
-        m_editor.setBrush(brush);
-    };
     switch (event->key()) {
     case Qt::Key_BracketLeft:
-        scaleBrush(1.0 / 1.15);
+        m_editor.stepBrush(-1);
         return;
     case Qt::Key_BracketRight:
-        scaleBrush(1.15);
+        m_editor.stepBrush(1);
         return;
     case Qt::Key_Space:
         if (!event->isAutoRepeat())

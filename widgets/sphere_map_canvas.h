@@ -19,7 +19,7 @@ class SphereMapCanvas : public QWidget {
 public:
     explicit SphereMapCanvas(SphereMapEditor& editor, QWidget* parent = nullptr);
 
-    QSize sizeHint() const override { return {340, 340}; }
+    QSize sizeHint() const override { return {320, 300}; }
     QSize minimumSizeHint() const override { return {160, 160}; }
     bool hasHeightForWidth() const override { return false; }
 

@@ -4,12 +4,33 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace mirrorball::studio {
 
 namespace {
 constexpr int paintingSize = 1024; ///< texels: what a map is painted at unless the scene asks for more
+
+/// The strokes of a layer or of its mask; null where there are none.
+template <typename Map>
+auto strokesOf(Map& map, size_t layer, PaintTarget target)
+    -> std::conditional_t<std::is_const_v<Map>, const std::vector<Stroke>, std::vector<Stroke>>*
+{
+    if (layer >= map.layers.size() || (target == PaintTarget::Mask && !map.layers[layer].mask))
+        return nullptr;
+    auto& content = target == PaintTarget::Mask ? map.layers[layer].mask->content : map.layers[layer].content;
+    auto* paint = std::get_if<PaintLayer>(&content);
+    return paint ? &paint->strokes : nullptr;
+}
 } // namespace
+
+Brush draggedBrush(const Brush& before, const QPointF& moved)
+{
+    Brush brush = before;
+    brush.radius = std::clamp(std::round(brush.radius * std::exp(moved.x() / 120.0) * 1e4) / 1e4, smallestRadius, largestRadius);
+    brush.hardness = std::clamp(std::round((brush.hardness - moved.y() / 250.0) * 100.0) / 100.0, 0.0, 1.0);
+    return brush;
+}
 
 SphereMapEditor::SphereMapEditor(Document& document, QObject* parent)
     : QObject(parent), m_document(document)
@@ -30,12 +51,10 @@ void SphereMapEditor::follow()
     if (size != m_size) {
         m_size = size;
         m_cache = std::make_shared<SphereMapCache>(EvaluateOptions{.size = size, .unknownLayers = UnknownLayers::Skip});
+        m_levelsCache.reset();
     }
     m_map = now;
-    const auto isPaintLayer = [this](size_t layer) {
-        return m_map && layer < m_map->layers.size() && std::holds_alternative<PaintLayer>(m_map->layers[layer].content);
-    };
-    if (m_recorder && !isPaintLayer(m_recorderLayer)) // undone from under the pen
+    if (m_recorder && !(m_map && strokesOf(*m_map, m_recorderLayer, m_recorderTarget))) // undone from under the pen
         m_recorder.reset();
     const int before = m_chosen, count = m_map ? static_cast<int>(m_map->layers.size()) : 0;
     m_chosen = count == 0 ? -1 : m_chosen < 0 ? count - 1 : std::min(m_chosen, count - 1);
@@ -51,17 +70,24 @@ void SphereMapEditor::request()
     if (!m_map)
         return;
     const std::vector<Stroke> pending = m_recorder ? m_recorder->strokes() : std::vector<Stroke>();
+    // Hand-made coarser levels are followed while a stroke is drawn; when it is done, the scene's maps hold them.
+    const bool followsLevels = !pending.empty() && hasAuthoredLevels(*m_map);
+    if (followsLevels && !m_levelsCache)
+        m_levelsCache = std::make_shared<LevelsCache>(EvaluateOptions{.size = m_size, .unknownLayers = UnknownLayers::Skip});
     m_runner.start(
-        [cache = m_cache, map = m_map, pending, layer = m_recorderLayer](const JobControl& job) {
-            const auto update = [&] {
-                if (pending.empty())
-                    return cache->update(*map, job);
-                SphereMapDocument painted = *map;
-                std::vector<Stroke>& strokes = std::get<PaintLayer>(painted.layers[layer].content).strokes;
-                strokes.insert(strokes.end(), pending.begin(), pending.end());
-                return cache->update(painted, job);
-            };
-            Patch patch{.rect = update(), .size = cache->size()};
+        [cache = m_cache, levels = followsLevels ? m_levelsCache : nullptr, map = m_map, pending, layer = m_recorderLayer,
+         target = m_recorderTarget](const JobControl& job) {
+            const SphereMapDocument* shown = map.get();
+            SphereMapDocument painted;
+            if (!pending.empty()) {
+                painted = *map;
+                if (std::vector<Stroke>* strokes = strokesOf(painted, layer, target))
+                    strokes->insert(strokes->end(), pending.begin(), pending.end());
+                shown = &painted;
+            }
+            Patch patch{.rect = cache->update(*shown, job), .size = cache->size()};
+            if (levels)
+                patch.levels = levels->update(*shown, job);
             patch.image = Image(std::max(0, patch.rect.width()), std::max(0, patch.rect.height()), 4);
             for (int y = 0; y < patch.image.height; ++y)
                 std::copy_n(cache->image().texel(patch.rect.x0, patch.rect.y0 + y), static_cast<size_t>(patch.image.width) * 4,
@@ -69,17 +95,35 @@ void SphereMapEditor::request()
             return patch;
         },
         [this](const Patch& patch) {
-            if (!patch.rect.empty()) {
-                if (m_picture.width != patch.size)
-                    m_picture = Image(patch.size, patch.size, 4);
-                for (int y = 0; y < patch.image.height; ++y)
-                    std::copy_n(patch.image.row(y), static_cast<size_t>(patch.image.width) * 4,
-                                m_picture.texel(patch.rect.x0, patch.rect.y0 + y));
-                emit pictureChanged(patch.rect);
-            }
+            show(patch);
             emit problemChanged({});
         },
         Running::Finish);
+}
+
+void SphereMapEditor::show(const Patch& patch)
+{
+    const auto put = [](const Image& part, const TexelRect& rect, int size, Image& picture) {
+        if (picture.width != size)
+            picture = Image(size, size, 4);
+        for (int y = 0; y < part.height; ++y)
+            std::copy_n(part.row(y), static_cast<size_t>(part.width) * 4, picture.texel(rect.x0, rect.y0 + y));
+    };
+    if (!patch.levels.empty()) {
+        std::vector<TexelRect> touched;
+        for (const LevelPatch& level : patch.levels) {
+            const auto index = static_cast<size_t>(level.level - 1);
+            m_coarser.resize(std::max(m_coarser.size(), index + 1));
+            touched.resize(std::max(touched.size(), index + 1));
+            put(level.texels, level.rect, patch.size >> level.level, m_coarser[index]);
+            touched[index] = level.rect;
+        }
+        emit levelsChanged(touched);
+    }
+    if (!patch.rect.empty()) {
+        put(patch.image, patch.rect, patch.size, m_picture);
+        emit pictureChanged(patch.rect);
+    }
 }
 
 void SphereMapEditor::setMap(const QString& label, const SphereMapDocument& map)
@@ -173,6 +217,13 @@ void SphereMapEditor::setBrush(const Brush& brush)
     emit brushChanged();
 }
 
+void SphereMapEditor::stepBrush(int steps)
+{
+    Brush brush = m_brush;
+    brush.radius = std::clamp(std::round(brush.radius * std::pow(1.15, steps) * 1e4) / 1e4, smallestRadius, largestRadius);
+    setBrush(brush);
+}
+
 void SphereMapEditor::setSymmetry(const Symmetry& symmetry)
 {
     if (symmetry == m_symmetry)
@@ -197,12 +248,31 @@ void SphereMapEditor::setPaintsOnModel(bool on)
     emit toolChanged();
 }
 
+std::optional<PaintTarget> SphereMapEditor::paintTarget() const
+{
+    const Layer* layer = chosenLayer();
+    if (!layer)
+        return std::nullopt;
+    const bool isPaint = std::holds_alternative<PaintLayer>(layer->content);
+    if (layer->mask && std::holds_alternative<PaintLayer>(layer->mask->content) && (m_paintsMask || !isPaint))
+        return PaintTarget::Mask;
+    return isPaint ? std::optional(PaintTarget::Layer) : std::nullopt;
+}
+
+void SphereMapEditor::setPaintsMask(bool on)
+{
+    if (on == m_paintsMask)
+        return;
+    m_paintsMask = on;
+    emit toolChanged();
+}
+
 QString SphereMapEditor::paintingProblem() const
 {
     const Layer* layer = chosenLayer();
     if (!layer)
         return tr("Add a paint layer to paint on");
-    if (!std::holds_alternative<PaintLayer>(layer->content))
+    if (!paintTarget())
         return tr("Choose a paint layer, or add one, to paint");
     if (!layer->visible)
         return tr("The chosen layer is hidden; show it to paint on it");
@@ -219,6 +289,7 @@ void SphereMapEditor::beginStroke(const StrokePoint& point, PenEnd end, double l
                                                                      : BrushMode::Paint;
     m_recorder.emplace(brush, m_symmetry, leap);
     m_recorderLayer = static_cast<size_t>(m_chosen);
+    m_recorderTarget = *paintTarget();
     moveStroke(point);
 }
 
@@ -243,14 +314,16 @@ void SphereMapEditor::endStroke()
     m_recorder->finish();
     const std::vector<Stroke> strokes = m_recorder->strokes();
     const size_t layer = m_recorderLayer;
+    const PaintTarget target = m_recorderTarget;
     m_recorder.reset();
     if (strokes.empty())
         return;
     const BrushMode mode = strokes.front().brush.mode;
     const QString label = mode == BrushMode::Erase ? tr("Erase") : mode == BrushMode::Smudge ? tr("Smudge") : tr("Paint");
-    const auto change = [layer](Scene& scene, const std::function<void(std::vector<Stroke>&)>& step) {
+    const auto change = [layer, target](Scene& scene, const std::function<void(std::vector<Stroke>&)>& step) {
         SphereMapDocument map = *scene.material.sphereMap.document.document;
-        step(std::get<PaintLayer>(map.layers[layer].content).strokes);
+        if (std::vector<Stroke>* all = strokesOf(map, layer, target))
+            step(*all);
         scene.material.sphereMap.document.document = std::make_shared<const SphereMapDocument>(std::move(map));
     };
     m_document.editReversibly(

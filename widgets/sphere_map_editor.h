@@ -3,13 +3,16 @@
 #include "document.h"
 #include "job_runner.h"
 
-#include "core/spheremap/sphere_map_cache.h"
+#include "core/spheremap/levels_cache.h"
 #include "core/spheremap/stroke_recorder.h"
 
 #include <QObject>
 
+#include <QPointF>
+
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace mirrorball::studio {
 
@@ -18,6 +21,12 @@ enum class PaintTool { Paint, Erase, Smudge, PickColor };
 
 /// Which end of a pen touches.
 enum class PenEnd { Tip, Eraser };
+
+/// Where strokes go.
+enum class PaintTarget { Layer, Mask };
+
+/// A brush that is changed by a drag: across its radius, up and down its hardness. @param moved  since the press, in pixels
+Brush draggedBrush(const Brush& before, const QPointF& moved);
 
 /// The sphere map of the document's scene while an artist works on it: which layer is chosen, with what is painted, and the picture, live.
 ///
@@ -53,6 +62,8 @@ public:
 
     const Brush& brush() const { return m_brush; }
     void setBrush(const Brush& brush);
+    /// Makes the tip larger or smaller by steps of 15 %.
+    void stepBrush(int steps);
     const Symmetry& symmetry() const { return m_symmetry; }
     void setSymmetry(const Symmetry& symmetry);
     PaintTool tool() const { return m_tool; }
@@ -62,7 +73,11 @@ public:
     bool paintsOnModel() const { return m_paintsOnModel; }
     void setPaintsOnModel(bool on);
 
-    /// Whether a stroke can begin: a paint layer is chosen and shown. Otherwise paintingProblem() says what to do.
+    /// Where strokes of the chosen layer go: to itself, or to its mask if that is painted and either wanted or all there is to paint on.
+    std::optional<PaintTarget> paintTarget() const;
+    void setPaintsMask(bool on);
+
+    /// Whether a stroke can begin: a layer is chosen and shown that can be painted on. Otherwise paintingProblem() says what to do.
     bool canPaint() const { return paintingProblem().isEmpty(); }
     QString paintingProblem() const;
     /// A stroke of the chosen layer. @param leap  see StrokeRecorder
@@ -81,6 +96,8 @@ public:
     int size() const { return m_size; }
     /// The picture, RGBA, linear, colours multiplied by their opacity; empty before the first. It may be of an older state.
     const Image& picture() const { return m_picture; }
+    /// The coarser levels of a hand-made chain, of which only what levelsChanged() named since a stroke began is there.
+    const std::vector<Image>& coarserLevels() const { return m_coarser; }
     bool isUpToDate() const { return !m_runner.isBusy(); }
 
 signals:
@@ -91,6 +108,8 @@ signals:
     void toolChanged();
     /// picture() changed within these texels.
     void pictureChanged(const mirrorball::TexelRect& touched);
+    /// coarserLevels() changed: rectangles of levels 1, 2, ...; empty where nothing did. Only while a stroke is drawn.
+    void levelsChanged(const std::vector<mirrorball::TexelRect>& touched);
     /// The picture could not be made, and why; empty: it was made.
     void problemChanged(const QString& problem);
 
@@ -102,7 +121,9 @@ private:
         TexelRect rect{};
         int size = 0; ///< of the whole
         Image image{};
+        std::vector<LevelPatch> levels{};
     };
+    void show(const Patch& patch);
 
     Document& m_document;
     std::shared_ptr<const SphereMapDocument> m_map;
@@ -111,11 +132,15 @@ private:
     Symmetry m_symmetry{};
     PaintTool m_tool = PaintTool::Paint;
     bool m_paintsOnModel = false;
+    bool m_paintsMask = false;
     int m_size = 0;
     std::optional<StrokeRecorder> m_recorder;
     size_t m_recorderLayer = 0;
+    PaintTarget m_recorderTarget = PaintTarget::Layer;
     Image m_picture{};
-    std::shared_ptr<SphereMapCache> m_cache; ///< touched on the worker only
+    std::vector<Image> m_coarser{};
+    std::shared_ptr<SphereMapCache> m_cache;      ///< touched on the worker only
+    std::shared_ptr<LevelsCache> m_levelsCache{}; ///< the same; null until a stroke needs it
     JobRunner m_runner;                      ///< last: it ends first
 };
 

@@ -7,6 +7,7 @@
 #include "core/spheremap/sphere_map_file.h"
 
 #include <QFileDialog>
+#include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
@@ -49,16 +50,6 @@ const FieldStyles brushStyles{
     {"radius", {.sliderLow = 2e-3, .sliderHigh = 1.0, .scale = Scale::Logarithmic}},
     {"spacing", {.sliderLow = 0.02, .sliderHigh = 4.0, .scale = Scale::Logarithmic}},
 };
-
-const FieldStyles& layerStyles()
-{
-    static const FieldStyles styles{
-    {"unit", {.label = SphereMapPanel::tr("Widths in")}},
-    {"reference", {.label = SphereMapPanel::tr("Drawn at")}},
-    {"exponent", {.sliderLow = 1.0, .sliderHigh = 2000.0, .scale = Scale::Logarithmic}},
-    };
-    return styles;
-}
 
 QScrollArea* scrolled(QWidget* inside)
 {
@@ -184,7 +175,7 @@ QWidget* SphereMapPanel::makeWork()
     auto* splitter = new QSplitter(Qt::Vertical);
     splitter->addWidget(m_canvas);
     splitter->addWidget(m_tabs);
-    splitter->setStretchFactor(0, 1);
+    splitter->setStretchFactor(0, 0); // a disc in a dock is as high as it is wide; what is left is for the layers
     splitter->setStretchFactor(1, 1);
     splitter->setChildrenCollapsible(false);
     column->addWidget(splitter, 1);
@@ -331,7 +322,7 @@ QWidget* SphereMapPanel::makeLayersPage()
         m_editor.editLayer(tr("Change blend mode"), {}, [&](Layer& layer) { layer.blend = static_cast<BlendMode>(index); });
     });
     m_opacity = new NumberField({.initial = 1.0, .digits = 3});
-    m_opacity->setObjectName(QStringLiteral("opacity"));
+    m_opacity->setObjectName(QStringLiteral("layerOpacity")); // a brush and a fill have an "opacity" too
     m_opacity->describe(tr("Layer opacity"), tr("How much of the layer shows"));
     connect(m_opacity, &NumberField::edited, this, [this](double value) {
         m_editor.editLayer(tr("Change opacity"), QStringLiteral("opacity"), [&](Layer& layer) { layer.opacity = value; });
@@ -350,7 +341,9 @@ QWidget* SphereMapPanel::makeLayersPage()
 
     m_layerNote = new QLabel;
     m_layerNote->setWordWrap(true);
-    m_layerForm = new SettingsForm;
+    m_layerForm = new ContentForm([this](const QString& label, const QString& key, const std::function<void(LayerContent&)>& change) {
+        m_editor.editLayer(label, key, [&](Layer& layer) { change(layer.content); });
+    });
     m_layerForm->setObjectName(QStringLiteral("layerForm"));
     connect(m_layerForm, &SettingsForm::finished, &m_editor, &SphereMapEditor::finishEdit);
     auto* parameters = new QWidget;
@@ -358,6 +351,13 @@ QWidget* SphereMapPanel::makeLayersPage()
     parameterColumn->setContentsMargins(8, 6, 8, 8);
     parameterColumn->addWidget(m_layerNote);
     parameterColumn->addWidget(m_layerForm);
+    m_mask = new MaskEditor(m_editor);
+    auto* line = new QFrame;
+    line->setFrameShape(QFrame::HLine);
+    line->setFrameShadow(QFrame::Plain);
+    line->setEnabled(false);
+    parameterColumn->addWidget(line);
+    parameterColumn->addWidget(m_mask);
     parameterColumn->addStretch(1);
 
     auto* top = new QWidget;
@@ -370,8 +370,9 @@ QWidget* SphereMapPanel::makeLayersPage()
     auto* splitter = new QSplitter(Qt::Vertical);
     splitter->addWidget(top);
     splitter->addWidget(scrolled(parameters));
-    splitter->setStretchFactor(0, 2);
-    splitter->setStretchFactor(1, 3);
+    splitter->setStretchFactor(0, 1);
+    splitter->setStretchFactor(1, 2);
+    splitter->setSizes({190, 260});
     splitter->setChildrenCollapsible(false);
     m_layerControls = {m_blend, m_opacity, duplicate, up, down, remove};
     return splitter;
@@ -406,7 +407,7 @@ QWidget* SphereMapPanel::makeBrushPage()
     heading->setProperty("role", QStringLiteral("heading"));
     column->addWidget(heading);
     column->addWidget(m_symmetryForm);
-    auto* hint = new QLabel(tr("On the disc: right drag changes radius and hardness, [ and ] step the radius, Alt picks a colour."));
+    auto* hint = new QLabel(tr("Right drag changes radius and hardness, [ and ] step the radius, Alt picks a colour on the disc."));
     hint->setWordWrap(true);
     hint->setEnabled(false);
     column->addWidget(hint);
@@ -426,7 +427,6 @@ void SphereMapPanel::showLayer()
     for (QWidget* control : m_layerControls)
         control->setEnabled(layer != nullptr);
     if (!layer) {
-        m_formKind = SIZE_MAX;
         m_layerForm->hide();
         m_layerNote->setText(m_editor.map() ? tr("No layers yet: add one with +.") : QString());
         m_layerNote->setVisible(true);
@@ -434,43 +434,15 @@ void SphereMapPanel::showLayer()
     }
     m_blend->setCurrentIndex(static_cast<int>(layer->blend));
     m_opacity->setValue(layer->opacity);
-    buildLayerForm(*layer);
-}
-
-void SphereMapPanel::buildLayerForm(const Layer& layer)
-{
-    const bool isNew = m_formKind != layer.content.index();
-    m_formKind = layer.content.index();
-    std::visit(
-        [&](const auto& content) {
-            using Kind = std::decay_t<decltype(content)>;
-            if constexpr (std::is_same_v<Kind, UnknownLayer>) {
-                m_layerForm->hide();
-                m_layerNote->setText(tr("This version does not know layers of the kind \"%1\". It is kept as it is, and left out of the picture.")
-                                         .arg(QString::fromStdString(content.name)));
-                m_layerNote->show();
-            } else {
-                if (isNew)
-                    m_layerForm->build<Kind>(
-                        content,
-                        [this](const QString& label, const QString& key, const std::function<void(Kind&)>& change) {
-                            m_editor.editLayer(label, key, [&](Layer& changed) {
-                                if (auto* same = std::get_if<Kind>(&changed.content))
-                                    change(*same);
-                            });
-                        },
-                        layerStyles());
-                else
-                    m_layerForm->show(content);
-                m_layerForm->QWidget::show();
-                m_layerNote->setVisible(false);
-                if constexpr (std::is_same_v<Kind, PaintLayer>) {
-                    m_layerNote->setText(content.strokes.empty() ? tr("Draw on the disc, or on the model.") : QString());
-                    m_layerNote->setVisible(content.strokes.empty());
-                }
-            }
-        },
-        layer.content);
+    m_layerForm->showContent(layer->content);
+    QString note;
+    if (const auto* unknown = std::get_if<UnknownLayer>(&layer->content))
+        note = tr("This version does not know layers of the kind \"%1\". It is kept as it is, and left out of the picture.")
+                   .arg(QString::fromStdString(unknown->name));
+    else if (const auto* paint = std::get_if<PaintLayer>(&layer->content); paint && paint->strokes.empty())
+        note = tr("Draw on the disc, or on the model.");
+    m_layerNote->setText(note);
+    m_layerNote->setVisible(!note.isEmpty());
 }
 
 void SphereMapPanel::showBrush()

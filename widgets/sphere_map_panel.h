@@ -1,7 +1,9 @@
 #pragma once
 
+#include "content_form.h"
 #include "layer_list.h"
 #include "levels_view.h"
+#include "mask_editor.h"
 #include "settings_form.h"
 #include "sphere_map_canvas.h"
 #include "workspace.h"
@@ -27,6 +29,7 @@ public:
     SphereMapCanvas& canvas() { return *m_canvas; }
     LayerList& layers() { return *m_layers; }
     SettingsForm& layerForm() { return *m_layerForm; }
+    MaskEditor& mask() { return *m_mask; }
     SettingsForm& brushForm() { return *m_brushForm; }
     LevelsView& levels() { return *m_levels; }
     QTabWidget& tabs() { return *m_tabs; }
@@ -46,7 +49,6 @@ private:
     void showMap();
     void showLayer();
     void showBrush();
-    void buildLayerForm(const Layer& layer);
 
     Workspace& m_workspace;
     SphereMapEditor& m_editor;
@@ -56,9 +58,9 @@ private:
     LayerList* m_layers = nullptr;
     QComboBox* m_blend = nullptr;
     NumberField* m_opacity = nullptr;
-    SettingsForm* m_layerForm = nullptr;
+    ContentForm* m_layerForm = nullptr;
+    MaskEditor* m_mask = nullptr;
     QLabel* m_layerNote = nullptr;
-    size_t m_formKind = SIZE_MAX; ///< of the layer that the form was built for
     SettingsForm* m_brushForm = nullptr;
     SettingsForm* m_symmetryForm = nullptr;
     ColorButton* m_color = nullptr;

@@ -3,7 +3,9 @@
 #include "core/error.h"
 #include "core/image/color.h"
 #include "core/image/map_file.h"
+#include "core/image/image_io.h"
 #include "core/spheremap/evaluate.h"
+#include "core/spheremap/matcap_passes.h"
 #include "core/spheremap/presets.h"
 #include "core/spheremap/sphere_map_file.h"
 
@@ -17,6 +19,7 @@ namespace {
 struct Options {
     std::string document, out, saved, stats;
     int size = 512, threads = 0;
+    std::vector<std::string> specular;
     bool levels = false, half = false;
 };
 
@@ -56,18 +59,28 @@ void run(const Options& o)
         saveSphereMap(document, o.saved);
     const JobControl job = jobWithProgress("paint", o.threads);
     const EvaluateOptions options{.size = o.size};
+    const std::string index(words(document.index)[static_cast<size_t>(document.index)]);
+    const WriteOptions writeOptions{.sampleType = o.half ? SampleType::Half : SampleType::Float,
+                                    .attributes = {{"mirrorball:parameterization", "sphere"}, {"mirrorball:index", index}}};
+    const auto writeStatsFile = [&] {
+        if (!o.stats.empty())
+            writeStats(o.stats, {.stages = stages, .method = "paint", .threads = job.threadCount()});
+    };
+    if (!o.specular.empty()) {
+        MatcapPasses passes = timedStage(stages, "evaluate", [&] { return evaluatePasses(document, o.specular, options, job); });
+        timedStage(stages, "write map", [&] {
+            writePasses(o.out, {{"diffuse", std::move(passes.diffuse)}, {"specular", std::move(passes.specular)}}, writeOptions);
+        });
+        writeStatsFile();
+        return;
+    }
     std::vector<Image> levels = timedStage(stages, "evaluate", [&] {
         return o.levels ? evaluateLevels(document, options, job) : std::vector<Image>{evaluate(document, options, job)};
     });
     if (std::all_of(levels.begin(), levels.end(), isOpaque))
         std::transform(levels.begin(), levels.end(), levels.begin(), withoutOpacity);
-    const std::string index(words(document.index)[static_cast<size_t>(document.index)]);
-    timedStage(stages, "write map", [&] {
-        writePictures(o.out, levels, {.sampleType = o.half ? SampleType::Half : SampleType::Float,
-                                      .attributes = {{"mirrorball:parameterization", "sphere"}, {"mirrorball:index", index}}});
-    });
-    if (!o.stats.empty())
-        writeStats(o.stats, {.stages = stages, .method = "paint", .threads = job.threadCount()});
+    timedStage(stages, "write map", [&] { writePictures(o.out, levels, writeOptions); });
+    writeStatsFile();
 }
 
 } // namespace
@@ -79,7 +92,12 @@ void addPaintCommand(CLI::App& program)
     command->add_option("DOCUMENT", o->document, ".spheremap file or preset; `mirrorball presets` lists them")->required();
     command->add_option("-o,--output", o->out, "output file: .exr and .tif keep linear light, .png shows it clipped")->required();
     command->add_option("--size", o->size, "edge of the map, in texels")->required();
-    command->add_flag("--levels", o->levels, "the whole mip chain, as the document makes it: in one file, or NAME.LEVEL.EXT");
+    CLI::Option* levels = command->add_flag("--levels", o->levels, "the whole mip chain, as the document makes it: in one file, or NAME.LEVEL.EXT");
+    command
+        ->add_option("--specular", o->specular,
+                     "names of layers: write two passes as Blender's matcaps have them, these layers and the rest, into one .exr")
+        ->delimiter(',')
+        ->excludes(levels);
     command->add_flag("--half", o->half, "16-bit floats (.exr, .tif)");
     command->add_option("--save-document", o->saved, "also write the document to this .spheremap file, to start from a preset");
     command->add_option("--threads", o->threads, "threads; 0: one per core")->check(CLI::Range(0, 1024));

@@ -51,7 +51,7 @@ Image sphereMapSheet(int size, const JobControl& job)
     return contactSheet(balls, sheetLayout(balls.size()).columns, 0.05f);
 }
 
-/// Every sphere map on a geometry.
+/// Every sphere map on a geometry. Cells are 4 to 3, as a teapot is.
 Image geometrySheet(const std::string& geometry, int size, const JobControl& job)
 {
     const preview::OffscreenContext context;
@@ -60,8 +60,9 @@ Image geometrySheet(const std::string& geometry, int size, const JobControl& job
     for (const SphereMapPreset& map : sphereMapPresets()) {
         Scene scene;
         scene.view.geometry = geometry;
-        scene.view.width = scene.view.height = size;
-        scene.view.camera.distance = 3.3;
+        scene.view.width = size;
+        scene.view.height = std::max(3 * size / 4, 1);
+        scene.view.camera.distance = 2.6;
         scene.view.background.kind = Backdrop::None;
         scene.material.sphereMap.source = map.name;
         const Plan plan = makePlan(scene, probeLayout(scene));
@@ -105,7 +106,7 @@ void addPresetsCommand(CLI::App& program)
     command->add_flag("--json", o->json, "as JSON");
     command->add_option("--sheet", o->sheet, "instead of the list, write a picture of all sphere maps to this file");
     command->add_option("--geometry", o->geometry, "sheet: show them on a teapot, torus, sphere or box in place of balls");
-    command->add_option("--size", o->size, "sheet: edge of one ball, in pixels")->check(CLI::Range(16, 2048));
+    command->add_option("--size", o->size, "sheet: width of one picture, in pixels")->check(CLI::Range(16, 2048));
     command->callback([o] { run(*o); });
 }
 

@@ -560,6 +560,36 @@ void write(AtomicFile& file, const Image& image, const WriteOptions& options)
     });
 }
 
+void writePasses(AtomicFile& file, const std::vector<ImagePassData>& passes, const WriteOptions& options)
+{
+    writing([&] {
+        OutputStream stream(file);
+        const Image& first = passes.front().image;
+        Imf::Header header = makeHeader(first, options);
+        header.channels() = Imf::ChannelList();
+        header.compression() = Imf::ZIP_COMPRESSION;
+        const bool isHalf = options.sampleType == SampleType::Half;
+        std::vector<std::vector<half>> samples; // kept until they are written
+        Imf::FrameBuffer buffer;
+        for (const ImagePassData& pass : passes) {
+            if (isHalf)
+                samples.push_back(halfRows(pass.image, 0, pass.image.height));
+            const size_t sample = isHalf ? sizeof(half) : sizeof(float), texel = 3 * sample;
+            const auto* texels = isHalf ? reinterpret_cast<const char*>(samples.back().data()) : reinterpret_cast<const char*>(pass.image.texels.data());
+            for (const char channel : {'R', 'G', 'B'}) {
+                const std::string name = pass.name + "." + channel;
+                header.channels().insert(name, Imf::Channel(isHalf ? Imf::HALF : Imf::FLOAT));
+                buffer.insert(name, Imf::Slice::Make(isHalf ? Imf::HALF : Imf::FLOAT, texels, V2i(0, 0), first.width, first.height, texel,
+                                                     texel * static_cast<size_t>(first.width)));
+                texels += sample;
+            }
+        }
+        Imf::OutputFile output(stream, header);
+        output.setFrameBuffer(buffer);
+        output.writePixels(first.height);
+    });
+}
+
 void writeMips(AtomicFile& file, const std::vector<Image>& levels, const WriteOptions& options)
 {
     writing([&] {

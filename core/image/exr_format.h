@@ -27,6 +27,9 @@ std::unique_ptr<ImageReader> openPass(const std::filesystem::path& path, const s
 /// cube) becomes OpenEXR's own; others are stored as strings. @throws WorkError
 void write(AtomicFile& file, const Image& image, const WriteOptions& options);
 
+/// Several pictures of one size in one part, as passes: channels `NAME.R`, `NAME.G`, `NAME.B`. Scanlines, ZIP-compressed. @throws WorkError
+void writePasses(AtomicFile& file, const std::vector<ImagePassData>& passes, const WriteOptions& options);
+
 /// Tiles of 64 x 64 in mip levels rounded down; `levels` is the whole chain, down to 1 x 1. @throws WorkError
 void writeMips(AtomicFile& file, const std::vector<Image>& levels, const WriteOptions& options);
 

@@ -184,6 +184,22 @@ void writeImage(const std::filesystem::path& path, const Image& image, const Wri
     file.commit();
 }
 
+void writePasses(const std::filesystem::path& path, const std::vector<ImagePassData>& passes, const WriteOptions& options)
+{
+    if (!isExr(lowerExtension(path)))
+        throw InvalidArgument(path.string() + ": only .exr files hold passes");
+    if (passes.empty())
+        throw InvalidArgument(path.string() + ": there are no passes to write; give at least one");
+    for (const ImagePassData& pass : passes) {
+        checkWritable(path, pass.image);
+        if (pass.image.width != passes.front().image.width || pass.image.height != passes.front().image.height || pass.image.channels != 3)
+            throw InvalidArgument(path.string() + ": passes must be of one size and have three channels; " + pass.name + " is another");
+    }
+    AtomicFile file(path);
+    exr::writePasses(file, passes, options);
+    file.commit();
+}
+
 void writeMips(const std::filesystem::path& path, const std::vector<Image>& levels, const WriteOptions& options)
 {
     if (!holdsMips(path))

@@ -74,6 +74,16 @@ bool holdsMips(const std::filesystem::path& path);
 /// @throws InvalidArgument for an extension that cannot be written, or that takes no display picture; WorkError when writing fails
 void writeImage(const std::filesystem::path& path, const Image& image, const WriteOptions& options = {});
 
+/// A picture of a file that holds several.
+struct ImagePassData {
+    std::string name{};
+    Image image{}; ///< three channels
+};
+
+/// Writes pictures of one size into one .exr file, as passes. @throws InvalidArgument for another format, or pictures that differ in size;
+/// WorkError when writing fails
+void writePasses(const std::filesystem::path& path, const std::vector<ImagePassData>& passes, const WriteOptions& options = {});
+
 /// Writes a mip chain, largest first, into one file; level i is half of level i-1 rounded down, at least 1.
 /// The format's own chain may go on past the levels given (a stacked cube's 1 x 6): the remaining ones are filled with box averages.
 /// @throws InvalidArgument where holdsMips(path) is false

@@ -70,28 +70,35 @@ private:
 
 std::span<const std::string_view> words(AdjustedChannels) { return channelWords; }
 
+namespace {
+
 /// With C = V - smallest, a hue H in [0, 6) and f(n) = V - C max(0, min(k, 4 - k, 1)), k = (n + H) mod 6: R = f(5), G = f(3), B = f(1).
+MIRRORBALL_VECTOR_CLONES void turnHue(int count, float turn, float saturation, float factor, ColorSpan& c)
+{
+    for (int i = 0; i < count; ++i) {
+        const float r = std::max(c.r[i], 0.0f), g = std::max(c.g[i], 0.0f), b = std::max(c.b[i], 0.0f);
+        const float v = std::max(r, std::max(g, b)), chroma = v - std::min(r, std::min(g, b));
+        const float inverse = 1.0f / std::max(chroma, 1e-20f);
+        const float h = v == r ? (g - b) * inverse : v == g ? 2.0f + (b - r) * inverse : 4.0f + (r - g) * inverse;
+        const float value = v * factor, wide = std::min(chroma * saturation, v) * factor;
+        const auto channel = [&](float n) {
+            float k = n + h + turn;
+            k -= 6.0f * fast::floor(k * (1.0f / 6.0f));
+            return value - wide * std::max(0.0f, std::min(std::min(k, 4.0f - k), 1.0f));
+        };
+        c.r[i] = channel(5.0f);
+        c.g[i] = channel(3.0f);
+        c.b[i] = channel(1.0f);
+    }
+}
+
+} // namespace
+
 SpanAdjustment prepare(const HueSaturationLayer& layer, const Level&)
 {
     const auto turn = static_cast<float>(layer.hueDeg / 60.0), saturation = static_cast<float>(layer.saturation);
     const auto factor = static_cast<float>(layer.value);
-    return [turn, saturation, factor](const DiscSpan& at, ColorSpan& c) {
-        for (int i = 0; i < at.count; ++i) {
-            const float r = std::max(c.r[i], 0.0f), g = std::max(c.g[i], 0.0f), b = std::max(c.b[i], 0.0f);
-            const float v = std::max(r, std::max(g, b)), chroma = v - std::min(r, std::min(g, b));
-            const float inverse = 1.0f / std::max(chroma, 1e-20f);
-            const float h = v == r ? (g - b) * inverse : v == g ? 2.0f + (b - r) * inverse : 4.0f + (r - g) * inverse;
-            const float value = v * factor, wide = std::min(chroma * saturation, v) * factor;
-            const auto channel = [&](float n) {
-                float k = n + h + turn;
-                k -= 6.0f * fast::floor(k * (1.0f / 6.0f));
-                return value - wide * std::max(0.0f, std::min(std::min(k, 4.0f - k), 1.0f));
-            };
-            c.r[i] = channel(5.0f);
-            c.g[i] = channel(3.0f);
-            c.b[i] = channel(1.0f);
-        }
-    };
+    return [turn, saturation, factor](const DiscSpan& at, ColorSpan& below) { turnHue(at.count, turn, saturation, factor, below); };
 }
 
 SpanAdjustment prepare(const CurvesLayer& layer, const Level&)

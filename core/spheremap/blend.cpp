@@ -91,7 +91,7 @@ float blended(BlendMode mode, float backdrop, float source)
     return withMode(mode, [&](auto mix) { return mix(backdrop, source); });
 }
 
-void blend(BlendMode mode, int count, const ColorSpan& source, ColorSpan& backdrop)
+MIRRORBALL_VECTOR_CLONES void blend(BlendMode mode, int count, const ColorSpan& source, ColorSpan& backdrop)
 {
     if (mode == BlendMode::Normal) {
         // as ab s + as (1 - ab) s is as s: no division.

@@ -2,6 +2,7 @@
 
 #include "fast_math.h"
 #include "resample.h"
+#include "span.h"
 
 #include "../sphere/direction.h"
 
@@ -13,9 +14,9 @@ namespace mirrorball {
 
 namespace {
 
-/// What is blurred varies over sigma, so it is computed on a grid of cells about half a sigma wide and read smoothly from there. The grid is
-/// azimuthal equidistant, p = theta (cos phi, sin phi) with theta the angle from +Z: the picture's own grid would do badly at the
-/// rim, where it shows a wide angle in a narrow ring.
+/// What is blurred varies over sigma, so it is computed on a grid of cells about half a sigma wide and read smoothly from there. The grid
+/// is azimuthal equidistant, p = theta (cos phi, sin phi) with theta the angle from +Z: the picture's own grid would do badly at the rim,
+/// where it shows a wide angle in a narrow ring.
 constexpr float cellsPerSigma = 2.0f;
 constexpr float reachInSigmas = 3.5f;
 
@@ -94,7 +95,7 @@ struct Sums {
 };
 
 /// Adds the cells of a row's part. Eight running sums a channel, so that the compiler makes vector code and the order never changes.
-void addRow(const Cells& cells, size_t first, int count, const glm::vec3& n, float kappa, Sums& sums)
+MIRRORBALL_VECTOR_CLONES void addRow(const Cells& cells, size_t first, int count, const glm::vec3& n, float kappa, Sums& sums)
 {
     constexpr int lanes = 8;
     float w[lanes] = {}, r[lanes] = {}, g[lanes] = {}, b[lanes] = {}, a[lanes] = {};
@@ -127,8 +128,8 @@ public:
     {
     }
 
-    /// Blurring moves light at most so far in the picture: an angle a on the ball is at most a radii, and half of that by mirror directions,
-    /// where however the whole rim is one direction.
+    /// Blurring moves light at most so far in the picture: an angle a on the ball is at most a radii, and half of that by mirror
+    /// directions, where however the whole rim is one direction.
     TexelRect widened(const TexelRect& rect) const
     {
         const TexelRect all{0, 0, m_size, m_size};
@@ -248,11 +249,14 @@ private:
         const float kappa = 1.44269504f / (m_sigma * m_sigma); // for 2^x
         const TexelRect part = gridPart(wanted);
         Image blurred(m_grid.size, m_grid.size, 4);
-        parallelRows(part.height(), job, [&](int first, int last) {
-            for (int j = part.y0 + first; j < part.y0 + last; ++j)
-                for (int i = part.x0; i < part.x1; ++i)
-                    blurCell(cells, window, kappa, i, j, blurred.texel(i, j));
-        }, 1);
+        parallelRows(
+            part.height(), job,
+            [&](int first, int last) {
+                for (int j = part.y0 + first; j < part.y0 + last; ++j)
+                    for (int i = part.x0; i < part.x1; ++i)
+                        blurCell(cells, window, kappa, i, j, blurred.texel(i, j));
+            },
+            1);
         return blurred;
     }
 
@@ -266,7 +270,8 @@ private:
         const float stretch = theta > 1e-3f ? held / std::max(std::sin(held), 1e-3f) : 1.0f;
         const float around = reachInSigmas * m_sigma * stretch;
         const bool everywhere = m_mirror && held + reachInSigmas * m_sigma > 2.6f;
-        const int wide = everywhere ? m_grid.size : std::min(m_grid.size, m_mirror ? static_cast<int>(std::ceil(around / m_grid.cell)) : 2 * window);
+        const int wide =
+            everywhere ? m_grid.size : std::min(m_grid.size, m_mirror ? static_cast<int>(std::ceil(around / m_grid.cell)) : 2 * window);
         // For normals the stretch is at most pi/2, and cells beyond the rim are held to it.
         const int reach = m_mirror ? std::max(wide, window) : static_cast<int>(std::ceil(1.6f * static_cast<float>(window)));
         // Cells that lie beyond the rim stand for the rim.
@@ -313,15 +318,19 @@ Warp prepare(const BlurLayer& layer, const Level& level)
     if (sigma < 0.25 * level.texel()) // less than a quarter of a texel: nothing to see
         return {.needs = [](const TexelRect& r) { return r; },
                 .reaches = [](const TexelRect& r) { return r; },
-                .apply = [](const Image& below, const TexelRect& given, const TexelRect& wanted, const JobControl&) {
-                    Image part(wanted.width(), wanted.height(), 4);
-                    for (int y = 0; y < part.height; ++y)
-                        std::copy_n(below.texel(wanted.x0 - given.x0, wanted.y0 - given.y0 + y), 4 * static_cast<size_t>(part.width), part.row(y));
-                    return part;
-                }};
+                .apply =
+                    [](const Image& below, const TexelRect& given, const TexelRect& wanted, const JobControl&) {
+                        Image part(wanted.width(), wanted.height(), 4);
+                        for (int y = 0; y < part.height; ++y)
+                            std::copy_n(below.texel(wanted.x0 - given.x0, wanted.y0 - given.y0 + y), 4 * static_cast<size_t>(part.width),
+                                        part.row(y));
+                        return part;
+                    }};
     const Blur blur(static_cast<float>(sigma), level);
     const auto widened = [blur](const TexelRect& rect) { return blur.widened(rect); };
-    return {.needs = widened, .reaches = widened, .apply = [blur](const Image& below, const TexelRect& given, const TexelRect& wanted, const JobControl& job) {
+    return {.needs = widened,
+            .reaches = widened,
+            .apply = [blur](const Image& below, const TexelRect& given, const TexelRect& wanted, const JobControl& job) {
                 return blur.apply(below, given, wanted, job);
             }};
 }

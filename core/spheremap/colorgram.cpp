@@ -106,30 +106,55 @@ SpanGenerator gratingColorgram(const ColorgramLayer& layer)
     };
 }
 
+/// t of a drawn colorgram.
+struct Rings {
+    float scale, center, twist, sweep, ripple, arcs;
+    bool around;
+};
+
+MIRRORBALL_VECTOR_CLONES void ringParameter(const Rings& rings, const DiscSpan& at, float* __restrict t)
+{
+    for (int i = 0; i < at.count; ++i)
+        t[i] = rings.scale * (at.rho[i] - rings.center);
+    if (rings.around)
+        for (int i = 0; i < at.count; ++i) {
+            const float phi = fast::atan2(at.y[i], at.x[i]) + rings.twist * at.rho[i];
+            t[i] += rings.sweep * phi + rings.ripple * fast::cos(rings.arcs * phi);
+        }
+    for (int i = 0; i < at.count; ++i)
+        t[i] -= fast::floor(t[i]);
+}
+
+/// The colours over white, whole outside the centre.
+MIRRORBALL_VECTOR_CLONES void overWhite(const DiscSpan& at, const Edge& edge, float strength, float center, ColorSpan& __restrict out)
+{
+    for (int i = 0; i < at.count; ++i) {
+        const float share = strength * out.a[i] * edge(at.rho[i] - center);
+        out.r[i] = 1.0f + share * (out.r[i] - 1.0f);
+        out.g[i] = 1.0f + share * (out.g[i] - 1.0f);
+        out.b[i] = 1.0f + share * (out.b[i] - 1.0f);
+        out.a[i] = 1.0f;
+    }
+}
+
 SpanGenerator drawnColorgram(const ColorgramLayer& layer)
 {
     const auto table = std::make_shared<const GradientTable>(layer.stops, ColorMixing::Oklab);
     const auto c = static_cast<float>(layer.center);
-    const float scale = static_cast<float>(layer.rings) / (1.0f - c), twist = static_cast<float>(layer.twistDeg * pi / 180.0);
-    const auto ripple = static_cast<float>(layer.ripple), arcs = static_cast<float>(layer.arcs);
-    const auto sweep = static_cast<float>(layer.sweep / (2.0 * pi)), strength = static_cast<float>(layer.strength);
-    const auto softness = static_cast<float>(layer.centerSoftness);
-    const bool around = (layer.arcs > 0 && layer.ripple > 0.0) || layer.sweep != 0;
+    const Rings rings{.scale = static_cast<float>(layer.rings) / (1.0f - c),
+                      .center = c,
+                      .twist = static_cast<float>(layer.twistDeg * pi / 180.0),
+                      .sweep = static_cast<float>(layer.sweep / (2.0 * pi)),
+                      .ripple = static_cast<float>(layer.ripple),
+                      .arcs = static_cast<float>(layer.arcs),
+                      .around = (layer.arcs > 0 && layer.ripple > 0.0) || layer.sweep != 0};
+    const auto softness = static_cast<float>(layer.centerSoftness), strength = static_cast<float>(layer.strength);
     return [=](const DiscSpan& at, ColorSpan& out) {
         const Edge edge(softness, at.texel);
-        for (int i = 0; i < at.count; ++i) {
-            float t = scale * (at.rho[i] - c);
-            if (around) {
-                const float phi = fast::atan2(at.y[i], at.x[i]) + twist * at.rho[i];
-                t += sweep * phi + ripple * std::cos(arcs * phi);
-            }
-            const GradientTable::Entry color = table->at(t - fast::floor(t));
-            const float share = strength * color.a * edge(at.rho[i] - c);
-            out.r[i] = 1.0f + share * (color.r - 1.0f);
-            out.g[i] = 1.0f + share * (color.g - 1.0f);
-            out.b[i] = 1.0f + share * (color.b - 1.0f);
-            out.a[i] = 1.0f;
-        }
+        alignas(64) float t[spanLength];
+        ringParameter(rings, at, t);
+        table->look(at.count, t, out);
+        overWhite(at, edge, strength, c, out);
     };
 }
 

@@ -8,8 +8,13 @@ namespace mirrorball {
 SheetLayout sheetLayout(size_t count, double aspect)
 {
     const int cells = std::max(1, static_cast<int>(count));
-    const int columns = std::clamp(static_cast<int>(std::lround(std::sqrt(cells * aspect))), 1, cells);
-    return {columns, (cells + columns - 1) / columns};
+    const auto with = [&](int columns) { return SheetLayout{columns, (cells + columns - 1) / columns}; };
+    const int nearest = std::clamp(static_cast<int>(std::lround(std::sqrt(cells * aspect))), 1, cells);
+    SheetLayout best = with(nearest);
+    for (const int columns : {nearest - 1, nearest + 1})
+        if (columns >= 1 && columns <= cells && with(columns).columns * with(columns).rows < best.columns * best.rows)
+            best = with(columns);
+    return best;
 }
 
 Image contactSheet(std::span<const Image> pictures, int columns, float background)

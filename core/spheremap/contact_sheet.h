@@ -12,7 +12,8 @@ struct SheetLayout {
     int columns = 1;
     int rows = 1;
 };
-/// The sheet of `count` cells that is nearest to `aspect` (width over height) and has no row to spare.
+/// A sheet of `count` cells of about `aspect` (width over height): of the numbers of columns beside that, the one that leaves the fewest cells
+/// empty.
 SheetLayout sheetLayout(size_t count, double aspect = 1.5);
 
 /// Pictures of one size side by side, in rows, on a background colour, which also lies below transparent ones. For 3 or 4 channels (the fourth

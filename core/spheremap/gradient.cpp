@@ -15,7 +15,7 @@ constexpr std::array shapeWords{"radial"sv, "linear"sv, "angular"sv, "shaded"sv}
 constexpr std::array repeatWords{"clamp"sv, "repeat"sv, "mirror"sv};
 
 /// t of every texel, into `t`.
-void gradientParameter(const GradientLayer& layer, const DiscSpan& at, float* t)
+MIRRORBALL_VECTOR_CLONES void gradientParameter(const GradientLayer& layer, const DiscSpan& at, float* __restrict t)
 {
     const auto cx = static_cast<float>(layer.centerX), cy = static_cast<float>(layer.centerY);
     switch (layer.shape) {
@@ -29,7 +29,8 @@ void gradientParameter(const GradientLayer& layer, const DiscSpan& at, float* t)
     }
     case GradientShape::Linear: {
         const double angle = layer.angleDeg * pi / 180.0;
-        const auto dx = static_cast<float>(std::cos(angle) / (2.0 * layer.radius)), dy = static_cast<float>(std::sin(angle) / (2.0 * layer.radius));
+        const auto dx = static_cast<float>(std::cos(angle) / (2.0 * layer.radius)),
+                   dy = static_cast<float>(std::sin(angle) / (2.0 * layer.radius));
         for (int i = 0; i < at.count; ++i)
             t[i] = (at.x[i] - cx) * dx + (at.y[i] - cy) * dy + 0.5f;
         break;
@@ -78,13 +79,7 @@ SpanGenerator prepare(const GradientLayer& layer, const Level&)
     return [layer, table](const DiscSpan& at, ColorSpan& out) {
         alignas(64) float t[spanLength];
         gradientParameter(layer, at, t);
-        for (int i = 0; i < at.count; ++i) {
-            const GradientTable::Entry entry = table->at(t[i]);
-            out.r[i] = entry.r;
-            out.g[i] = entry.g;
-            out.b[i] = entry.b;
-            out.a[i] = entry.a;
-        }
+        table->look(at.count, t, out);
     };
 }
 

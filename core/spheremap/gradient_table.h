@@ -1,5 +1,7 @@
 #pragma once
 
+#include "span.h"
+
 #include "../fields.h"
 
 #include <glm/glm.hpp>
@@ -51,6 +53,9 @@ public:
         const Entry &p = m_entries[static_cast<size_t>(i)], &q = m_entries[static_cast<size_t>(i) + 1];
         return {p.r + f * (q.r - p.r), p.g + f * (q.g - p.g), p.b + f * (q.b - p.b), p.a + f * (q.a - p.a)};
     }
+
+    /// The colours at `count` places, each as at() gives it.
+    void look(int count, const float* t, ColorSpan& out) const;
 
 private:
     static constexpr int intervals = 2048;

@@ -42,6 +42,19 @@ struct Lines {
     }
 };
 
+/// Adds the coverage of one set to what others cover. Texels whose tone is below every line's beginning are left alone.
+MIRRORBALL_VECTOR_CLONES void cover(const Lines& lines, const DiscSpan& at, const float* __restrict tone, float* __restrict opacity)
+{
+    const float least = lines.from - 0.175f * lines.jitter / lines.slope;
+    int first = 0, last = at.count;
+    while (first < last && tone[first] <= least)
+        ++first;
+    while (last > first && tone[last - 1] <= least)
+        --last;
+    for (int i = first; i < last; ++i)
+        opacity[i] = 1.0f - (1.0f - opacity[i]) * (1.0f - lines.coverage(at.x[i], at.y[i], tone[i], at.texel));
+}
+
 Lines lines(const HatchingLayer& layer, double angleDeg, double from, std::int32_t seed)
 {
     const double angle = angleDeg * pi / 180.0;
@@ -73,11 +86,10 @@ SpanGenerator prepare(const HatchingLayer& layer, const Level&)
         alignas(64) float tone[spanLength];
         for (int i = 0; i < at.count; ++i)
             tone[i] = shade ? 0.5f - 0.5f * (at.x[i] * l.x + at.y[i] * l.y + at.z[i] * l.z) : at.rho[i];
-        for (int i = 0; i < at.count; ++i)
-            out.a[i] = first.coverage(at.x[i], at.y[i], tone[i], at.texel);
+        std::fill_n(out.a, at.count, 0.0f);
+        cover(first, at, tone, out.a);
         if (cross)
-            for (int i = 0; i < at.count; ++i)
-                out.a[i] = 1.0f - (1.0f - out.a[i]) * (1.0f - second.coverage(at.x[i], at.y[i], tone[i], at.texel));
+            cover(second, at, tone, out.a);
     };
 }
 

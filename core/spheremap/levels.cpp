@@ -10,26 +10,10 @@ namespace {
 /// spread over all.
 Image averaged(const Image& picture, int size, const JobControl& job)
 {
-    Image result(size, size, 4);
     const int whole = picture.width / size;
-    if (whole * size == picture.width) {
-        const float share = 1.0f / static_cast<float>(whole * whole);
-        parallelRows(size, job, [&](int first, int last) {
-            for (int y = first; y < last; ++y)
-                for (int x = 0; x < size; ++x) {
-                    float sum[4] = {};
-                    for (int j = 0; j < whole; ++j) {
-                        const float* texel = picture.texel(x * whole, y * whole + j);
-                        for (int i = 0; i < whole; ++i, texel += 4)
-                            for (int c = 0; c < 4; ++c)
-                                sum[c] += texel[c];
-                    }
-                    for (int c = 0; c < 4; ++c)
-                        result.texel(x, y)[c] = sum[c] * share;
-                }
-        });
-        return result;
-    }
+    if (whole * size == picture.width)
+        return blockAverages(picture, {0, 0, picture.width, picture.height}, whole, job);
+    Image result(size, size, 4);
     // An odd size halved and rounded down: each texel averages a window a little over two texels wide.
     const double scale = static_cast<double>(picture.width) / size;
     parallelRows(size, job, [&](int first, int last) {
@@ -51,6 +35,27 @@ Image averaged(const Image& picture, int size, const JobControl& job)
 }
 
 } // namespace
+
+Image blockAverages(const Image& picture, const TexelRect& rect, int factor, const JobControl& job)
+{
+    Image result(rect.width() / factor, rect.height() / factor, 4);
+    const float share = 1.0f / static_cast<float>(factor * factor);
+    parallelRows(result.height, job, [&](int first, int last) {
+        for (int y = first; y < last; ++y)
+            for (int x = 0; x < result.width; ++x) {
+                float sum[4] = {};
+                for (int j = 0; j < factor; ++j) {
+                    const float* texel = picture.texel(rect.x0 + x * factor, rect.y0 + y * factor + j);
+                    for (int i = 0; i < factor; ++i, texel += 4)
+                        for (int c = 0; c < 4; ++c)
+                            sum[c] += texel[c];
+                }
+                for (int c = 0; c < 4; ++c)
+                    result.texel(x, y)[c] = sum[c] * share;
+            }
+    });
+    return result;
+}
 
 std::vector<Image> plainChain(Image picture, const JobControl& job)
 {
@@ -78,7 +83,7 @@ std::vector<Image> evaluateLevels(const SphereMapDocument& document, const Evalu
     for (int size = options.size / 2; size >= 1; size /= 2) {
         one.level = std::min(one.level + 1, deepestLevel);
         one.levelSize = size;
-        one.size = size * std::max(levelOversampling, 128 / size);
+        one.size = size * oversamplingOfLevel(size);
         levels.push_back(averaged(evaluate(document, one, job), size, job));
     }
     return levels;

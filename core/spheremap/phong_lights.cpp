@@ -17,6 +17,26 @@ struct ReadyLight {
     glm::vec3 axis{0.0f}, direction{0.0f}, color{0.0f}, diffuse{0.0f};
     float exponent = 1.0f;
 };
+
+/// max(n.axis, 0)^exponent of a light, or of r = (2 z x, 2 z y, 2 z^2 - 1).
+MIRRORBALL_VECTOR_CLONES void highlight(const ReadyLight& light, bool mirror, const DiscSpan& at, float* __restrict strength)
+{
+    const glm::vec3 a = light.axis;
+    for (int i = 0; i < at.count; ++i) {
+        const float na = at.x[i] * a.x + at.y[i] * a.y + at.z[i] * a.z;
+        const float c = mirror ? 2.0f * at.z[i] * na - a.z : na;
+        strength[i] = c > 0.0f ? fast::pow(std::max(c, 0.0f), light.exponent) : 0.0f;
+    }
+}
+
+MIRRORBALL_VECTOR_CLONES void add(int count, const float* __restrict strength, const glm::vec3& color, ColorSpan& __restrict out)
+{
+    for (int i = 0; i < count; ++i) {
+        out.r[i] += color.r * strength[i];
+        out.g[i] += color.g * strength[i];
+        out.b[i] += color.b * strength[i];
+    }
+}
 } // namespace
 
 std::span<const std::string_view> words(PhongModel) { return modelWords; }
@@ -51,30 +71,16 @@ SpanGenerator prepare(const PhongLightsLayer& layer, const Level&)
         fill(out, at.count, ambient.r, ambient.g, ambient.b);
         std::fill_n(out.a, at.count, 1.0f);
         alignas(64) float strength[spanLength];
-        const auto add = [&](const glm::vec3& color) {
-            for (int i = 0; i < at.count; ++i) {
-                out.r[i] += color.r * strength[i];
-                out.g[i] += color.g * strength[i];
-                out.b[i] += color.b * strength[i];
-            }
-        };
         for (const ReadyLight& light : lights) {
-            const glm::vec3 a = light.axis, l = light.direction;
+            const glm::vec3 l = light.direction;
             if (light.color != glm::vec3(0.0f)) {
-                if (mirror) // r = (2 z x, 2 z y, 2 z^2 - 1)
-                    for (int i = 0; i < at.count; ++i)
-                        strength[i] = 2.0f * at.z[i] * (at.x[i] * a.x + at.y[i] * a.y + at.z[i] * a.z) - a.z;
-                else
-                    for (int i = 0; i < at.count; ++i)
-                        strength[i] = at.x[i] * a.x + at.y[i] * a.y + at.z[i] * a.z;
-                for (int i = 0; i < at.count; ++i)
-                    strength[i] = strength[i] > 0.0f ? fast::pow(strength[i], light.exponent) : 0.0f;
-                add(light.color);
+                highlight(light, mirror, at, strength);
+                add(at.count, strength, light.color, out);
             }
             if (light.diffuse != glm::vec3(0.0f)) {
                 for (int i = 0; i < at.count; ++i)
                     strength[i] = std::max(at.x[i] * l.x + at.y[i] * l.y + at.z[i] * l.z, 0.0f);
-                add(light.diffuse);
+                add(at.count, strength, light.diffuse, out);
             }
         }
     };

@@ -41,9 +41,12 @@ int discSize(const Lobe& lobe)
     return texels <= 128.0 ? 128 : texels <= 256.0 ? 256 : texels <= 512.0 ? 512 : 1024;
 }
 
-/// The disc of a probe filtered with a diffuse lobe, which is looked up by the normal n = (q, sqrt(1 - q^2)), not by the mirror direction.
-Image diffuseDisc(const EnvironmentMap& irradiance, int size)
+/// The disc of a filtered probe that is tipped by an angle: what is above moves towards the eye.
+/// @param toDirection  of a place in the disc
+template <typename ToDirection>
+Image discOf(const EnvironmentMap& filtered, double tilt, int size, const ToDirection& toDirection)
 {
+    const double c = std::cos(tilt), s = std::sin(tilt);
     Image disc(size, size, 3);
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
@@ -51,7 +54,8 @@ Image diffuseDisc(const EnvironmentMap& irradiance, int size)
             const double length = glm::length(q);
             if (length > 1.0)
                 q /= length;
-            const glm::vec3 rgb = irradiance.radiance({q, std::sqrt(std::max(1.0 - glm::dot(q, q), 0.0))});
+            const glm::dvec3 d = toDirection(q);
+            const glm::vec3 rgb = filtered.radiance({d.x, c * d.y + s * d.z, c * d.z - s * d.y});
             std::copy_n(&rgb.x, 3, disc.texel(x, y));
         }
     return disc;
@@ -64,14 +68,23 @@ DiscPicture bake(const ProbeLayer& layer, const std::string& path, SphereMapAsse
         return std::make_shared<FilterSource>(readProbe(path, {}, {}, stages).map);
     });
     const Lobe lobe = lobeOf(layer);
-    const bool diffuse = layer.lobe == ProbeLobe::Diffuse;
+    // The diffuse part is looked up by the normal, not by the mirror direction; what is tipped, through a map of all directions.
+    const bool diffuse = layer.lobe == ProbeLobe::Diffuse, direct = !diffuse && layer.tiltDeg == 0.0;
+    const int size = diffuse ? 128 : discSize(lobe);
     const PrefilterOptions options{.lobe = lobe,
-                                   .target = diffuse ? MapLayout{Parameterization::Octahedral, 64, 0}
-                                                     : MapLayout{Parameterization::Sphere, discSize(lobe), 0},
+                                   .target = diffuse  ? MapLayout{Parameterization::Octahedral, 64, 0}
+                                             : direct ? MapLayout{Parameterization::Sphere, size, 0}
+                                                      : MapLayout{Parameterization::Octahedral, 2 * size, 0},
                                    .tolerance = 1e-4,
                                    .yaw = layer.yawDeg * pi / 180.0};
     EnvironmentMap map = prefilter(**probe, options).map;
-    return DiscPicture(diffuse ? diffuseDisc(map, 128) : std::move(map.image));
+    if (direct)
+        return DiscPicture(std::move(map.image));
+    const double tilt = layer.tiltDeg * pi / 180.0;
+    return DiscPicture(diffuse ? discOf(map, tilt, size, [](const glm::dvec2& q) {
+                                     return glm::dvec3(q, std::sqrt(std::max(1.0 - glm::dot(q, q), 0.0)));
+                                 })
+                               : discOf(map, tilt, size, sphere_map::directionFromDisc));
 }
 
 /// F (or 1 - F) times a colour, by n.v = z: a table over [0, 1].
@@ -113,7 +126,7 @@ SpanGenerator prepare(const ProbeLayer& layer, const Level& level)
         fresnel.conductor = *metal;
     }
     const std::string path = assetPath(level, layer.source);
-    const std::string key = "probe|" + assetKey(path) + "|" + describe(lobeOf(layer)) + "|" + numberText(layer.yawDeg);
+    const std::string key = "probe|" + assetKey(path) + "|" + describe(lobeOf(layer)) + "|" + numberText(layer.yawDeg) + "|" + numberText(layer.tiltDeg);
     SphereMapAssets* assets = level.assets;
     const auto picture = assets->get<DiscPicture>(key, [&] { return bake(layer, path, *assets); });
     const auto share = std::make_shared<const ShareTable>(fresnel, layer.share, layer.tint * std::exp2(layer.exposure));

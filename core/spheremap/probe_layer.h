@@ -23,11 +23,12 @@ enum class FresnelShare { Mirrored, Transmitted };
 std::span<const std::string_view> words(FresnelShare); // mirrored transmitted
 
 /// A light probe filtered through a lobe, times a Fresnel term: the look of a real material as a layer, to be painted over; the probe may be
-/// changed underneath later. The probe stands in eye space: its +Z, turned by the yaw, lies behind the eye and is mirrored at the centre.
+/// changed underneath later. The probe stands in eye space: its +Z, turned by the yaw and the tilt, lies behind the eye and is mirrored at the centre.
 struct ProbeLayer {
     static constexpr LayerKind kind{"probe", "Light probe", "a material under a light probe: lobe and Fresnel term baked in"};
     std::string source = "builtin:studio";
     double yawDeg = 0.0;
+    double tiltDeg = 0.0;
     double exposure = 0.0;
     ProbeLobe lobe = ProbeLobe::Ggx;
     double exponent = 50.0;
@@ -45,6 +46,7 @@ struct ProbeLayer {
     {
         visit(Field{"source", "light probe: image file, or builtin:NAME"}, self.source);
         visit(Field{"yaw", "turns the probe about +Y", -36000, 36000, "degrees"}, self.yawDeg);
+        visit(Field{"tilt", "then tips it about +X: what is above moves towards the eye", -180, 180, "degrees"}, self.tiltDeg);
         visit(Field{"exposure", "brightness: times 2^exposure", -64, 64, "EV"}, self.exposure);
         visit(Field{"lobe", "how the surface spreads what it mirrors; diffuse: the matt part"}, self.lobe);
         visit(Field{"exponent", "phong: the larger, the sharper", 0, 1e9}, self.exponent);

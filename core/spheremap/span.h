@@ -1,5 +1,7 @@
 #pragma once
 
+#include "vector_clones.h"
+
 #include <algorithm>
 #include <functional>
 

@@ -107,7 +107,7 @@ TexelRect SphereMapCache::advance(const SphereMapDocument& document, const JobCo
             continue; // hidden
         const TexelRect touched = canvas->second.update(
             strokesAt(std::get<PaintLayer>(document.layers[i].content),
-                      {.size = m_options.size, .levelSize = m_options.levelSize > 0 ? m_options.levelSize : m_options.size}),
+                      {.size = m_options.size, .levelSize = levelSize()}),
             job);
         dirty = dirty.united(touchedBy(document, i, touched, m_options));
     }
@@ -129,7 +129,7 @@ void SphereMapCache::keepCanvases(const SphereMapDocument& document, const JobCo
         if (!paint || !document.layers[i].visible)
             continue;
         const std::vector<Stroke> strokes = strokesAt(
-            *paint, {.size = m_options.size, .levelSize = m_options.levelSize > 0 ? m_options.levelSize : m_options.size});
+            *paint, {.size = m_options.size, .levelSize = levelSize()});
         auto found = std::find_if(old.begin(), old.end(), [&](const auto& entry) { return entry.second.strokes() == strokes; });
         if (found == old.end())
             found = old.find(i);

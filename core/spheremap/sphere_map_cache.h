@@ -23,6 +23,8 @@ public:
     TexelRect update(const SphereMapDocument& document, const JobControl& job = {});
 
     int size() const { return m_options.size; }
+    /// Edge of the level that the picture stands for.
+    int levelSize() const { return m_options.levelSize > 0 ? m_options.levelSize : m_options.size; }
     const Image& image() const { return m_image; }
     /// The document of image(), or nothing.
     const std::optional<SphereMapDocument>& document() const { return m_document; }

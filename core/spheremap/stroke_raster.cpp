@@ -1,5 +1,7 @@
 #include "stroke_raster.h"
 
+#include "vector_clones.h"
+
 #include "../sphere/disc.h"
 #include "../sphere/parameterization.h"
 
@@ -7,14 +9,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-
-// Eight lanes, written out because the compiler makes branches of the clamps otherwise; as wide as the processor has them. Not with FMA,
-// whose single rounding would give other bytes; and not under sanitizers, which are not yet running when the choice is made.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define MIRRORBALL_WIDE __attribute__((target_clones("avx2", "default")))
-#else
-#define MIRRORBALL_WIDE
-#endif
 
 namespace mirrorball {
 
@@ -35,8 +29,9 @@ struct Transmittance {
 /// 1 - t is exactly 1 from here on, and products never become so small that the processor slows down.
 constexpr float opaque = 1e-10f;
 
-/// Lets a dab take its part of what shines through. Works on whole lanes: beyond the dab's edge p is 0 and nothing changes.
-MIRRORBALL_WIDE void stampRows(float* values, const TexelRect& rows, float cx, float cy, DabProfile dab)
+/// Lets a dab take its part of what shines through. Works on whole lanes, written out because the compiler makes branches of the clamps
+/// otherwise: beyond the dab's edge p is 0 and nothing changes.
+MIRRORBALL_VECTOR_CLONES void stampRows(float* values, const TexelRect& rows, float cx, float cy, DabProfile dab)
 {
     const Lanes steps = {0, 1, 2, 3, 4, 5, 6, 7};
     const Lanes none = {}, one = none + 1.0f, least = none + opaque;
@@ -85,7 +80,8 @@ void forDabsIn(const TexelStroke& stroke, const TexelRect& tile, const Visit& vi
     }
 }
 
-void coverTile(Image& raster, const TexelStroke& stroke, const TexelRect& tile, Transmittance& through)
+/// @param texels  of the tile, rows `stride` texels apart
+void coverTile(float* texels, size_t stride, const TexelStroke& stroke, const TexelRect& tile, Transmittance& through)
 {
     through.touched = {};
     forDabsIn(stroke, tile, [&](size_t i) {
@@ -101,7 +97,8 @@ void coverTile(Image& raster, const TexelStroke& stroke, const TexelRect& tile, 
     const TexelRect& t = through.touched;
     const glm::vec4 paint = stroke.mode == BrushMode::Paint ? glm::vec4(stroke.color, 1.0f) : glm::vec4(0.0f);
     for (int y = t.y0; y < t.y1; ++y)
-        composeRow(raster.texel(tile.x0 + t.x0, tile.y0 + y), through.values.data() + y * tileSize + t.x0, t.width(), stroke.opacity, paint);
+        composeRow(texels + 4 * (static_cast<size_t>(y) * stride + static_cast<size_t>(t.x0)), through.values.data() + y * tileSize + t.x0,
+                   t.width(), stroke.opacity, paint);
 }
 
 /// A copy of the part of a raster that a smudge reads.
@@ -202,8 +199,8 @@ TexelStroke texelStroke(const Stroke& stroke, int size)
     result.dabs.reserve(source.dabs.size());
     for (const Dab& dab : source.dabs) {
         const DabProfile profile = dabProfile(dab.radius * disc.radius, stroke.brush.hardness, dab.strength);
-        result.dabs.push_back({disc.toImage(dab.q), glm::dvec2(dab.motion.x, -dab.motion.y) * disc.radius, profile,
-                               std::sqrt(profile.outer2)});
+        result.dabs.push_back(
+            {disc.toImage(dab.q), glm::dvec2(dab.motion.x, -dab.motion.y) * disc.radius, profile, std::sqrt(profile.outer2)});
         if ((result.dabs.size() - 1) % TexelStroke::groupSize == 0)
             result.groups.emplace_back();
         const TexelRect bounds = result.dabs.back().bounds();
@@ -211,6 +208,16 @@ TexelStroke texelStroke(const Stroke& stroke, int size)
         result.bounds = result.bounds.united(bounds);
     }
     return result;
+}
+
+void paintTile(std::span<const TexelStroke> strokes, const TexelRect& tile, float* texels, size_t stride, const JobControl& job)
+{
+    Transmittance through;
+    for (size_t s = 0; s < strokes.size(); ++s) {
+        if (s % 64 == 0)
+            job.checkStop();
+        coverTile(texels, stride, strokes[s], tile, through);
+    }
 }
 
 void paintTiles(Image& raster, std::span<const TexelStroke> strokes, const TileSet& tiles, const JobControl& job)
@@ -224,24 +231,28 @@ void paintTiles(Image& raster, std::span<const TexelStroke> strokes, const TileS
             if (reads.empty() || !tiles.meets(stroke.tiles(raster.width)))
                 continue;
             const Patch before(raster, reads);
-            parallelRows(static_cast<int>(list.size()), job, [&](int a, int b) {
-                for (int i = a; i < b; ++i)
-                    smudgeTile(raster, stroke, tiles.rect(list[static_cast<size_t>(i)]), before);
-            }, 1);
+            parallelRows(
+                static_cast<int>(list.size()), job,
+                [&](int a, int b) {
+                    for (int i = a; i < b; ++i)
+                        smudgeTile(raster, stroke, tiles.rect(list[static_cast<size_t>(i)]), before);
+                },
+                1);
             continue;
         }
         size_t end = first;
         while (end < strokes.size() && strokes[end].mode != BrushMode::Smudge)
             ++end;
-        parallelRows(static_cast<int>(list.size()), job, [&](int a, int b) {
-            Transmittance through;
-            for (int i = a; i < b; ++i)
-                for (size_t s = first; s < end; ++s) {
-                    if (s % 64 == 0)
-                        job.checkStop();
-                    coverTile(raster, strokes[s], tiles.rect(list[static_cast<size_t>(i)]), through);
+        parallelRows(
+            static_cast<int>(list.size()), job,
+            [&](int a, int b) {
+                for (int i = a; i < b; ++i) {
+                    const TexelRect tile = tiles.rect(list[static_cast<size_t>(i)]);
+                    paintTile(strokes.subspan(first, end - first), tile, raster.texel(tile.x0, tile.y0), static_cast<size_t>(raster.width),
+                              job);
                 }
-        }, 1);
+            },
+            1);
         first = end;
     }
 }

@@ -50,6 +50,10 @@ struct TexelStroke {
 /// @param size  edge of the map in texels
 TexelStroke texelStroke(const Stroke& stroke, int size);
 
+/// Paints strokes that do not smudge, in order, on one tile.
+/// @param texels  of the tile, four channels, rows `stride` texels apart
+void paintTile(std::span<const TexelStroke> strokes, const TexelRect& tile, float* texels, size_t stride, const JobControl& job = {});
+
 /// Paints strokes, in order, on the given tiles of a raster. For a smudge to be right every tile that it reads must be in the set:
 /// closeForSmudging() adds them.
 /// @param raster  square, four channels

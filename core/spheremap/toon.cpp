@@ -27,19 +27,26 @@ std::vector<ToonBand> bandsOf(const ToonLayer& layer)
 struct Facing {
     alignas(64) float value[spanLength];
     alignas(64) float slope[spanLength];
-
-    Facing(const DiscSpan& at, const glm::vec3& d)
-    {
-        for (int i = 0; i < at.count; ++i) {
-            value[i] = at.x[i] * d.x + at.y[i] * d.y + at.z[i] * d.z;
-            const float k = d.z / std::max(at.z[i], 0.02f);
-            const float sx = d.x - k * at.x[i], sy = d.y - k * at.y[i];
-            slope[i] = std::sqrt(sx * sx + sy * sy);
-        }
-    }
 };
 
-void mix(int count, const float* __restrict share, const glm::vec3& color, ColorSpan& out)
+MIRRORBALL_VECTOR_CLONES void face(const glm::vec3& d, const DiscSpan& at, Facing& facing)
+{
+    for (int i = 0; i < at.count; ++i) {
+        facing.value[i] = at.x[i] * d.x + at.y[i] * d.y + at.z[i] * d.z;
+        const float k = d.z / std::max(at.z[i], 0.02f);
+        const float sx = d.x - k * at.x[i], sy = d.y - k * at.y[i];
+        facing.slope[i] = std::sqrt(sx * sx + sy * sy);
+    }
+}
+
+/// What part of each texel faces d by more than `edge`; softness is that of n.d.
+MIRRORBALL_VECTOR_CLONES void facingPart(const Facing& facing, const DiscSpan& at, float edge, float softness, float* __restrict share)
+{
+    for (int i = 0; i < at.count; ++i)
+        share[i] = Edge(softness, at.texel * facing.slope[i])(facing.value[i] - edge);
+}
+
+MIRRORBALL_VECTOR_CLONES void mix(int count, const float* __restrict share, const glm::vec3& color, ColorSpan& out)
 {
     for (int i = 0; i < count; ++i) {
         out.r[i] += share[i] * (color.r - out.r[i]);
@@ -62,20 +69,17 @@ SpanGenerator prepare(const ToonLayer& layer, const Level&)
         const glm::vec3 base(bands.front().color);
         fill(out, at.count, base.r, base.g, base.b);
         std::fill_n(out.a, at.count, 1.0f);
-        const Facing facing(at, light);
+        Facing facing;
+        face(light, at, facing);
         const auto softness = static_cast<float>(layer.softness);
         for (size_t k = 1; k < bands.size(); ++k) {
-            const auto from = static_cast<float>(bands[k].from);
-            for (int i = 0; i < at.count; ++i)
-                share[i] = Edge(softness, 0.5f * at.texel * facing.slope[i])(0.5f * facing.value[i] + 0.5f - from);
+            facingPart(facing, at, 2.0f * static_cast<float>(bands[k].from) - 1.0f, 2.0f * softness, share); // t = (n.l + 1)/2
             mix(at.count, share, glm::vec3(bands[k].color), out);
         }
         if (layer.highlightDeg > 0.0) {
-            const Facing mirrored(at, h);
+            face(h, at, facing);
             const auto edge = static_cast<float>(std::cos(layer.highlightDeg * pi / 180.0));
-            const float soft = softness * (1.0f - edge);
-            for (int i = 0; i < at.count; ++i)
-                share[i] = Edge(soft, at.texel * mirrored.slope[i])(mirrored.value[i] - edge);
+            facingPart(facing, at, edge, softness * (1.0f - edge), share);
             mix(at.count, share, glm::vec3(layer.highlightColor), out);
         }
         if (layer.rim > 0.0) {

@@ -30,8 +30,8 @@ inline Coordinate along(const glm::vec3& n, float inverseZ, const glm::vec3& cen
 
 /// Distances to the edges of panes and of the window along one coordinate.
 struct Spacing {
-    float half;    ///< from the centre to the middle of the outer bar
-    float pitch;   ///< from bar to bar
+    float half;  ///< from the centre to the middle of the outer bar
+    float pitch; ///< from bar to bar
     float halfBar;
 
     float toPane(float u) const
@@ -43,11 +43,43 @@ struct Spacing {
     float toOutside(float u) const { return half + halfBar - std::fabs(u); }
 };
 
+/// A window made ready.
+struct Window {
+    glm::vec3 n0, e1, e2;
+    glm::vec2 d1, d2;
+    Spacing u, v;
+    float curvature, softness, fade, frameOpacity;
+    glm::vec3 pane, frame;
+};
+
+MIRRORBALL_VECTOR_CLONES void draw(const Window& w, const DiscSpan& at, ColorSpan& __restrict out)
+{
+    for (int i = 0; i < at.count; ++i) {
+        const glm::vec3 n(at.x[i], at.y[i], at.z[i]);
+        const float inverseZ = 1.0f / std::max(n.z, 0.05f);
+        const float toCentre = n.x * w.n0.x + n.y * w.n0.y + n.z * w.n0.z;
+        const Coordinate a = along(n, inverseZ, w.n0, toCentre, w.e1, w.d1, w.curvature);
+        const Coordinate b = along(n, inverseZ, w.n0, toCentre, w.e2, w.d2, w.curvature);
+        const Edge edgeU(w.softness, at.texel * a.slope), edgeV(w.softness, at.texel * b.slope);
+        const float inPane = edgeU(w.u.toPane(a.value)) * edgeV(w.v.toPane(b.value));
+        const float inWindow = edgeU(w.u.toOutside(a.value)) * edgeV(w.v.toOutside(b.value));
+        const float height = std::min(std::max(0.5f + 0.5f * b.value / w.v.half, 0.0f), 1.0f);
+        const float light = inPane * (1.0f - w.fade * (1.0f - height));
+        const float bars = std::max(inWindow - inPane, 0.0f) * w.frameOpacity;
+        const float share = light / std::max(light + bars, 1e-6f);
+        out.r[i] = w.frame.r + share * (w.pane.r - w.frame.r);
+        out.g[i] = w.frame.g + share * (w.pane.g - w.frame.g);
+        out.b[i] = w.frame.b + share * (w.pane.b - w.frame.b);
+        out.a[i] = toCentre > 0.05f ? light + bars : 0.0f;
+    }
+}
+
 } // namespace
 
 SpanGenerator prepare(const WindowLayer& layer, const Level& level)
 {
-    const glm::dvec2 c = glm::dvec2(layer.centerX, layer.centerY) * std::min(1.0, 0.98 / std::max(1e-9, std::hypot(layer.centerX, layer.centerY)));
+    const glm::dvec2 c =
+        glm::dvec2(layer.centerX, layer.centerY) * std::min(1.0, 0.98 / std::max(1e-9, std::hypot(layer.centerX, layer.centerY)));
     const glm::dvec3 centre(c, std::sqrt(1.0 - glm::dot(c, c)));
     // The frame at the centre whose first axis looks to the right on the picture, turned by the tilt.
     const glm::dvec3 right = glm::normalize(glm::dvec3(1, 0, 0) - centre.x * centre), up = glm::cross(centre, right);
@@ -58,29 +90,20 @@ SpanGenerator prepare(const WindowLayer& layer, const Level& level)
     const auto bar = static_cast<float>(level.width(layer.frame, layer.unit));
     const Spacing u{static_cast<float>(0.5 * layer.width), static_cast<float>(layer.width / layer.columns), 0.5f * bar};
     const Spacing v{static_cast<float>(0.5 * layer.height), static_cast<float>(layer.height / layer.rows), 0.5f * bar};
-    const auto curvature = static_cast<float>(layer.curvature), softness = static_cast<float>(layer.softness);
-    const auto fade = static_cast<float>(layer.fade), frameOpacity = static_cast<float>(layer.frameOpacity);
-    const glm::vec3 pane(layer.paneColor), frame(layer.frameColor);
-    return [=](const DiscSpan& at, ColorSpan& out) {
-        for (int i = 0; i < at.count; ++i) {
-            const glm::vec3 n(at.x[i], at.y[i], at.z[i]);
-            const float inverseZ = 1.0f / std::max(n.z, 0.05f);
-            const float toCentre = n.x * n0.x + n.y * n0.y + n.z * n0.z;
-            const Coordinate a = along(n, inverseZ, n0, toCentre, e1, d1, curvature), b = along(n, inverseZ, n0, toCentre, e2, d2, curvature);
-            const Edge edgeU(softness, at.texel * a.slope), edgeV(softness, at.texel * b.slope);
-            const float inPane = edgeU(u.toPane(a.value)) * edgeV(v.toPane(b.value));
-            const float inWindow = edgeU(u.toOutside(a.value)) * edgeV(v.toOutside(b.value));
-            const float height = std::min(std::max(0.5f + 0.5f * b.value / v.half, 0.0f), 1.0f);
-            const float light = inPane * (1.0f - fade * (1.0f - height));
-            const float bars = std::max(inWindow - inPane, 0.0f) * frameOpacity;
-            const float opacity = (light + bars) * (toCentre > 0.05f ? 1.0f : 0.0f);
-            const float share = light / std::max(light + bars, 1e-6f);
-            out.r[i] = frame.r + share * (pane.r - frame.r);
-            out.g[i] = frame.g + share * (pane.g - frame.g);
-            out.b[i] = frame.b + share * (pane.b - frame.b);
-            out.a[i] = opacity;
-        }
-    };
+    const Window window{n0,
+                        e1,
+                        e2,
+                        d1,
+                        d2,
+                        u,
+                        v,
+                        static_cast<float>(layer.curvature),
+                        static_cast<float>(layer.softness),
+                        static_cast<float>(layer.fade),
+                        static_cast<float>(layer.frameOpacity),
+                        glm::vec3(layer.paneColor),
+                        glm::vec3(layer.frameColor)};
+    return [window](const DiscSpan& at, ColorSpan& out) { draw(window, at, out); };
 }
 
 } // namespace mirrorball

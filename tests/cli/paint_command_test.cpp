@@ -60,6 +60,35 @@ TEST(PaintCommand, StartsADocumentFromAPreset)
     EXPECT_EQ(test::readBytes(folder / "a.exr"), test::readBytes(folder / "b.exr"));
 }
 
+// Blender reads passes named "diffuse" and "specular"; what they add up to is the map where the specular layers only add light.
+TEST(PaintCommand, WritesBlendersTwoPasses)
+{
+    const TemporaryFolder folder;
+    std::ofstream(folder / "d.spheremap") << R"({"version": 1, "layers": [
+        {"name": "Matt", "content": {"kind": "gradient"}},
+        {"name": "Shine", "blend": "add", "content": {"kind": "phong-lights"}}]})";
+    const std::string document = quoted(folder / "d.spheremap");
+    ASSERT_EQ(mirrorballRuns("paint " + document + " -o " + quoted(folder / "whole.exr") + " --size 32").status, 0);
+    for (const char* half : {"", " --half"}) {
+        const ProgramRun run = mirrorballRuns("paint " + document + " -o " + quoted(folder / "two.exr") + " --size 32 --specular Shine" + half);
+        ASSERT_EQ(run.status, 0) << run.err;
+        const auto pass = [&](ImagePass which) {
+            SphereMapDocument alone;
+            alone.layers = {{.content = ImageLayer{.source = (folder / "two.exr").string(), .pass = which, .inset = 0.0}}};
+            return evaluate(alone, {.size = 32});
+        };
+        const Image diffuse = pass(ImagePass::Diffuse), specular = pass(ImagePass::Specular), whole = readImage(folder / "whole.exr");
+        for (int c = 0; c < 3; ++c) { // at a texel's centre an image layer reads that texel
+            EXPECT_NEAR(diffuse.texel(20, 9)[c] + specular.texel(20, 9)[c], whole.texel(20, 9)[c], 2e-3f);
+            EXPECT_NEAR(diffuse.texel(12, 12)[c] + specular.texel(12, 12)[c], whole.texel(12, 12)[c], 2e-3f);
+        }
+        EXPECT_GT(specular.texel(10, 9)[0], 0.05f);
+        EXPECT_LT(specular.texel(24, 24)[0], 1e-3f);
+    }
+    EXPECT_FAILS(mirrorballRuns("paint " + document + " -o " + quoted(folder / "x.exr") + " --size 8 --specular Gleam"), 2, "Gleam");
+    EXPECT_FAILS(mirrorballRuns("paint " + document + " -o " + quoted(folder / "x.png") + " --size 8 --specular Shine"), 2, ".exr");
+}
+
 TEST(PaintCommand, RefusesBadDocumentsInOneLineAndWritesNothing)
 {
     const TemporaryFolder folder;

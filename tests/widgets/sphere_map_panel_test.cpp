@@ -1,15 +1,19 @@
 #include "sphere_map_panel_test.h"
 
 #include "studio_window.h"
+#include "widget_driver.h"
 
 #include "widgets/model_painter.h"
 #include "widgets/sphere_map_panel.h"
 #include "widgets/text.h"
 
+#include "core/spheremap/presets.h"
 #include "core/spheremap/sphere_map_file.h"
 
 #include <QDir>
+#include <QAction>
 #include <QDockWidget>
+#include <QLineEdit>
 #include <QMimeData>
 #include <QPointingDevice>
 #include <QSignalSpy>
@@ -259,7 +263,6 @@ void SphereMapPanelTest::reordersLayersByDropping()
 
 void SphereMapPanelTest::editsParametersOneUndoStepADrag()
 {
-    QSKIP("known failure: a parameter read back after a drag differs from what was set");
     Painting painting;
     painting.editor().addLayer({.name = "Ring", .content = SilhouetteLayer{}});
     auto* width = painting.panel().layerForm().findChild<NumberField*>(QStringLiteral("width"));
@@ -270,7 +273,7 @@ void SphereMapPanelTest::editsParametersOneUndoStepADrag()
     emit width->finished();
     QCOMPARE(painting.steps(), before + 1);
     QCOMPARE(std::get<SilhouetteLayer>(painting.editor().map()->layers[2].content).width, 0.3);
-    auto* opacity = painting.panel().findChild<NumberField*>(QStringLiteral("opacity"));
+    auto* opacity = painting.panel().findChild<NumberField*>(QStringLiteral("layerOpacity"));
     emit opacity->edited(0.5);
     emit opacity->finished();
     QCOMPARE(painting.editor().map()->layers[2].opacity, 0.5);
@@ -283,19 +286,22 @@ void SphereMapPanelTest::editsParametersOneUndoStepADrag()
 
 void SphereMapPanelTest::editsGradientStops()
 {
-    QSKIP("known failure: the gradient editor is not shown for the layer that the test chooses");
     Painting painting;
     painting.editor().choose(0);
     auto* editor = painting.panel().layerForm().findChild<GradientEditor*>();
-    QVERIFY(editor && editor->isVisible());
+    QVERIFY(editor);
     GradientBar& bar = editor->bar();
+    QTRY_COMPARE(bar.height(), bar.sizeHint().height()); // a layout places what is new in it when events are next handled
+    QVERIFY(bar.isVisible());
     const auto stops = [&] { return std::get<GradientLayer>(painting.editor().map()->layers[0].content).stops; };
     const int before = painting.steps();
-    QTest::mouseDClick(&bar, Qt::LeftButton, {}, QPoint(bar.width() / 2, 12));
+    const auto place = [&](double position, int y) { return QPoint(static_cast<int>(std::lround(bar.placeOf(position))), y); };
+    const double pixel = 1.0 / (bar.placeOf(1.0) - bar.placeOf(0.0));
+    QTest::mouseDClick(&bar, Qt::LeftButton, {}, place(0.5, 12));
     QCOMPARE(stops().size(), size_t{3});
-    QVERIFY(std::abs(stops()[2].position - 0.5) < 0.02);
-    Painting::drag(&bar, QPoint(bar.width() / 2, 32), QPoint(bar.width() / 4, 32));
-    QVERIFY(std::abs(stops()[2].position - 0.25) < 0.02);
+    QVERIFY(std::abs(stops()[2].position - 0.5) < pixel);
+    Painting::drag(&bar, place(0.5, 32), place(0.25, 32));
+    QVERIFY2(std::abs(stops()[2].position - 0.25) < pixel, qPrintable(QString::number(stops()[2].position)));
     QTest::keyClick(&bar, Qt::Key_Delete);
     QCOMPARE(stops().size(), size_t{2});
     QCOMPARE(painting.steps(), before + 3);
@@ -347,6 +353,158 @@ void SphereMapPanelTest::paintsOnTheModel()
     Painting::drag(&preview, middle, middle + QPoint(30, 0), Qt::LeftButton, Qt::AltModifier);
     QVERIFY(painting.document().scene().view.camera != camera);
     QCOMPARE(painting.strokes().size(), size_t{1});
+}
+
+void SphereMapPanelTest::choosesABrushOnTheModelAsOnTheDisc()
+{
+    Painting painting;
+    painting.editor().setPaintsOnModel(true);
+    painting.window().waitForPicture();
+    PreviewWidget& preview = painting.window().preview();
+    auto* painter = preview.findChild<ModelPainter*>();
+    const QPointF middle(preview.width() / 2, preview.height() / 2);
+    QMouseEvent hover(QEvent::MouseMove, middle, preview.mapToGlobal(middle), Qt::NoButton, Qt::NoButton, {});
+    QCoreApplication::sendEvent(&preview, &hover);
+    QTRY_VERIFY(painter->ring().isVisible());
+    // Places on the ring are a radius away on the disc, as far as the model there bends evenly.
+    const double radius = painting.editor().brush().radius;
+    for (const QPointF& place : painter->ring().outline())
+        if (const auto q = painter->placeAt(place))
+            QVERIFY2(std::abs(glm::distance(*q, *painter->placeAt(middle)) / radius - 1.0) < 0.5,
+                     qPrintable(QString::number(glm::distance(*q, *painter->placeAt(middle)) / radius)));
+    Painting::drag(&preview, middle.toPoint(), middle.toPoint() + QPoint(60, -50), Qt::RightButton);
+    QVERIFY(painting.editor().brush().radius > 1.4 * radius);
+    QVERIFY(painting.strokes().empty());
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(&preview, &leave);
+    QTRY_VERIFY(!painter->ring().isVisible());
+}
+
+void SphereMapPanelTest::masksALayerByPaintingOnItsMask()
+{
+    Painting painting;
+    painting.editor().addLayer({.name = "Cold", .content = FillLayer{.color = {0.1, 0.3, 1.0}}});
+    MaskEditor& mask = painting.panel().mask();
+    mask.kinds().setCurrentIndex(mask.kinds().findText(QStringLiteral("Paint")));
+    emit mask.kinds().activated(mask.kinds().currentIndex());
+    const auto layer = [&]() -> const Layer& { return painting.editor().map()->layers[2]; };
+    QVERIFY(layer().mask && layer().mask->channel == MaskChannel::Opacity);
+    const int before = painting.steps();
+    painting.drag(painting.at(-0.3, 0.0), painting.at(0.3, 0.0));
+    QCOMPARE(painting.steps(), before + 1);
+    QCOMPARE(std::get<PaintLayer>(layer().mask->content).strokes.size(), size_t{1});
+    painting.waitForPicture();
+    QVERIFY(painting.editor().picture() == evaluate(*painting.editor().map(), {.size = painting.editor().size()}));
+    painting.document().undoStack().undo();
+    QVERIFY(std::get<PaintLayer>(layer().mask->content).strokes.empty());
+    mask.findChild<QCheckBox*>(QStringLiteral("maskInvert"))->click();
+    QVERIFY(layer().mask->invert);
+    mask.kinds().setCurrentIndex(0);
+    emit mask.kinds().activated(0);
+    QVERIFY(!layer().mask);
+    painting.panel().findChild<QSpinBox*>(QStringLiteral("firstLevel"))->setValue(2);
+    QCOMPARE(layer().firstLevel, 2);
+}
+
+void SphereMapPanelTest::editsListsOfLights()
+{
+    Painting painting;
+    painting.editor().addLayer({.name = "Lights", .content = PhongLightsLayer{}});
+    SettingsForm& form = painting.panel().layerForm();
+    auto* chooser = form.findChild<ItemChooser*>(QStringLiteral("lights"));
+    QVERIFY(chooser);
+    const auto lights = [&] { return std::get<PhongLightsLayer>(painting.editor().map()->layers[2].content).lights; };
+    QCOMPARE(chooser->count(), 1);
+    chooser->addButton().click();
+    QCOMPARE(lights().size(), size_t{2});
+    QCOMPARE(chooser->chosen(), 1);
+    auto* azimuth = form.findChild<NumberField*>(QStringLiteral("azimuth"));
+    QVERIFY(azimuth);
+    emit azimuth->edited(30.0);
+    emit azimuth->finished();
+    QCOMPARE(lights()[1].azimuthDeg, 30.0);
+    QCOMPARE(lights()[0].azimuthDeg, PhongLight{}.azimuthDeg);
+    chooser->choose(0);
+    QCOMPARE(azimuth->value(), PhongLight{}.azimuthDeg);
+    chooser->removeButton().click();
+    QCOMPARE(lights().size(), size_t{1});
+    QCOMPARE(azimuth->value(), 30.0);
+    painting.document().undoStack().undo();
+    QCOMPARE(lights().size(), size_t{2});
+}
+
+void SphereMapPanelTest::offersFilesToLayersThatReadThem()
+{
+    Painting painting;
+    for (const char* kind : {"image", "probe"}) {
+        painting.editor().addLayer({.content = makeContent(kind)});
+        auto* source = painting.panel().layerForm().findChild<QLineEdit*>(QStringLiteral("source"));
+        QVERIFY(source && source->findChild<QAction*>(QStringLiteral("chooseFile")));
+    }
+}
+
+void SphereMapPanelTest::followsHandMadeLevelsWhileAStrokeIsDrawn()
+{
+    Painting painting;
+    painting.editor().edit({}, {}, [](SphereMapDocument& map) { std::get<PaintLayer>(map.layers[1].content).unit = WidthUnit::Pixels; });
+    painting.waitForPicture();
+    QSignalSpy levels(&painting.editor(), &SphereMapEditor::levelsChanged);
+    QTest::mousePress(&painting.canvas(), Qt::LeftButton, {}, painting.at(-0.4, 0.0));
+    const QPointF to = painting.at(0.4, 0.0);
+    QMouseEvent move(QEvent::MouseMove, to, painting.canvas().mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&painting.canvas(), &move);
+    painting.waitForPicture();
+    QVERIFY(!levels.isEmpty());
+    const std::vector<Image> drawing = painting.editor().coarserLevels();
+    const std::vector<Image> without = evaluateLevels(*painting.editor().map(), painting.editor().size()); // the stroke is not in it yet
+    QCOMPARE(drawing.size() + 1, without.size());
+    for (size_t i = 0; i < drawing.size(); ++i) {
+        QCOMPARE(drawing[i].width, without[i + 1].width);
+        QVERIFY(drawing[i] != without[i + 1]);
+    }
+    QTest::mouseRelease(&painting.canvas(), Qt::LeftButton, {}, painting.at(0.4, 0.0));
+    QCOMPARE(painting.strokes().size(), size_t{1});
+}
+
+/// For people to look at: MIRRORBALL_SCREENSHOTS.
+void SphereMapPanelTest::looksWell()
+{
+    Painting painting;
+    StudioWindow& window = painting.window();
+    QDockWidget* dock = window->dock(QStringLiteral("sphere-map"));
+    dock->setFloating(false);
+    dock->raise();
+    const SphereMapPreset* preset = findSphereMapPreset("enamel");
+    painting.editor().setMap({}, preset ? preset->document : sphereMapPresets().front().document);
+    painting.editor().addLayer({.name = "Paint", .content = PaintLayer{}});
+    painting.editor().setPaintsOnModel(true);
+    for (const QSize& size : {QSize(1280, 800), QSize(1820, 1120)}) {
+        window->resize(size);
+        window.waitForPicture();
+        PreviewWidget& preview = window.preview();
+        Brush brush = painting.editor().brush();
+        brush.color = {1.0, 0.9, 0.3};
+        painting.editor().setBrush(brush);
+        const QPoint middle(preview.width() / 2, preview.height() / 2);
+        Painting::drag(&preview, middle + QPoint(-60, -30), middle + QPoint(50, 10));
+        painting.waitForPicture();
+        window.waitForPicture();
+        QTest::qWait(100);
+        const QString name = QStringLiteral("sphere-map-%1").arg(size.width());
+        keepScreenshot(*window, name + QStringLiteral("-layers"));
+        painting.panel().tabs().setCurrentIndex(1);
+        keepScreenshot(*window, name + QStringLiteral("-brush"));
+        painting.panel().tabs().setCurrentIndex(2);
+        QTRY_VERIFY_WITH_TIMEOUT(!painting.panel().levels().levels().isEmpty(), 20000);
+        QTest::qWait(300);
+        keepScreenshot(*window, name + QStringLiteral("-levels"));
+        painting.panel().tabs().setCurrentIndex(0);
+    }
+    for (const char* kind : {"phong-lights", "gradient", "colorgram", "probe", "toon"}) {
+        painting.editor().addLayer({.content = makeContent(kind), .mask = Mask{}});
+        QTest::qWait(100);
+        keepScreenshot(painting.panel(), QStringLiteral("panel-%1").arg(QLatin1String(kind)));
+    }
 }
 
 } // namespace mirrorball::test

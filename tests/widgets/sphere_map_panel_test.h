@@ -24,6 +24,12 @@ private slots:
     void showsTheLevels();
     void opensAndSavesFilesAndTellsWhatIsWrong();
     void paintsOnTheModel();
+    void choosesABrushOnTheModelAsOnTheDisc();
+    void masksALayerByPaintingOnItsMask();
+    void editsListsOfLights();
+    void offersFilesToLayersThatReadThem();
+    void followsHandMadeLevelsWhileAStrokeIsDrawn();
+    void looksWell();
 };
 
 } // namespace mirrorball::test

@@ -12,7 +12,8 @@ vec2 discPlace(vec3 n, vec3 v)
     n = sphereRotation * n;
     v = sphereRotation * v;
 #if SPHERE_INDEX == 1
-    vec3 place = sphereCoordinate(normalize(2.0 * max(dot(n, v), 0.0) * n - v), 2.0);
+    // Seen edge-on an interpolated normal can lean away: the rim, where it points.
+    vec3 place = sphereCoordinate(normalize(2.0 * max(dot(n, v), 1e-3) * n - v), 2.0);
     return vec2(place.x - 1.0, 1.0 - place.y);
 #else
 #if SPHERE_SPACE == 0

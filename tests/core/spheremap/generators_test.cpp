@@ -38,6 +38,23 @@ glm::dvec3 normalAt(int size, int x, int y)
 
 bool inDisc(int size, int x, int y) { return normalAt(size, x, y).z > 0.0; }
 
+TEST(GradientTable, LooksUpARunAsItDoesOnePlace)
+{
+    const std::vector<GradientStop> stops{{0.1, {1.0, 0.0, 0.2}}, {0.6, {0.0, 2.0, 0.1}, 0.25}, {0.9, {0.5, 0.5, 1.0}, 0.0}};
+    const GradientTable table(stops, ColorMixing::Oklab);
+    for (const int count : {1, 3, 4, 255, 256}) {
+        std::vector<float> places;
+        for (int i = 0; i < count; ++i)
+            places.push_back(1.3f * static_cast<float>(i) / static_cast<float>(count) - 0.1f);
+        ColorSpan run;
+        table.look(count, places.data(), run);
+        for (int i = 0; i < count; ++i) {
+            const GradientTable::Entry one = table.at(places[static_cast<size_t>(i)]);
+            ASSERT_EQ(glm::vec4(run.r[i], run.g[i], run.b[i], run.a[i]), glm::vec4(one.r, one.g, one.b, one.a)) << count << ": " << i;
+        }
+    }
+}
+
 TEST(FastMath, AgreesWithTheLibrary)
 {
     for (double x = -20.0; x <= 20.0; x += 0.0137) {
@@ -45,6 +62,7 @@ TEST(FastMath, AgreesWithTheLibrary)
         const auto p = static_cast<float>(std::exp2(x));
         EXPECT_NEAR(fast::log2(p), std::log2(static_cast<double>(p)), 4e-6 * std::max(1.0, std::abs(x))) << x;
         EXPECT_EQ(fast::floor(static_cast<float>(x)), std::floor(static_cast<float>(x)));
+        EXPECT_NEAR(fast::cos(static_cast<float>(x)), std::cos(x), 1e-5);
         EXPECT_NEAR(fast::atan2(static_cast<float>(std::sin(x)), static_cast<float>(std::cos(x))), std::atan2(std::sin(x), std::cos(x)), 1e-5);
     }
     EXPECT_EQ(fast::pow(0.0f, 0.0f), 1.0f);
