@@ -2298,6 +2298,10 @@
         <source>yaw</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>then tips it about +X: what is above moves towards the eye</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -2357,6 +2361,21 @@
     </message>
     <message>
         <source>Enter or click runs the command</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::ContentForm</name>
+    <message>
+        <source>Widths in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawn at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images (*.exr *.hdr *.tif *.tiff *.png *.jpg *.jpeg *.tga *.bmp);;All files (*)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2898,6 +2917,25 @@
     </message>
 </context>
 <context>
+    <name>mirrorball::studio::ItemChooser</name>
+    <message>
+        <source>Add to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add one like the one chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove from %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the one chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>mirrorball::studio::LayerList</name>
     <message>
         <source>Layers</source>
@@ -3377,6 +3415,93 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
     </message>
 </context>
 <context>
+    <name>mirrorball::studio::MaskEditor</name>
+    <message>
+        <source>Inverted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the layer shows: everywhere, or where a picture of this kind is bright or there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None: everywhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mask by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Luminance: where the mask is bright; opacity: where it is there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inverted mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows the layer where the mask does not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Invert the mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint on the mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strokes go to the mask instead of the layer; erasing takes them away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint on it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The largest level of the mip chain that the layer takes part in; 0 is the full size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smallest level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The smallest level of the mip chain that the layer takes part in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>mirrorball::studio::MaterialPanel</name>
     <message>
         <source>Water</source>
@@ -3500,6 +3625,13 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
     </message>
     <message>
         <source>rel_rms</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::ModelPainter</name>
+    <message>
+        <source>radius %1, hardness %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3982,6 +4114,10 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <source>Change %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Choose a file</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>mirrorball::studio::SphereMapCanvas</name>
@@ -4043,14 +4179,6 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
 </context>
 <context>
     <name>mirrorball::studio::SphereMapPanel</name>
-    <message>
-        <source>Widths in</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Drawn at</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>A sphere map paints the look of the material by hand: one picture of a ball, in layers, shown live on the model.</source>
         <translation type="unfinished"></translation>
@@ -4288,10 +4416,6 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>On the disc: right drag changes radius and hardness, [ and ] step the radius, Alt picks a colour.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>No layers yet: add one with +.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4301,6 +4425,10 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
     </message>
     <message>
         <source>Draw on the disc, or on the model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right drag changes radius and hardness, [ and ] step the radius, Alt picks a colour on the disc.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
