@@ -157,6 +157,8 @@ void MaterialPanel::addReflection()
     m_form->addFields("material", materialOf,
                       {{"combine", {.isHidden = true}},
                        {"lambda", {.label = tr("Lambda"), .sliderLow = 0.0, .sliderHigh = 10.0, .step = 0.1}},
+                       {"lambda_grazing",
+                        {.label = tr("At grazing"), .sliderLow = 0.0, .sliderHigh = 1.0, .isShown = [](const Scene& scene) { return scene.material.lambda > 0.0; }}},
                        {"lod_bias", {.label = tr("LOD bias"), .sliderLow = -4.0, .sliderHigh = 8.0, .step = 0.1}}});
 }
 
@@ -217,7 +219,7 @@ void MaterialPanel::addDiffuse()
     m_form->addHeading(tr("Diffuse"));
     m_form->addFields("material.diffuse", diffuseOf, {{"weight", weightStyle()}});
     m_form->addFields("material", materialOf,
-                      {{"combine", {.label = tr("Combine")}}, {"lambda", {.isHidden = true}}, {"lod_bias", {.isHidden = true}}});
+                      {{"combine", {.label = tr("Combine")}}, {"lambda", {.isHidden = true}}, {"lambda_grazing", {.isHidden = true}}, {"lod_bias", {.isHidden = true}}});
 }
 
 void MaterialPanel::showPreset()

@@ -284,12 +284,22 @@ bool PreviewWidget::isOnWipe(const QPointF& position) const
 void PreviewWidget::mousePressEvent(QMouseEvent* event)
 {
     m_last = event->position();
-    if (event->button() == Qt::LeftButton)
+    if (isTurn(*event))
+        m_drag = Drag::TurnEnvironment;
+    else if (event->button() == Qt::LeftButton)
         m_drag = isOnWipe(m_last) ? Drag::Wipe : Drag::Orbit;
     else if (event->button() == Qt::MiddleButton)
         m_drag = Drag::Pan;
-    else if (event->button() == Qt::RightButton && event->modifiers().testFlag(Qt::ShiftModifier))
-        m_drag = Drag::TurnEnvironment;
+}
+
+bool PreviewWidget::isTurn(const QMouseEvent& event) const
+{
+    switch (m_turnGesture) {
+    case TurnGesture::ShiftRight: return event.button() == Qt::RightButton && event.modifiers().testFlag(Qt::ShiftModifier);
+    case TurnGesture::ControlLeft: return event.button() == Qt::LeftButton && event.modifiers().testFlag(Qt::ControlModifier);
+    case TurnGesture::ControlMiddle: return event.button() == Qt::MiddleButton && event.modifiers().testFlag(Qt::ControlModifier);
+    }
+    return false;
 }
 
 void PreviewWidget::mouseMoveEvent(QMouseEvent* event)

@@ -13,9 +13,13 @@
 
 namespace mirrorball::studio {
 
+/// What turns the environment. Tools of the trade differ, and hands are used to theirs.
+enum class TurnGesture { ShiftRight, ControlLeft, ControlMiddle };
+
 /// The picture, live, as the render thread draws it.
 ///
-/// Left drag orbits, middle drag pans, the wheel zooms, Shift and right drag turns the environment. Every move is an edit of the
+/// Left drag orbits, middle drag pans, the wheel zooms, Shift and right drag - or another
+/// TurnGesture - turns the environment. Every move is an edit of the
 /// document's view, one undo step a drag. A snapshot keeps a scene with its maps, to be compared from where the camera is now; while B is
 /// held it is shown.
 class PreviewWidget : public QWidget {
@@ -36,6 +40,8 @@ public:
 
     /// Samples a pixel while something is dragged; smooth edges follow when the drag ends. 1 at first.
     void setSamplesWhileDragging(int samples) { m_dragSamples = samples; }
+    TurnGesture turnGesture() const { return m_turnGesture; }
+    void setTurnGesture(TurnGesture gesture) { m_turnGesture = gesture; }
     bool hasSnapshot() const { return m_snapshot != nullptr; }
     Comparison comparison() const { return m_comparison; }
     /// Where the wipe's line stands, as a fraction of the width.
@@ -81,6 +87,7 @@ private:
     void show(const Picture& picture);
     void paintGround(QPainter& painter) const;
     void paintWipe(QPainter& painter) const;
+    bool isTurn(const QMouseEvent& event) const;
     void drag(const QPointF& moved);
     void point();
     bool isOnWipe(const QPointF& position) const;
@@ -102,6 +109,7 @@ private:
     std::optional<Comparison> m_beforeHold{}; ///< while the key is held that shows the snapshot
     double m_wipe = 0.5;
     int m_dragSamples = 1;
+    TurnGesture m_turnGesture = TurnGesture::ShiftRight;
     Drag m_drag = Drag::None;
     QPointF m_last;
     QTimer m_rest;     ///< runs out when wheel and keys have come to rest

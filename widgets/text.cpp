@@ -11,6 +11,8 @@ QString fieldText(std::string_view text)
 
 QString labelText(std::string_view text)
 {
+    if (text == "ggx")
+        return QStringLiteral("GGX"); // a name of letters
     QString label = fieldText(text);
     label.replace(u'_', u' ');
     if (!label.isEmpty())

@@ -3,7 +3,6 @@
 #include "text.h"
 
 #include "core/error.h"
-#include "core/preview/display_transform.h"
 #include "core/preview/mesh_file.h"
 
 #include <QFileDialog>
@@ -12,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include <array>
+#include <utility>
 
 namespace mirrorball::studio {
 
@@ -119,60 +119,79 @@ void ViewPanel::addGeometry()
                        });
 }
 
-// One list of what can be chosen: sRGB, the views of $OCIO, or a configuration file.
+// One list of what can be chosen: sRGB, the views of $OCIO or of the scene's configuration, or another file.
 void ViewPanel::addDisplay()
 {
-    auto* displays = new QuietCombo;
-    displays->addItem(tr("sRGB"));
-    displays->addItem(tr("OpenColorIO file…"));
-    const auto offer = [displays](const std::string& config) {
-        while (displays->count() > 2)
-            displays->removeItem(1);
-        try {
-            for (const preview::DisplayOffer& each : preview::displayOffers(config))
-                for (const std::string& view : each.views)
-                    displays->insertItem(displays->count() - 1, QStringLiteral("%1: %2").arg(toQString(each.display), toQString(view)),
-                                         QStringList{toQString(config), toQString(each.display), toQString(view)});
-        } catch (const Error&) {
-            // a notice says why; sRGB remains
-        }
-    };
-    connect(displays, &QComboBox::activated, this, [this, displays](int index) {
-        const QStringList chosen = displays->itemData(index).toStringList();
-        const auto set = [&](DisplaySettings to) {
-            m_workspace.document.edit(tr("Change display"), {}, [&](Scene& scene) {
-                to.unknown = scene.view.display.unknown;
-                scene.view.display = to;
-            });
-        };
+    m_displays = new QuietCombo;
+    m_displays->addItem(tr("sRGB"));
+    m_displays->addItem(tr("OpenColorIO file…"));
+    connect(m_displays, &QComboBox::activated, this, [this](int index) {
+        const QStringList chosen = m_displays->itemData(index).toStringList();
         if (index == 0) {
-            set({});
+            setDisplay({});
         } else if (chosen.size() == 3) {
-            set({.config = chosen[0].toStdString(), .display = chosen[1].toStdString(), .view = chosen[2].toStdString()});
+            setDisplay({.config = chosen[0].toStdString(), .display = chosen[1].toStdString(), .view = chosen[2].toStdString()});
         } else {
             const QString path = QFileDialog::getOpenFileName(this, tr("Open OpenColorIO configuration"), {}, tr("OpenColorIO (*.ocio);;All files (*)"));
             if (!path.isEmpty())
-                set({.config = path.toStdString()});
+                openDisplayConfig(path);
+            showDisplay(m_workspace.document.scene()); // the dialog may have been cancelled
         }
     });
     m_form->addControl(QStringLiteral("view.display"), {.name = "display", .help = "sRGB, or a display and view of an OpenColorIO configuration"}, {},
-                       displays, [displays, offer, offered = std::string()](const Scene& scene) mutable {
-                           const DisplaySettings& display = scene.view.display;
-                           const std::string config = display.config.empty() && qEnvironmentVariableIsSet("OCIO") ? "env"
-                                                      : display.config.empty() || display.config == "env"        ? display.config
-                                                                                                                 : resolved(scene, display.config);
-                           if (config != offered && !config.empty())
-                               offer(config);
-                           offered = config;
-                           int index = display.config.empty() ? 0 : -1;
-                           for (int i = 1; i < displays->count() - 1 && index < 0; ++i) {
-                               const QStringList item = displays->itemData(i).toStringList();
-                               if ((display.display.empty() || item.value(1) == toQString(display.display)) &&
-                                   (display.view.empty() || item.value(2) == toQString(display.view)))
-                                   index = i;
-                           }
-                           displays->setCurrentIndex(index);
-                       });
+                       m_displays, [this](const Scene& scene) { showDisplay(scene); });
+}
+
+void ViewPanel::openDisplayConfig(const QString& path)
+{
+    setDisplay({.config = path.toStdString()});
+}
+
+void ViewPanel::setDisplay(DisplaySettings display)
+{
+    m_workspace.document.edit(tr("Change display"), {}, [&](Scene& scene) {
+        display.unknown = scene.view.display.unknown;
+        scene.view.display = display;
+    });
+}
+
+// A configuration may be large and lie on another machine: it is read in the background. What is wrong with it, the picture's notice says.
+void ViewPanel::showDisplay(const Scene& scene)
+{
+    const DisplaySettings& display = scene.view.display;
+    const std::string config = display.config.empty() && qEnvironmentVariableIsSet("OCIO") ? "env"
+                               : display.config.empty() || display.config == "env"        ? display.config
+                                                                                          : resolved(scene, display.config);
+    if (config != std::exchange(m_offered, config) && !config.empty())
+        m_offers.start(
+            [config](const JobControl&) {
+                try {
+                    return preview::displayOffers(config);
+                } catch (const Error&) {
+                    return std::vector<preview::DisplayOffer>{};
+                }
+            },
+            [this, config](const std::vector<preview::DisplayOffer>& offers) { offer(config, offers); });
+    int index = display.config.empty() ? 0 : -1;
+    for (int i = 1; i < m_displays->count() - 1 && index < 0; ++i) {
+        const QStringList item = m_displays->itemData(i).toStringList();
+        if (item.value(0) == toQString(config) && (display.display.empty() || item.value(1) == toQString(display.display)) &&
+            (display.view.empty() || item.value(2) == toQString(display.view)))
+            index = i;
+    }
+    m_displays->setCurrentIndex(index);
+    m_displays->setPlaceholderText(toQString(display.view.empty() ? display.config : display.view));
+}
+
+void ViewPanel::offer(const std::string& config, const std::vector<preview::DisplayOffer>& offers)
+{
+    while (m_displays->count() > 2)
+        m_displays->removeItem(1);
+    for (const preview::DisplayOffer& each : offers)
+        for (const std::string& view : each.views)
+            m_displays->insertItem(m_displays->count() - 1, QStringLiteral("%1: %2").arg(toQString(each.display), toQString(view)),
+                                   QStringList{toQString(config), toQString(each.display), toQString(view)});
+    showDisplay(m_workspace.document.scene());
 }
 
 } // namespace mirrorball::studio

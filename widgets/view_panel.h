@@ -3,6 +3,8 @@
 #include "options_form.h"
 #include "workspace.h"
 
+#include "core/preview/display_transform.h"
+
 namespace mirrorball::studio {
 
 /// How the picture is taken: geometry, camera, background, display, and the environment's turn and brightness.
@@ -12,13 +14,21 @@ class ViewPanel : public QWidget {
 public:
     explicit ViewPanel(Workspace& workspace, QWidget* parent = nullptr);
     OptionsForm& form() { return *m_form; }
+    /// Displays through an OpenColorIO configuration, at first by its own choice of display and view.
+    void openDisplayConfig(const QString& path);
 
 private:
     void addGeometry();
     void addDisplay();
+    void setDisplay(DisplaySettings display);
+    void showDisplay(const Scene& scene);
+    void offer(const std::string& config, const std::vector<preview::DisplayOffer>& offers);
 
     Workspace& m_workspace;
     OptionsForm* m_form;
+    QComboBox* m_displays = nullptr;
+    JobRunner m_offers;    ///< reads what a configuration offers
+    std::string m_offered; ///< that configuration
 };
 
 /// Opens a mesh file as the geometry of the scene.

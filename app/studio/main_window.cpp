@@ -22,6 +22,7 @@
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
 #include <QToolBar>
@@ -291,9 +292,10 @@ void MainWindow::showWork()
 
 void MainWindow::arrange()
 {
-    resize(1440, 900);
+    // At first the window is large, but leaves a small screen's edges and a frame's title free.
+    resize(QSize(1440, 900).boundedTo(screen()->availableSize() - QSize(16, 48)));
     resizeDocks({dock(QStringLiteral("probes")), dock(QStringLiteral("material"))}, {300, 340}, Qt::Horizontal);
-    resizeDocks({dock(QStringLiteral("plan"))}, {200}, Qt::Vertical);
+    resizeDocks({dock(QStringLiteral("plan"))}, {height() / 5}, Qt::Vertical);
     m_firstLayout = saveState(layoutVersion);
     const QSettings settings;
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());

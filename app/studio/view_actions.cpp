@@ -3,6 +3,7 @@
 #include "theme.h"
 #include "widgets/text.h"
 
+#include <QSettings>
 #include <QToolButton>
 #include <QWidgetAction>
 
@@ -10,13 +11,14 @@ namespace mirrorball::studio {
 
 ViewActions::ViewActions(PreviewWidget& preview, Workspace& workspace, QObject* parent)
     : QObject(parent), m_preview(preview), m_workspace(workspace), m_geometry(this), m_shading(this), m_projection(this), m_background(this),
-      m_compare(this)
+      m_compare(this), m_turn(this)
 {
     makeGeometry();
     makeShading();
     makeCamera();
     makeBackground();
     makeComparison();
+    makeTurn();
     connect(&m_workspace.document, &Document::changed, this, &ViewActions::refresh);
     refresh();
 }
@@ -132,6 +134,27 @@ void ViewActions::makeComparison()
             tr("Difference to the snapshot, four times as bright"), QKeySequence(Qt::Key_D));
 }
 
+// A habit of the hand, not of the scene: it is kept with the settings and not undone.
+void ViewActions::makeTurn()
+{
+    const QString key = QStringLiteral("preview/turnGesture");
+    const QString kept = QSettings().value(key).toString();
+    const auto gesture = [&](TurnGesture turn, const char* id, const QString& text) {
+        QAction* action = add(id, "background-environment", text, tr("Dragging so turns the environment"), {}, [this, turn, key, id] {
+            m_preview.setTurnGesture(turn);
+            QSettings().setValue(key, QLatin1String(id));
+        });
+        action->setCheckable(true);
+        m_turn.addAction(action);
+        if (kept == QLatin1String(id))
+            m_preview.setTurnGesture(turn);
+        action->setChecked(m_preview.turnGesture() == turn);
+    };
+    gesture(TurnGesture::ShiftRight, "turn.shift-right", tr("Shift and right drag"));
+    gesture(TurnGesture::ControlLeft, "turn.control-left", tr("Ctrl and left drag"));
+    gesture(TurnGesture::ControlMiddle, "turn.control-middle", tr("Ctrl and middle drag"));
+}
+
 void ViewActions::addTo(QMenu& menu)
 {
     const auto submenu = [&](const QString& title, const QList<QAction*>& actions) { menu.addMenu(title)->addActions(actions); };
@@ -140,6 +163,7 @@ void ViewActions::addTo(QMenu& menu)
     submenu(tr("&Projection"), m_projection.actions());
     submenu(tr("&Background"), m_background.actions());
     submenu(tr("&Compare"), QList<QAction*>{m_snapshot} + m_compare.actions());
+    submenu(tr("&Turn the environment by"), m_turn.actions());
     menu.addSeparator();
     menu.addActions(m_camera);
     menu.addActions(m_exposure);

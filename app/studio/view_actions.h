@@ -33,11 +33,12 @@ private:
     void makeCamera();
     void makeBackground();
     void makeComparison();
+    void makeTurn();
     void refresh();
 
     PreviewWidget& m_preview;
     Workspace& m_workspace;
-    QActionGroup m_geometry, m_shading, m_projection, m_background, m_compare;
+    QActionGroup m_geometry, m_shading, m_projection, m_background, m_compare, m_turn;
     QList<QAction*> m_camera, m_exposure;
     QAction* m_snapshot = nullptr;
     QVector<std::pair<QAction*, std::function<bool(const Scene&)>>> m_choices;

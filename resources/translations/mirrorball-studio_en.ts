@@ -27,6 +27,2281 @@
         <source>Report</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Sphere map</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Fields</name>
+    <message>
+        <source>0: straight bars; 1: bent as in a mirror ball</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0: straight; 1: lines follow the ball</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0: the bars are gaps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0: what lies below shows through</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>16-bit floats where the format has them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A perfect mirror: shows the environment as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Black rubber: almost no highlight but at grazing angles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blur</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brushed aluminium: a broad Phong highlight with exponent 60.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cold and warm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colorgram</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dark glass: clear in front, mirroring towards the edges.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deep red lacquer under a clear, mirroring coat.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>EV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fired clay: matt and warm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Glazed white porcelain: bright and matt below, mirroring above.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gradient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hatching</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hue, saturation, value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light probe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Matt white: nothing but diffuse light.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>OpenColorIO configuration: a .ocio file, or env for the one that $OCIO names; empty: tone curve and sRGB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pearl: a soft sheen over cream.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Phong lights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Piano lacquer: black, and a sharp reflection on top.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Polished chromium: a mirror with the cool tint of the metal.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Polished gold with a faint bloom.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Polished silver: the brightest of the metals.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Posterize</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Red plastic with a soft highlight.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Satin copper: a soft, reddish reflection.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Satin-finished light metal: a ggx lobe of roughness 0.4 that mirrors alike at every angle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Silhouette ring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Toon bands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a Gaussian blur on the sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a generator: fill, gradient, image, paint, ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a line along the outline of the model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a material under a light probe: lobe and Fresnel term baked in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a painted sphere map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a picture of a ball from a file, such as a matcap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a second set of lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a sphere map that is part of the scene, in place of the source; null: none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a tone curve for all channels or one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a whirl around the centre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about the view axis, counterclockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>across-seams</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>add: F times specular plus diffuse; coat: the diffuse part lies under the reflecting layer, times 1 - F</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all, or one of the two passes of Blender&apos;s matcaps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>aluminium</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ambient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>angle of view from bottom to top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>angular</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>anisotropy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another number, another arrangement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>arcs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at the centre, counterclockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>authored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>authored: coarser levels as the document makes them; plain: averages, as hardware makes them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>away from the eye; 0 is the miner&apos;s hat, a light at the eye</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>azimuth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>background</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>balance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>between the two sets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>black-lacquer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>blend</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>blended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>blue in the shade, yellow in the light, and a white highlight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>blur</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>blurred</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>blurred: ggx roughness of the blur</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>brightness of the display picture: times 2^exposure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>brightness of the light: radiance times 2^exposure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>brightness: times 2^exposure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>brushed-metal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>car-paint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cells of the surface that look the map up elsewhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>center</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>center-softness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>center-x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>center-y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>chain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>chain: how many levels; 0: down to one texel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>channel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>chrome</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>chromium</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clamp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coarser levels, read where a reflection shrinks: no shimmer on strongly curved parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cold-color</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>color</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>color: linear RGB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>colour of the diffuse part, linear RGB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>colour of the diffuse pass, linear RGB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>colour of the reflection, linear RGB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>colour, linear RGB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>colours and where they stand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>colours between stops, around a centre, across, around, or from shade to light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>combine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>compute probe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>conductor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>conductor: name of a metal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>conductor: name of a metal, or custom for n and k below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>config</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>content</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>copper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>count</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>counterclockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>counterclockwise from the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cross</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cross-angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cross-from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cube</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cube with coarser levels: filtered across the seams of the faces, or each face by itself as the hardware of 2002 did, which shows the seams</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>curvature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>curve that brings radiance to the display</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>custom conductor: extinction for red, green, blue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>custom conductor: index of refraction for red, green, blue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dark becomes light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>darken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>density</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>description</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dielectric</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dielectric: index of refraction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>diffuse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>direct</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>disc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>disc radii</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>disc radii or pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>disc: tips are part of the picture; pixels: as many pixels wide on every level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>disc: wider on flat parts; pixels: the same width everywhere, through levels made for it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>display</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>display through OpenColorIO</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>draw</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>edge of a face, disc or octahedron, or height of a latlong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>environment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exchanges left and right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exponent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exports</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exposure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>eye</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>eye: the map turns with the camera; world: it stands still, looked up by world directions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>factor of the brightness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>factor; 0: grey; at most as much as a colour can hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fade</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>far</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>far_depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>few tones instead of many</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>file name, whose extension is the format; empty: NAME.exr; %s in a cube&apos;s makes six files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>filmic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>filter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>filter specular map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>first-level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>flat tones from shade to light, a hard highlight, a rim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>flecks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>flip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fov</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame-color</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame-opacity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fresnel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fresnel term</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from black to white</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from the bottom to the top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from the rim inwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from the target; the object&apos;s radius is 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>geometry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ggx</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ggx: 0 is a mirror, 1 fully rough; alpha is its square</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>glass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gradient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gradient: colours of one ring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gradient: drawn at will; grating: diffracted light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gradient: from the centre to the rim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gradient: height of the waves, in rings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gradient: how often the colours run once around</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gradient: waves around the rings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>grating</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>grating: extent of the light, which washes the colours out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>grating: from groove to groove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>grating: how they run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>grating: of straight grooves, counterclockwise from the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>grating: of the light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>grating: rainbows on each side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>grating: the light, away from the eye; 0: at the eye</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>grating: the light, counterclockwise from the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>groove-angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>grooves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>half</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>halved levels inside the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hierarchical</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>highlight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>highlight-color</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>highlight-distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>highlights of lights, to be added to a material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how far a fleck&apos;s lookup may lie from the surface&apos;s own, in radii of the disc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how far lines wander, end early and vary in width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how far the colours differ from white</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how far the panes fade out towards the bottom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how it meets what lies below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how much is mirrored at which angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how much of it shows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how much of the picture&apos;s rim is cut away, where it is cut out badly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how the file shows the sphere; auto: found out from the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how the picture is taken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how the specular map is filtered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how the specular map is filtered; auto: the cheapest method that meets the tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how the surface spreads what it mirrors; diffuse: the matt part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>image file, or builtin:NAME</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>image file; the disc is inscribed in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>importance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>importance: samples of the lobe a texel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in the order in which they were drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>index</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>intensity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>invert</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>iron</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>irradiance map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its kind and the kind&apos;s parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>jitter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>k</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kind of the map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kind of the map that the picture reads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lambda</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lambda by angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lambda_grazing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest error of the map, rel_rms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest level of a hand-made mip chain that it takes part in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>last-level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>latitude of the eye</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>latlong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>least mip level of the reflection: blurs it without filtering</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>letters, digits, - and _; names the files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>light at which the band begins: 0 faces away from the light, 1 faces it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>light at which the darkest tone ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>light everywhere, linear RGB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>light probe: image file, or builtin:NAME</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>light-color</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lighten</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>linear RGB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>linear, angular: direction, counterclockwise from the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lines across the disc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lobe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lod_bias</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>longitude of the eye</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lookup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>luminance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>luminance: where the mask is bright; opacity: where it is there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>makes the line thicker on one side and thinner on the other, as a pen does</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>maps to write</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>match</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>matched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>matte</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>metal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>middle_depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mip levels of specular map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mip: cube faces filtered across their seams, or each by itself as the hardware of 2002 did</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mip_filtering</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mips</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mirror, or how a glossy surface spreads the reflection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mirrored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mirrored: F; transmitted: 1 - F, for what lies under a coat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mixing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moves the dividing line: above 0 there is more warmth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moves the mip level of the reflection by this much; lambda then holds it from below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>multiply</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>n</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>n.h</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>n.h: the exponent as typed, or the one that looks like r.v with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none: alike at every angle; dielectric: glass, lacquer; conductor: metal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none: mirrors alike at every angle; dielectric: glass, lacquer, water; conductor: metal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>normals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>octahedral</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of a cell; the object&apos;s radius is 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of a full line, as a part of the way to the next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of its edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the bars&apos; width; pixels: the same on every level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the brightest tone, linear RGB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the configuration; empty: its default</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the curve, from dark to bright</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the darkest tone, linear RGB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the display; empty: its default</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the edges between tones, as light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the highlight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the ink, linear RGB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the inner edge, as a part of the width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the jitter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the light, linear RGB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the line, linear RGB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the lines, counterclockwise from the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the material&apos;s sphere map behind the pane; the pane is 1.2 wide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the matt part, max(n.l, 0)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the shade, linear RGB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the white disc from the centre, on the warm side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the white disc, linear RGB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>oklab</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>oklab: steps look even; linear: as light mixes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one colour everywhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one sentence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>opacity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>orders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>orthographic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>other maps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>overlay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>painted sphere map: a .spheremap file, a picture of one, or a preset; empty: none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pane-color</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>panes and bars, as if a window were mirrored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>panes one above the other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>panes side by side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paraboloid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paraboloid blended: least border around each half; 0: as far as the kernel reaches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paraboloid blended: size of a half before it shrinks; 0: the probe&apos;s height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paraboloid: largest kernel; the map shrinks until it fits; 0: 7 blended, 17 exact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paraboloid: texels kept free outside each disc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paraboloid: the kernel ends where the lobe has fallen to this share of its peak; 0: 0.1 blended, 0.001 exact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paraboloid: two kernels blended by the distance from the middle, as published, or exact at every place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paraboloid_border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paraboloid_clamp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paraboloid_half</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paraboloid_kernel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>parameterization</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>part of a step that is a slope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pearl</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pen lines towards the outline or in the shade, and across each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>per-face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>perspective</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>perspective, or orthographic at the size the object has in perspective</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phong: the larger, the sharper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pixel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pixel: exact; vertex: coordinates interpolated between vertices, as hardware of 1999 did</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pixels: edge of the level on which the tips are as wide as they were drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plastic-red</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point that the eye looks at and orbits; the object&apos;s centre is 0, 0, 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>polar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>porcelain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>probe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>projection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>quads along a quarter of a circumference; 0: as fine as the picture needs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>r.v</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>r.v: by the mirror direction; n.h: by the half vector</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radial, linear, angular: centre, to the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radial, linear, angular: centre, up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radial, linear: from the centre to the last stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radial: around the centre; linear: across; angular: once around; shaded: by the angle to a light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radius of the highlight; 0: none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radius of the white centre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radius of the white disc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rainbow rings and arcs, drawn or diffracted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>read mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reflection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reinhard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>replace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>replace, multiply: of the surface, linear RGB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>replace: shown alone, over the colour below; multiply: times that colour; over: over the reflecting material; tint: times the reflecting material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>resample background</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>resample specular map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rim-color</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rim-turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ripple</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>roughness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rubber</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>satin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>saturation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scattered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>seams</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>seed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sh9</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shade</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shade-color</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shade-end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shade: the light, away from the eye</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shade: the light, counterclockwise from the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shaded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shaded: the light, away from the eye</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shaded: the light, counterclockwise from the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>share of the cells that are flecks; 0: none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shows the layer where the mask does not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sigma</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>silhouette</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>silhouette: lines grow towards the outline; shade: away from a light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>silver</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>smallest level that it takes part in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>soft-light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>softness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>source: the environment; specular: filtered with the material&apos;s lobe; diffuse: irradiance over pi; chain: ggx levels of roughness 0 to 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>space</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spectral</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spectrum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>specular</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sphere map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sphere map behind both; empty: none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sphere map behind that one, seen where it is transparent; empty: none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sphere_map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spread</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>square root of the channel after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>square root of the channel before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>standard deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>standard deviation on the sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stops</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>strength</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>strength of the diffuse part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>strength of the reflection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>strokes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>strokes of a brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sweep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>swell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>swell-angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>takes part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>teapot, torus, sphere, box, window, or a mesh file (.obj .ply .stl .off .gltf .glb .fbx .dae .3ds)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tessellation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>texcoords</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>texels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>texels along the edge of the map that the picture reads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the centre moves to the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the centre moves up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the environment, the environment blurred, one colour, or none (transparent)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the larger, the sharper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the light, away from the eye</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the light, counterclockwise from the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the map that the picture reads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the material, or what it is computed from: triangles, normals, texture coordinates, seams or levels of the map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the matt part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mirrored part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the window of the geometry of that name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tilt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>title</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tone at which lines begin: 0 is the centre or full light, 1 the outline or full shade</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tone at which the second set begins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tone at which they are at their widest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tones of one&apos;s own instead of count</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tones, where there are no bands of one&apos;s own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>transmitted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn of the hue: 120 makes red green</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turned counterclockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turns hues, strengthens or weakens colours and brightness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turns the camera about its view, counterclockwise seen from behind it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turns the environment about +Y, counterclockwise seen from above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turns the probe about +Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turns the whole ball</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turns what lies outside further: the rings differ left and right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>twist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>typed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertex</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>visible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>warm-color</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>weight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what a list shows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what happens past the ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what looks it up: the surface&apos;s normal, or the direction that the surface mirrors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what stands behind the object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what the artist calls it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what the object is made of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where it ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where it is thickest, counterclockwise from the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where it shows; null: everywhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where on the gradient; two stops at one place make a hard edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where the eye is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where the light comes from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where the rim is widest, from the light on: 180 is opposite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where the warm side lies, counterclockwise from the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where they are and how bright</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>which of them it changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>width of the bars</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>width of the bright rim; 0: none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wireframe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with coarser levels: lookups along the longer side of a pixel&apos;s footprint, sharper at grazing angles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with lambda: sharper where the surface is seen at a grazing angle; 1 as rough surfaces do, more exaggerates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>world</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>world: the environment stands still; eye: the map turns with the camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yaw</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>then tips it about +X: what is above moves towards the eye</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -86,6 +2361,21 @@
     </message>
     <message>
         <source>Enter or click runs the command</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::ContentForm</name>
+    <message>
+        <source>Widths in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawn at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images (*.exr *.hdr *.tif *.tiff *.png *.jpg *.jpeg *.tga *.bmp);;All files (*)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -430,10 +2720,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1, %2: about %3, of which %4 are texels before compression</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>one level</source>
         <translation type="unfinished"></translation>
     </message>
@@ -483,6 +2769,10 @@
     </message>
     <message>
         <source>Wrote %1, %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2: about %3; %4 of texels before compression</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -585,6 +2875,128 @@
     </message>
     <message>
         <source>F(%1°) = %2 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::GradientBar</name>
+    <message>
+        <source>Gradient stops</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a stop to move it, pull it away to remove it; double-click for a new one</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::GradientEditor</name>
+    <message>
+        <source>Stop colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour of the chosen stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the chosen stop stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop opacity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opacity of the chosen stop: below 100 % what lies under the layer shows</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::ItemChooser</name>
+    <message>
+        <source>Add to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add one like the one chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove from %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the one chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::LayerList</name>
+    <message>
+        <source>Layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The layers, the topmost first: drag to reorder, double-click to rename</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::LayerModel</name>
+    <message>
+        <source>, 1 stroke</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, %1 strokes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>masked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::LevelsView</name>
+    <message>
+        <source>Levels of the mip chain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Making the levels ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No sphere map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Made level by level: a layer has its width in pixels, or levels of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each level averages the one above. Give a layer a width in pixels to author them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -970,10 +3382,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 against %2: rel_rms %3, largest %4 of the mean square</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Point at the map to read a texel.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -987,7 +3395,11 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>, shown at %1 %</source>
+        <source>%1 against %2: rel_rms %3, largest %4 × rms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, shown at %1%</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -999,6 +3411,93 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
     </message>
     <message>
         <source>Wheel or + and -: zoom. Drag or arrow keys: move. Double click or 0: fit. 1: a texel on a pixel. Shift and arrow keys: point at a texel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::MaskEditor</name>
+    <message>
+        <source>Inverted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the layer shows: everywhere, or where a picture of this kind is bright or there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None: everywhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mask by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Luminance: where the mask is bright; opacity: where it is there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inverted mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows the layer where the mask does not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Invert the mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint on the mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strokes go to the mask instead of the layer; erasing takes them away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint on it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The largest level of the mip chain that the layer takes part in; 0 is the full size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smallest level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The smallest level of the mip chain that the layer takes part in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the mask</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1096,6 +3595,10 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <source>Combine</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>At grazing</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>mirrorball::studio::MethodChart</name>
@@ -1112,16 +3615,23 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>rel_rms against the reference</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>front</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1 %2
 %3 s, rel_rms %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rel_rms</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::ModelPainter</name>
+    <message>
+        <source>radius %1, hardness %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1566,7 +4076,359 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 (predicted %2), rel_rms %3 (predicted %4), largest %5 of the mean square. Its signed error is in the Map panel.</source>
+        <source>Facts of the chosen method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kernels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest error of the map, rel_rms, that spectral, direct and hierarchical keep and auto plans for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerance of the filter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (predicted %2), rel_rms %3 (predicted %4), largest %5 × rms. Its signed error is in the Map panel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::SettingsForm</name>
+    <message>
+        <source>Change %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::SphereMapCanvas</name>
+    <message>
+        <source>Sphere map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This scene has no sphere map of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radius %1, hardness %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::SphereMapEditor</name>
+    <message>
+        <source>Add layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a paint layer to paint on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a paint layer, or add one, to paint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The chosen layer is hidden; show it to paint on it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smudge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::SphereMapPanel</name>
+    <message>
+        <source>A sphere map paints the look of the material by hand: one picture of a ball, in layers, shown live on the model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New sphere map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the material a sphere map of its own, to paint and layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start from a preset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy a built-in sphere map into the material, to change it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a file...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show a sphere map or recorded strokes from a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a sphere map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sphere maps (*.spheremap *.strokes)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a sphere map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint. A pen&apos;s pressure counts; its eraser end erases</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Erase what was painted on this layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smudge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Push what was painted on this layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pick a colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pick a colour from the map; Alt does it with every tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint on the model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint on the model in the preview; Alt and left drag then turns it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brush colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour of the paint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Repeat strokes around the centre, or mirror them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirror left and right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirror top and bottom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirror both ways</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 times around</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the whole disc (Home)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sphere map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New, presets, open, save, remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save a copy...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the sphere map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sphere maps (*.spheremap)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the sphere map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a layer above the chosen one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the chosen layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the chosen layer up (Ctrl+Up)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the chosen layer down (Ctrl+Down)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the chosen layer (Delete)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blend mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the layer meets what lies below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change blend mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Layer opacity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much of the layer shows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change opacity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No layers yet: add one with +.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This version does not know layers of the kind &quot;%1&quot;. It is kept as it is, and left out of the picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw on the disc, or on the model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right drag changes radius and hardness, [ and ] step the radius, Alt picks a colour on the disc.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1758,6 +4620,26 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
     </message>
     <message>
         <source>What stands behind the object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dragging so turns the environment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift and right drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl and left drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl and middle drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Turn the environment by</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -16,8 +16,11 @@
 #include <QMessageBox>
 #include <QProcess>
 #include <QScrollBar>
+#include <QMenu>
 #include <QTabBar>
 #include <QToolBar>
+
+#include <functional>
 
 using namespace mirrorball::studio;
 
@@ -137,6 +140,44 @@ void MainWindowTest::oneKeyHidesAndShowsAllDocks()
     QCOMPARE(shown(), 0);
     QTest::keyClick(&*window, Qt::Key_F9);
     QCOMPARE(shown(), before);
+}
+
+// Whatever a command of the View menu changes of the scene is one step, and its undoing brings the scene back.
+void MainWindowTest::everyCommandOfTheViewMenuCanBeUndone()
+{
+    StudioWindow window;
+    window.show();
+    QList<QAction*> commands;
+    std::function<void(const QMenu&)> collect = [&](const QMenu& menu) {
+        for (QAction* action : menu.actions())
+            action->menu() ? collect(*action->menu()) : void(commands << action);
+    };
+    for (const QAction* menu : window->menuBar()->actions())
+        if (menu->text() == QStringLiteral("&View"))
+            collect(*menu->menu());
+    const Scene start = [] {
+        Scene scene; // where no command is without effect
+        scene.view.geometry = "window";
+        scene.view.camera.target = {1.0, 0.0, 0.0};
+        return scene;
+    }();
+    int changing = 0;
+    for (QAction* command : commands) {
+        window.document().reset(start);
+        if (!command->isEnabled() || command->isSeparator())
+            continue;
+        command->trigger();
+        window.document().finishEdit();
+        if (window.document().scene() == start)
+            continue; // chosen already, or not of the scene
+        ++changing;
+        QCOMPARE(window.document().undoStack().count(), 1);
+        window.document().undoStack().undo();
+        QVERIFY2(window.document().scene() == start, qPrintable(command->text()));
+        window.document().undoStack().redo();
+        QVERIFY2(window.document().scene() != start, qPrintable(command->text()));
+    }
+    QCOMPARE(changing, 17); // 4 bodies, 5 of 6 shadings, 1 of 2 projections, 3 of 4 backgrounds, frame, reset, brighter, darker
 }
 
 // A panel that nobody sees does no work; Qt itself counts a dock behind a tab as visible.

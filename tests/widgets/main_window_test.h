@@ -13,6 +13,7 @@ private slots:
     void savesThePictureThatTheCommandLineSaves();
     void everyControlHasTooltipNameAndKeys();
     void oneKeyHidesAndShowsAllDocks();
+    void everyCommandOfTheViewMenuCanBeUndone();
     void aPanelBehindATabIsHidden();
     void keepsItsLayoutBetweenRuns();
     void thePaletteFindsAndRunsCommands();

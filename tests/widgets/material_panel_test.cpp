@@ -53,8 +53,47 @@ static bool operate(QWidget* control)
     return false;
 }
 
+/// An OpenColorIO configuration with two views of one display.
+static std::string writeDisplayConfig(const TemporaryFolder& folder)
+{
+    writeBytes(folder / "two_views.ocio", "ocio_profile_version: 1\n"
+                                          "roles:\n  scene_linear: linear\n"
+                                          "displays:\n  monitor:\n"
+                                          "    - !<View> {name: plain, colorspace: linear}\n"
+                                          "    - !<View> {name: raised, colorspace: gamma}\n"
+                                          "active_displays: [monitor]\nactive_views: [plain, raised]\n"
+                                          "colorspaces:\n"
+                                          "  - !<ColorSpace>\n    name: linear\n"
+                                          "  - !<ColorSpace>\n    name: gamma\n"
+                                          "    from_reference: !<ExponentTransform> {value: [0.5, 0.5, 0.5, 1]}\n");
+    return (folder / "two_views.ocio").string();
+}
+
+void MaterialPanelTest::aDisplayConfigurationIsReadInTheBackgroundAndChosenFrom()
+{
+    const TemporaryFolder folder;
+    Workspace workspace;
+    ViewPanel view(workspace);
+    auto* displays = qobject_cast<QComboBox*>(view.form().control(QStringLiteral("view.display")));
+    QCOMPARE(displays->count(), 2);
+    view.openDisplayConfig(QString::fromStdString(writeDisplayConfig(folder)));
+    QTRY_COMPARE(displays->count(), 4);
+    QCOMPARE(displays->currentText(), QStringLiteral("monitor: plain"));
+    displays->setCurrentIndex(2);
+    emit displays->activated(2);
+    QCOMPARE(workspace.document.scene().view.display.view, std::string("raised"));
+    QTRY_VERIFY_WITH_TIMEOUT(workspace.live.isUpToDate(), 30000);
+    QVERIFY(workspace.live.made()->display && workspace.live.made()->displayProblem.empty());
+    workspace.document.undoStack().undo();
+    QCOMPARE(displays->currentText(), QStringLiteral("monitor: plain"));
+    workspace.document.undoStack().undo();
+    QCOMPARE(displays->currentIndex(), 0);
+}
+
 void MaterialPanelTest::everyControlIsOneStepThatCanBeUndone()
 {
+    const TemporaryFolder folder;
+    const std::string config = writeDisplayConfig(folder);
     for (const FresnelKind kind : {FresnelKind::None, FresnelKind::Dielectric, FresnelKind::Conductor})
         for (const SurfaceLobe lobe : {SurfaceLobe::Mirror, SurfaceLobe::Phong, SurfaceLobe::Ggx}) {
             Workspace workspace;
@@ -63,16 +102,18 @@ void MaterialPanelTest::everyControlIsOneStepThatCanBeUndone()
                 scene.material.fresnel.metal = "custom";
                 scene.material.specular.lobe = lobe;
                 scene.view.background.kind = Backdrop::Blurred;
+                scene.material.lambda = 1.0;
+                scene.view.display.config = config;
             });
             MaterialPanel material(workspace);
             ViewPanel view(workspace);
+            auto* displays = qobject_cast<QComboBox*>(view.form().control(QStringLiteral("view.display")));
+            QTRY_COMPARE(displays->count(), 4); // sRGB, two views, another file
             const Scene before = workspace.document.scene();
             for (OptionsForm* form : {&material.form(), &view.form()})
                 for (QWidget* control : form->findChildren<QWidget*>()) {
                     if (form->control(control->objectName()) != control || control->isHidden())
                         continue;
-                    if (control->objectName() == QStringLiteral("view.display"))
-                        continue; // without configurations its next entry asks for a file, which is a dialog of its own
                     const int steps = workspace.document.undoStack().index();
                     QVERIFY2(operate(control), qPrintable(control->objectName()));
                     QVERIFY2(workspace.document.scene() != before, qPrintable(control->objectName()));

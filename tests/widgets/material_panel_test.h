@@ -9,6 +9,7 @@ class MaterialPanelTest : public QObject {
 
 private slots:
     void everyControlIsOneStepThatCanBeUndone();
+    void aDisplayConfigurationIsReadInTheBackgroundAndChosenFrom();
     void theExponentIsLogarithmic();
     void aSliderDragIsOneStepAndADoubleClickResets();
     void stepsByKeysWithModifiers();

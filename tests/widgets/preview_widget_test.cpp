@@ -2,6 +2,7 @@
 
 #include "studio_window.h"
 
+#include <QAction>
 #include <QWheelEvent>
 
 using namespace mirrorball::studio;
@@ -50,6 +51,30 @@ void PreviewWidgetTest::aDragIsOneStep()
     window.document().undoStack().undo();
     QVERIFY(window.document().scene() == Scene{});
     QVERIFY(largestDifference(window.picture(), before) <= 1);
+}
+
+void PreviewWidgetTest::theGestureThatTurnsTheEnvironmentCanBeChosen()
+{
+    const struct {
+        const char* action;
+        Qt::MouseButton button;
+        Qt::KeyboardModifier key;
+    } gestures[] = {{"turn.control-left", Qt::LeftButton, Qt::ControlModifier},
+                    {"turn.control-middle", Qt::MiddleButton, Qt::ControlModifier},
+                    {"turn.shift-right", Qt::RightButton, Qt::ShiftModifier}};
+    for (const auto& gesture : gestures) {
+        {
+            StudioWindow chosen;
+            chosen->findChild<QAction*>(QLatin1String(gesture.action))->trigger();
+        }
+        StudioWindow window; // the next run knows
+        window.show();
+        drag(window.preview(), {100, 100}, {160, 100}, gesture.button, gesture.key);
+        QCOMPARE(window.document().undoStack().undoText(), QStringLiteral("Turn the environment"));
+        QVERIFY(window.document().scene().view.camera == CameraSettings{});
+        drag(window.preview(), {100, 100}, {160, 100}, Qt::LeftButton);
+        QCOMPARE(window.document().undoStack().undoText(), QStringLiteral("Orbit"));
+    }
 }
 
 void PreviewWidgetTest::theWheelZooms()

@@ -10,6 +10,7 @@ class PreviewWidgetTest : public QObject {
 private slots:
     void aDragIsOneStep_data();
     void aDragIsOneStep();
+    void theGestureThatTurnsTheEnvironmentCanBeChosen();
     void theWheelZooms();
     void keysFrameResetAndExpose();
     void comparesWithASnapshot();

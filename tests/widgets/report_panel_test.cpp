@@ -69,8 +69,7 @@ void ReportPanelTest::measuresEveryMethodOfTheMaterial()
 {
     ShownPanel shown;
     QVERIFY(shown.isReady && shown.settle());
-    // The direct sum of so wide a lobe would take minutes and is left out.
-    for (const Method method : {Method::Reference, Method::Auto, Method::Spectral, Method::Importance, Method::Mip})
+    for (const Method method : {Method::Reference, Method::Auto, Method::Spectral, Method::Direct, Method::Importance, Method::Mip})
         QVERIFY2(shown.indexOf(method) >= 0, std::string(name(method)).c_str());
     const RacePoint& spectral = shown.panel->points()[static_cast<size_t>(shown.indexOf(Method::Spectral))];
     QVERIFY(spectral.seconds > 0.0);
