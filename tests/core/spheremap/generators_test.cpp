@@ -364,6 +364,19 @@ TEST(ProbeLayer, MirrorsTheProbeAsASphereMapDoes)
     }
 }
 
+/// A quarter turn about +X takes +Y to +Z and -Z to +Y, so that the mirror direction (x, y, z) reads the probe at (x, z, -y).
+TEST(ProbeLayer, ATiltBringsWhatIsAboveTowardsTheEye)
+{
+    const Image tipped = picture({{.content = ProbeLayer{.source = "builtin:cube-room", .tiltDeg = 90.0, .lobe = ProbeLobe::Mirror}}}, 256);
+    const BuiltinProbe& room = builtinProbe("cube-room");
+    for (const auto& [x, y] : {std::pair{128, 128}, {40, 128}, {128, 40}, {128, 220}, {220, 120}}) {
+        const glm::dvec3 d = mirrorDirection({0, 0, 1}, normalAt(256, x, y));
+        const glm::dvec3 expected = room.radiance({d.x, d.z, -d.y});
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(tipped.texel(x, y)[c], expected[c], 0.02) << x << ' ' << y;
+    }
+}
+
 TEST(ProbeLayer, UnknownMetalsAndProbesAreRefusedByName)
 {
     EXPECT_THROW(picture({{.content = ProbeLayer{.fresnel = FresnelKind::Conductor, .metal = "unobtainium"}}}, 8), InvalidArgument);
