@@ -355,6 +355,34 @@ void SphereMapPanelTest::paintsOnTheModel()
     QCOMPARE(painting.strokes().size(), size_t{1});
 }
 
+/// Before it is part of the document, and as it will look when it is.
+void SphereMapPanelTest::theModelShowsAStrokeWhileItIsDrawn()
+{
+    Painting painting;
+    PreviewWidget& preview = painting.window().preview();
+    const auto shown = [&preview] {
+        QImage picture = preview.picture().convertToFormat(QImage::Format_RGB888);
+        picture.setDevicePixelRatio(1.0);
+        return picture;
+    };
+    const QImage before = painting.window().picture();
+    QTest::mousePress(&painting.canvas(), Qt::LeftButton, {}, painting.at(-0.4, 0.0));
+    for (int i = 1; i <= 40; ++i) { // what is shown ends half a movement behind the pen
+        const QPointF to = painting.at(-0.4 + 0.02 * i, 0.0);
+        QMouseEvent move(QEvent::MouseMove, to, painting.canvas().mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&painting.canvas(), &move);
+    }
+    painting.waitForPicture();
+    QTRY_VERIFY_WITH_TIMEOUT(preview.isUpToDate() && largestDifference(shown(), before) > 20, 10000);
+    QVERIFY(painting.strokes().empty());
+    const QImage during = shown();
+    QTest::mouseRelease(&painting.canvas(), Qt::LeftButton, {}, painting.at(0.4, 0.0));
+    painting.waitForPicture();
+    const QImage after = painting.window().picture();
+    QVERIFY2(largestDifference(after, during) < largestDifference(during, before) / 2,
+             qPrintable(QString::number(largestDifference(after, during)) + u' ' + QString::number(largestDifference(during, before))));
+}
+
 void SphereMapPanelTest::choosesABrushOnTheModelAsOnTheDisc()
 {
     Painting painting;

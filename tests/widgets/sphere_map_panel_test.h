@@ -24,6 +24,7 @@ private slots:
     void showsTheLevels();
     void opensAndSavesFilesAndTellsWhatIsWrong();
     void paintsOnTheModel();
+    void theModelShowsAStrokeWhileItIsDrawn();
     void choosesABrushOnTheModelAsOnTheDisc();
     void masksALayerByPaintingOnItsMask();
     void editsListsOfLights();
