@@ -144,7 +144,7 @@ ReportPanel::ReportPanel(Workspace& workspace, QWidget* parent)
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setMinimumWidth(260);
+    scroll->setMinimumWidth(216);
     scroll->setMinimumHeight(90);
     // Side by side below the picture, one above the other in a narrow dock.
     m_splitter->setChildrenCollapsible(false);
@@ -191,12 +191,14 @@ QString ReportPanel::waitingText()
 
 void ReportPanel::resizeEvent(QResizeEvent*)
 {
-    const Qt::Orientation orientation = width() > 640 ? Qt::Horizontal : Qt::Vertical;
+    // A low dock, as beside the plan, has no height to share among three.
+    const bool isLow = width() > 480 && 2 * width() > 3 * height();
+    const Qt::Orientation orientation = width() > 640 || isLow ? Qt::Horizontal : Qt::Vertical;
     if (orientation == m_splitter->orientation() && m_isArranged)
         return;
     m_isArranged = true;
     m_splitter->setOrientation(orientation);
-    m_splitter->setSizes(orientation == Qt::Horizontal ? QList<int>{360, 340, 260} : QList<int>{300, 200, 170});
+    m_splitter->setSizes(orientation == Qt::Horizontal ? QList<int>{380, 300, 220} : QList<int>{300, 200, 170});
 }
 
 /// A list of decades: what a slider of such small numbers would be moved to anyway.
