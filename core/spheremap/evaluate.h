@@ -55,6 +55,8 @@ TexelRect touchedBy(const SphereMapDocument& document, size_t layer, const Texel
 std::vector<Image> evaluateLevels(const SphereMapDocument& document, int size, const JobControl& job = {});
 /// The same with options; `region`, `level` and `levelSize` are not used.
 std::vector<Image> evaluateLevels(const SphereMapDocument& document, const EvaluateOptions& options, const JobControl& job = {});
+/// The same where the largest level is at hand: @param base evaluate() of the document with these options, or a SphereMapCache's image
+std::vector<Image> levelsFrom(Image base, const SphereMapDocument& document, const EvaluateOptions& options, const JobControl& job = {});
 
 inline constexpr int levelOversampling = 2; ///< of levels above 64 texels; smaller ones are made from 128
 /// By how much finer a hand-made level of an edge of `size` texels is evaluated.

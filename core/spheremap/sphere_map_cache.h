@@ -22,6 +22,8 @@ public:
     /// @throws as evaluate(); the next update then starts afresh
     TexelRect update(const SphereMapDocument& document, const JobControl& job = {});
 
+    /// With which image() is evaluated.
+    const EvaluateOptions& options() const { return m_options; }
     int size() const { return m_options.size; }
     /// Edge of the level that the picture stands for.
     int levelSize() const { return m_options.levelSize > 0 ? m_options.levelSize : m_options.size; }
