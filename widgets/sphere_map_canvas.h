@@ -2,7 +2,6 @@
 
 #include "sphere_map_editor.h"
 
-#include <QImage>
 #include <QPointF>
 #include <QWidget>
 
@@ -54,7 +53,6 @@ private:
     void updateCursor();
 
     SphereMapEditor& m_editor;
-    QImage m_screen;
     double m_zoom = 1.0;
     glm::dvec2 m_center{0.0}; ///< place of the disc in the middle of the widget
     Drag m_drag = Drag::None;
