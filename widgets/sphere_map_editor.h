@@ -24,9 +24,6 @@ enum class PaintTool { Paint, Erase, Smudge, PickColor };
 /// Which end of a pen touches.
 enum class PenEnd { Tip, Eraser };
 
-/// Where strokes go.
-enum class PaintTarget { Layer, Mask };
-
 /// A brush that is changed by a drag: across its radius, up and down its hardness. @param moved  since the press, in pixels
 Brush draggedBrush(const Brush& before, const QPointF& moved);
 

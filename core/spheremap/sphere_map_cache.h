@@ -5,6 +5,7 @@
 
 #include <map>
 #include <optional>
+#include <utility>
 
 namespace mirrorball {
 
@@ -32,7 +33,10 @@ public:
     const std::optional<SphereMapDocument>& document() const { return m_document; }
 
 private:
+    using Painted = std::pair<size_t, PaintTarget>;
+
     TexelRect advance(const SphereMapDocument& document, const JobControl& job);
+    EvaluateOptions withWhatIsKept() const;
     void keepCanvases(const SphereMapDocument& document, const JobControl& job);
     void keepBelow(const SphereMapDocument& document, size_t layer, const JobControl& job);
     void evaluateInto(const SphereMapDocument& document, const TexelRect& rect, const JobControl& job);
@@ -40,7 +44,7 @@ private:
     EvaluateOptions m_options;
     std::optional<SphereMapDocument> m_document{};
     Image m_image{};
-    std::map<size_t, StrokeCanvas> m_canvases{}; ///< of visible paint layers
+    std::map<Painted, StrokeCanvas> m_canvases{}; ///< of visible paint layers and painted masks
     size_t m_lastChanged = SIZE_MAX;             ///< the lowest layer of the last change
     Image m_below{};                             ///< layers below m_belowLayer, of m_document
     size_t m_belowLayer = 0;                     ///< 0: nothing is kept
