@@ -20,6 +20,7 @@ namespace mirrorball::studio {
 namespace {
 
 const QString noticeSubject = QStringLiteral("sphere-map");
+const QString lightsField = QStringLiteral("lights"); // of PhongLightsLayer
 
 QIcon iconOf(const char* name)
 {
@@ -346,6 +347,11 @@ QWidget* SphereMapPanel::makeLayersPage()
     });
     m_layerForm->setObjectName(QStringLiteral("layerForm"));
     connect(m_layerForm, &SettingsForm::finished, &m_editor, &SphereMapEditor::finishEdit);
+    connect(m_layerForm, &SettingsForm::itemChosen, this, [this](const QString& list, int item) {
+        if (list == lightsField)
+            m_editor.chooseLight(item);
+    });
+    connect(&m_editor, &SphereMapEditor::lightChanged, this, [this] { m_layerForm->chooseItem(lightsField, m_editor.chosenLight()); });
     auto* parameters = new QWidget;
     auto* parameterColumn = new QVBoxLayout(parameters);
     parameterColumn->setContentsMargins(8, 6, 8, 8);
@@ -435,6 +441,7 @@ void SphereMapPanel::showLayer()
     m_blend->setCurrentIndex(static_cast<int>(layer->blend));
     m_opacity->setValue(layer->opacity);
     m_layerForm->showContent(layer->content);
+    m_layerForm->chooseItem(lightsField, m_editor.chosenLight());
     QString note;
     if (const auto* unknown = std::get_if<UnknownLayer>(&layer->content))
         note = tr("This version does not know layers of the kind \"%1\". It is kept as it is, and left out of the picture.")
