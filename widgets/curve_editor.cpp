@@ -399,6 +399,7 @@ CurveEditor::CurveEditor(QWidget* parent)
         box->setRange(0.0, high);
         box->setDecimals(3);
         box->setSingleStep(0.01);
+        box->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         box->setKeyboardTracking(false);
         box->setFocusPolicy(Qt::StrongFocus);
         box->setAccessibleName(name);

@@ -37,8 +37,8 @@ public:
     QPointF placeOf(double x, double y) const;
     CurvePoint pointAt(const QPointF& place) const;
 
-    QSize sizeHint() const override { return {220, 220}; }
-    QSize minimumSizeHint() const override { return {160, 220}; }
+    QSize sizeHint() const override { return {240, 240}; }
+    QSize minimumSizeHint() const override { return {160, 240}; }
 
 signals:
     void edited(const std::vector<mirrorball::CurvePoint>& points);

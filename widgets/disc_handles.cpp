@@ -44,6 +44,12 @@ void DiscHandles::follow()
     const Layer* layer = m_editor.chosenLayer();
     const bool isFree = layer && layer->visible && !m_editor.paintTarget() && m_editor.tool() != PaintTool::PickColor;
     m_handles = isFree ? discHandles(layer->content) : std::vector<DiscHandle>();
+    m_ofLayer = static_cast<int>(m_handles.size());
+    if (isFree && layer->mask)
+        for (DiscHandle& handle : discHandles(layer->mask->content)) {
+            handle.light.reset(); // lists are edited on the layer itself
+            m_handles.push_back(std::move(handle));
+        }
     m_isActive = !m_handles.empty() || (isFree && holdsLights(layer->content));
     const int count = static_cast<int>(m_handles.size());
     m_chosen = count == 0 ? -1 : std::clamp(m_chosen, 0, count - 1);
@@ -104,6 +110,8 @@ QString DiscHandles::describe(int handle) const
         values << tr("%1 %2").arg(fieldText(value.field).replace(u'-', u' '), isAngle ? number + u'°' : number);
     }
     const QString text = values.join(tr(", "));
+    if (isOfMask(handle))
+        return tr("Mask: %1").arg(text);
     if (shown.light)
         return tr("Light %1: %2").arg(*shown.light + 1).arg(text);
     return text.left(1).toUpper() + text.mid(1);
@@ -117,15 +125,30 @@ QString DiscHandles::hint() const
     return tr("Drag a handle to change the layer; to paint, choose a paint layer");
 }
 
-/// Every change of a drag has one key, so that they are one undo step.
+/// What the chosen handle belongs to. Every change of a drag has one key, so that they are one undo step.
 void DiscHandles::edit(const QString& label, const std::function<void(LayerContent&)>& change)
 {
-    m_editor.editLayer(label, mergeKey, [&](Layer& layer) { change(layer.content); });
+    m_editor.editLayer(label, mergeKey, [&](Layer& layer) {
+        if (m_chosen >= 0 && isOfMask(m_chosen)) {
+            if (layer.mask)
+                change(layer.mask->content);
+        } else {
+            change(layer.content);
+        }
+    });
+}
+
+void DiscHandles::moveChosen(const glm::dvec2& wanted)
+{
+    const auto handle = static_cast<size_t>(isOfMask(m_chosen) ? m_chosen - m_ofLayer : m_chosen);
+    edit(tr("Move a handle"), [&](LayerContent& content) { moveHandle(content, handle, wanted); });
 }
 
 void DiscHandles::dragFrom(const QPointF& place)
 {
-    m_drag = Drag{.grabbed = m_handles[static_cast<size_t>(m_chosen)].place - m_view.discAt(place), .before = m_editor.chosenLayer()->content};
+    const Layer& layer = *m_editor.chosenLayer();
+    m_drag = Drag{.grabbed = m_handles[static_cast<size_t>(m_chosen)].place - m_view.discAt(place),
+                  .before = isOfMask(m_chosen) ? layer.mask->content : layer.content};
 }
 
 bool DiscHandles::press(const QPointF& place)
@@ -150,10 +173,10 @@ bool DiscHandles::addAt(const QPointF& place)
     const std::optional<int> like = m_chosen >= 0 ? m_handles[static_cast<size_t>(m_chosen)].light : std::nullopt;
     m_editor.finishEdit();
     std::optional<int> added;
-    edit(tr("Add a light"), [&](LayerContent& content) { added = addLight(content, q, like); });
+    m_editor.editLayer(tr("Add a light"), mergeKey, [&](Layer& changed) { added = addLight(changed.content, q, like); });
     if (!added)
         return false;
-    choose(static_cast<int>(m_handles.size()) - 1);
+    choose(*added); // a list of lights has a handle for each, in its order
     dragFrom(place);
     m_drag->before = before;
     return true;
@@ -163,8 +186,7 @@ void DiscHandles::move(const QPointF& place)
 {
     if (!m_drag)
         return;
-    const glm::dvec2 wanted = m_drag->grabbed + m_view.discAt(place);
-    edit(tr("Move a handle"), [&](LayerContent& content) { moveHandle(content, static_cast<size_t>(m_chosen), wanted); });
+    moveChosen(m_drag->grabbed + m_view.discAt(place));
 }
 
 void DiscHandles::release()
@@ -195,9 +217,7 @@ void DiscHandles::hover(const std::optional<QPointF>& place)
 
 void DiscHandles::nudge(const glm::dvec2& by)
 {
-    const auto chosen = static_cast<size_t>(m_chosen);
-    const glm::dvec2 wanted = m_handles[chosen].place + by;
-    edit(tr("Move a handle"), [&](LayerContent& content) { moveHandle(content, chosen, wanted); });
+    moveChosen(m_handles[static_cast<size_t>(m_chosen)].place + by);
 }
 
 void DiscHandles::removeChosen()
@@ -254,6 +274,7 @@ void DiscHandles::paint(QPainter& painter, const QRectF& area, Focus focus) cons
                               .isChosen = i == m_chosen,
                               .isHovered = i == m_hovered,
                               .hasFocus = focus == Focus::Keys,
+                              .isOfMask = isOfMask(i),
                               .isBehind = handle.kind == HandleKind::Light && glm::length(handle.place) > 1.0});
     };
     for (int i = 0; i < static_cast<int>(m_handles.size()); ++i)

@@ -16,8 +16,8 @@ class QKeyEvent;
 
 namespace mirrorball::studio {
 
-/// The chosen layer's handles on a disc, to be dragged: lights as small suns, centres, arms, rings (core/spheremap/disc_handles.h). The canvas
-/// hands on what mouse and keys do. What lies on the ball's back is shown at the rim, hollow.
+/// The chosen layer's handles on a disc, and its mask's, to be dragged: lights as small suns, centres, arms, rings
+/// (core/spheremap/disc_handles.h). The canvas hands on what mouse and keys do. What lies on the ball's back is shown at the rim, hollow.
 ///
 /// A drag is one undo step, Escape gives it up. Arrow keys move the chosen handle (Shift: finer), Ctrl and arrows go from one to the next. On a
 /// list of lights a double click adds one and Delete removes the one chosen.
@@ -34,7 +34,9 @@ public:
 
     /// Whether a press belongs to handles: the chosen layer has some, or takes lights, and nothing is painted or picked.
     bool isActive() const { return m_isActive; }
+    /// The layer's, then the mask's.
     const std::vector<DiscHandle>& handles() const { return m_handles; }
+    bool isOfMask(int handle) const { return handle >= m_ofLayer; }
     /// -1 without handles.
     int chosen() const { return m_chosen; }
     void choose(int handle);
@@ -73,6 +75,7 @@ private:
     void follow();
     void followLight();
     void edit(const QString& label, const std::function<void(LayerContent&)>& change);
+    void moveChosen(const glm::dvec2& wanted);
     void dragFrom(const QPointF& place);
     void nudge(const glm::dvec2& by);
     void removeChosen();
@@ -84,6 +87,7 @@ private:
     SphereMapEditor& m_editor;
     View m_view;
     std::vector<DiscHandle> m_handles{};
+    int m_ofLayer = 0; ///< how many of them are the layer's own
     bool m_isActive = false;
     int m_chosen = -1;
     int m_hovered = -1;

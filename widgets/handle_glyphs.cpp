@@ -48,7 +48,7 @@ void paintSun(QPainter& painter, const HandleGlyph& glyph, const QColor& fill, c
         rays.lineTo(glyph.place + d * (radius + (glyph.isChosen ? 7.2 : 5.2)));
     }
     stroke(painter, rays, line, glyph.isChosen ? 2.0 : 1.5);
-    knob(painter, glyph.place, radius, glyph.isBehind ? QColor(0, 0, 0, 110) : fill, line);
+    knob(painter, glyph.place, radius, glyph.isBehind || glyph.isOfMask ? QColor(0, 0, 0, 110) : fill, line);
 }
 
 void paintCentre(QPainter& painter, const HandleGlyph& glyph, const QColor& line)
@@ -87,6 +87,7 @@ void paintHandle(QPainter& painter, const HandleGlyph& glyph)
     const QColor line = glyph.isHovered || (glyph.isChosen && glyph.hasFocus) ? amber : glyph.isChosen ? QColor(Qt::white) : plain;
     const QColor fill = glyph.color ? screenColor(*glyph.color) : glyph.kind == HandleKind::Light ? QColor(255, 236, 180) : QColor(60, 60, 60);
     const double radius = glyph.isChosen ? 5.5 : 4.5;
+    const Qt::PenStyle style = glyph.isOfMask ? Qt::DashLine : Qt::SolidLine;
     QPainterPath guide;
     switch (glyph.kind) {
     case HandleKind::Light:
@@ -101,14 +102,14 @@ void paintHandle(QPainter& painter, const HandleGlyph& glyph)
     case HandleKind::Arm:
         guide.moveTo(glyph.from);
         guide.lineTo(glyph.place);
-        stroke(painter, guide, plain, 1.2);
+        stroke(painter, guide, plain, 1.2, style);
         knob(painter, glyph.place, radius, fill, line);
         break;
     case HandleKind::Ring: {
         const QPointF way = glyph.place - glyph.from;
         const double around = std::hypot(way.x(), way.y());
         guide.addEllipse(glyph.from, around, around);
-        stroke(painter, guide, plain, 1.2);
+        stroke(painter, guide, plain, 1.2, style);
         knob(painter, glyph.place, radius, fill, line);
         break;
     }

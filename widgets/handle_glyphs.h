@@ -20,6 +20,7 @@ struct HandleGlyph {
     bool isChosen = false;
     bool isHovered = false;
     bool hasFocus = false; ///< of the keyboard: the chosen one is marked
+    bool isOfMask = false; ///< drawn with broken lines, and empty
     bool isBehind = false; ///< on the ball's back
 };
 

@@ -119,6 +119,7 @@ void SettingsForm::addWhole(const Field& field, const FieldStyle& style, const s
 {
     auto* control = new QSpinBox(this);
     control->setRange(static_cast<int>(field.low), static_cast<int>(field.high));
+    control->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     control->setKeyboardTracking(false);
     control->setFocusPolicy(Qt::StrongFocus);
     connect(control, &QSpinBox::valueChanged, this, [this, set](int value) {

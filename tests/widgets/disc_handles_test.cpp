@@ -129,6 +129,24 @@ void DiscHandlesTest::dragsGradientsWindowsAndTurns()
     QVERIFY(std::abs(disc.layer<RotateLayer>().rightDeg - 30.0) < 1.0); // sin 30 degrees
 }
 
+void DiscHandlesTest::dragsTheMaskAsWell()
+{
+    Handles disc(PhongLightsLayer{});
+    disc.editor().editLayer({}, {}, [](Layer& layer) { layer.mask = Mask{.content = GradientLayer{.shape = GradientShape::Radial, .radius = 0.3}}; });
+    QCOMPARE(disc.handles().handles().size(), size_t{3});
+    QVERIFY(disc.handles().isOfMask(1) && !disc.handles().isOfMask(0));
+    const int before = disc.steps();
+    disc.drag(disc.shown(1), disc.at(0.5, -0.2));
+    QCOMPARE(disc.steps(), before + 1);
+    const auto& mask = std::get<GradientLayer>(disc.editor().map()->layers[2].mask->content);
+    QVERIFY(disc.isNear({mask.centerX, mask.centerY}, {0.5, -0.2}));
+    QVERIFY(disc.layer<PhongLightsLayer>() == PhongLightsLayer{});
+    disc.doubleClick(disc.at(0.0, 0.6)); // a light of the layer, whatever of the mask was chosen
+    QCOMPARE(disc.layer<PhongLightsLayer>().lights.size(), size_t{2});
+    QCOMPARE(disc.handles().chosen(), 1);
+    QVERIFY(disc.isNear(disc.handles().handles()[1].place, {0.0, 0.6}));
+}
+
 void DiscHandlesTest::movesByKeysOneStepAPress()
 {
     Handles disc(PhongLightsLayer{.lights = {{.azimuthDeg = 0.0, .polarDeg = 60.0}, {.azimuthDeg = 180.0, .polarDeg = 60.0}}});

@@ -13,6 +13,7 @@ private slots:
     void keepsALightBehindInReach();
     void movesTheLightOfAToonLayer();
     void dragsGradientsWindowsAndTurns();
+    void dragsTheMaskAsWell();
     void movesByKeysOneStepAPress();
     void addsAndRemovesLightsOnTheDisc();
     void choosesTheSameLightAsTheForm();
