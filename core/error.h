@@ -25,10 +25,14 @@ public:
     using Error::Error;
 };
 
+/// A path as a message shows it: in one line, and so short that the rest of the message is seen. Control characters become '?'; of a path of
+/// more than 300 bytes the beginning and the end remain. Paths come from files that are not trusted.
+std::string shownPath(const std::string& path);
+
 /// An input file is missing, damaged, too large or not what it claims to be. Exits with 2.
 class FileError : public InvalidArgument {
 public:
-    FileError(const std::string& path, const std::string& message) : InvalidArgument(path + ": " + message) {}
+    FileError(const std::string& path, const std::string& message) : InvalidArgument(shownPath(path) + ": " + message) {}
 };
 
 /// The caller asked for the work to stop (JobControl). Nothing was written.

@@ -205,12 +205,34 @@ std::filesystem::path folderOf(const std::filesystem::path& file)
     return std::filesystem::absolute(file).lexically_normal().parent_path();
 }
 
+namespace {
+
+/// A file whose name reads like that of something built in.
+std::string asFile(const std::string& relative) { return relative.starts_with("builtin:") ? "./" + relative : relative; }
+
+} // namespace
+
 std::string rebased(const std::string& path, const std::filesystem::path& from, const std::filesystem::path& to)
 {
-    if (path.empty() || path.starts_with("builtin:") || std::filesystem::path(path).is_absolute())
+    if (path.empty() || path.starts_with("builtin:") || std::filesystem::path(path).is_absolute() || from == to)
         return path;
-    const std::filesystem::path moved = (from / path).lexically_normal().lexically_relative(to);
-    return moved.empty() ? (from / path).string() : moved.string();
+    std::error_code none; // of a file that does not exist: the text decides
+    const std::filesystem::path given = from / path;
+    std::filesystem::path whole = given.lexically_normal();
+    if (std::filesystem::exists(given, none) && !std::filesystem::equivalent(given, whole, none))
+        whole = std::filesystem::canonical(given, none);
+    const std::filesystem::path moved = whole.lexically_relative(to);
+    if (moved.empty() || (std::filesystem::exists(whole, none) && !std::filesystem::equivalent(to / moved, whole, none)))
+        return whole.string();
+    return asFile(moved.string());
+}
+
+std::string storedPath(const std::string& path, const std::filesystem::path& from, const std::filesystem::path& to)
+{
+    if (!std::filesystem::path(path).is_absolute())
+        return rebased(path, from, to);
+    const std::filesystem::path inside = std::filesystem::path(path).lexically_normal().lexically_relative(to);
+    return inside.empty() || *inside.begin() == ".." || inside == "." ? path : asFile(inside.string());
 }
 
 } // namespace mirrorball::field_json

@@ -10,20 +10,6 @@
 
 namespace mirrorball::studio {
 
-namespace {
-
-/// An absolute path inside the folder becomes relative: to the scene's old folder, from which saveScene() takes it to the new one.
-void makeRelative(std::string& path, const std::filesystem::path& folder, const std::filesystem::path& sceneFolder)
-{
-    if (!std::filesystem::path(path).is_absolute())
-        return;
-    const std::filesystem::path inside = std::filesystem::path(path).lexically_relative(folder);
-    if (!inside.empty() && *inside.begin() != "..")
-        path = std::filesystem::path(path).lexically_relative(absolute(sceneFolder.empty() ? "." : sceneFolder).lexically_normal()).string();
-}
-
-} // namespace
-
 Parts differing(const Scene& a, const Scene& b)
 {
     Parts parts;
@@ -131,10 +117,7 @@ void Document::save(const QString& path)
 {
     finishEdit();
     const QString absolute = QFileInfo(path).absoluteFilePath();
-    Scene saved = m_scene;
-    for (std::string* inside : {&saved.probe.source, &saved.view.geometry, &saved.material.sphereMap.source})
-        makeRelative(*inside, toPath(absolute).parent_path(), m_scene.folder);
-    saveScene(saved, toPath(absolute));
+    saveScene(m_scene, toPath(absolute));
     apply(loadScene(toPath(absolute))); // what a reader of the file gets: paths start at its folder from now on
     m_undoStack.setClean();
     if (m_filePath != absolute) {

@@ -139,7 +139,7 @@ void MaterialPanel::openMaterial(const QString& path)
 void MaterialPanel::saveMaterialAs(const QString& path)
 {
     try {
-        saveMaterial(m_workspace.document.scene().material, toPath(path));
+        saveMaterial(m_workspace.document.scene(), toPath(path));
         m_workspace.notices.clear(QStringLiteral("material"));
     } catch (const Error& error) {
         m_workspace.notices.set({.subject = QStringLiteral("material"), .text = QString::fromUtf8(error.what())});

@@ -1,12 +1,15 @@
 #include "plan.h"
 
+#include "sphere_map_source.h"
 #include "stage_cost.h"
 
 #include "../error.h"
 #include "../filter/source_file.h"
 #include "../image/mip_pyramid.h"
+#include "../spheremap/presets.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
 
 namespace mirrorball {
@@ -35,6 +38,24 @@ std::string sizeText(const MapLayout& layout)
 std::string plural(int count, const std::string& thing)
 {
     return text(count, ' ', thing, count == 1 ? "" : "s");
+}
+
+/// Which sphere map it is and how its levels are made, as far as that is known without opening a file.
+std::string sphereMapText(const SphereMapPlan& map)
+{
+    const SphereMapPreset* preset = map.document || isSphereMapFile(map.source) ? nullptr : findSphereMapPreset(map.source);
+    const SphereMapDocument* document = map.document ? map.document.document.get() : preset ? &preset->document : nullptr;
+    const std::string size = text(map.size, " x ", map.size);
+    if (!document && isSphereMapFile(map.source) && std::filesystem::path(map.source).extension() != ".spheremap")
+        return text(map.source, ", a picture of its own size, plain levels");
+    const auto levels = [&] {
+        if (map.levels == SphereMapLevels::Plain)
+            return "plain levels";
+        if (!document)
+            return "authored levels where the file has them";
+        return hasAuthoredLevels(*document) ? "authored levels" : "plain levels, for no layer is made for levels";
+    };
+    return text(map.document ? "the scene's own" : map.source, ", ", size, ", ", levels());
 }
 
 bool isBlack(const glm::dvec3& color)
@@ -274,8 +295,8 @@ private:
             leaveOut(name, isNone ? "none is named" : whyNoMaterial());
             return;
         }
-        need(name, text(document ? "the scene's own" : source, ", ", map.size, " x ", map.size, ", ", words(levels)[static_cast<size_t>(levels)], " levels"));
         m_plan.sphereMaps.push_back({field, source, document, map.size, levels});
+        need(name, sphereMapText(m_plan.sphereMaps.back()));
     }
 
     void planSphereMaps()

@@ -48,6 +48,16 @@ OrderedJson sceneToJson(const Scene& scene)
     return json;
 }
 
+/// Where relative paths inside an embedded map start from.
+void setFolder(EmbeddedSphereMap& map, const std::filesystem::path& folder)
+{
+    if (!map)
+        return;
+    SphereMapDocument document = *map.document;
+    document.folder = folder;
+    map.document = std::make_shared<const SphereMapDocument>(std::move(document));
+}
+
 /// Collects the fields of a settings struct and of those inside it.
 class Lister {
 public:
@@ -85,46 +95,61 @@ Scene loadScene(const std::filesystem::path& path)
     return namingFile(path, [&] {
         Scene scene = sceneFromJson(parse(readText(path, what), what));
         scene.folder = folderOf(path);
-        if (EmbeddedSphereMap& map = scene.material.sphereMap.document; map) {
-            SphereMapDocument document = *map.document;
-            document.folder = scene.folder;
-            map.document = std::make_shared<const SphereMapDocument>(std::move(document));
-        }
+        setFolder(scene.material.sphereMap.document, scene.folder);
         return scene;
     });
 }
 
+namespace {
+
+/// A file whose name, by itself, would be read as the name of something built in.
+std::string asFile(const std::string& path) { return std::filesystem::path(path).has_parent_path() ? path : "./" + path; }
+
+/// The scene with the paths that a file in the folder keeps, see storedPath().
+Scene storedIn(Scene scene, const std::filesystem::path& folder)
+{
+    const std::filesystem::path from = std::filesystem::absolute(scene.folder.empty() ? "." : scene.folder).lexically_normal();
+    const auto store = [&](std::string& path) { path = storedPath(path, from, folder); };
+    const auto storeFile = [&](std::string& path, auto&& isName) {
+        if (isName(path))
+            return;
+        store(path);
+        if (isName(path))
+            path = asFile(path);
+    };
+    store(scene.probe.source);
+    storeFile(scene.view.geometry, [](const std::string& path) { return isBuiltinGeometry(path); });
+    for (std::string* map : {&scene.material.sphereMap.source, &scene.view.window.middle, &scene.view.window.far})
+        storeFile(*map, [](const std::string& path) { return !isSphereMapFile(path); });
+    storeFile(scene.view.display.config, [](const std::string& path) { return path == "env"; });
+    scene.material.sphereMap.document = storedIn(scene.material.sphereMap.document, folder);
+    return scene;
+}
+
+} // namespace
+
 void saveScene(const Scene& scene, const std::filesystem::path& path)
 {
-    Scene saved = scene;
-    saved.material.sphereMap.document = movedTo(scene.material.sphereMap.document, folderOf(path));
-    const std::filesystem::path from = std::filesystem::absolute(scene.folder.empty() ? "." : scene.folder), to = folderOf(path);
-    if (from.lexically_normal() != to) {
-        saved.probe.source = rebased(saved.probe.source, from, to);
-        if (!isBuiltinGeometry(saved.view.geometry))
-            saved.view.geometry = rebased(saved.view.geometry, from, to);
-        for (std::string* map : {&saved.material.sphereMap.source, &saved.view.window.middle, &saved.view.window.far})
-            if (isSphereMapFile(*map))
-                *map = rebased(*map, from, to);
-        if (saved.view.display.config != "env")
-            saved.view.display.config = rebased(saved.view.display.config, from, to);
-    }
-    validate(saved);
-    save(sceneToJson(saved), path, what);
+    validate(scene);
+    save(sceneToJson(storedIn(scene, folderOf(path))), path, what);
 }
 
 Material loadMaterial(const std::filesystem::path& path)
 {
     return namingFile(path, [&] {
         const Json json = parse(readText(path, what), what);
-        return json.is_object() && json.contains("version") ? sceneFromJson(json).material : materialFromJson(json);
+        Material material = json.is_object() && json.contains("version") ? sceneFromJson(json).material : materialFromJson(json);
+        setFolder(material.sphereMap.document, folderOf(path));
+        if (std::string& map = material.sphereMap.source; isSphereMapFile(map))
+            map = (folderOf(path) / map).lexically_normal().string(); // an absolute path replaces the folder
+        return material;
     });
 }
 
-void saveMaterial(const Material& material, const std::filesystem::path& path)
+void saveMaterial(const Scene& scene, const std::filesystem::path& path)
 {
-    validate(material);
-    save(Writer::toJson(material), path, what);
+    validate(scene.material);
+    save(Writer::toJson(storedIn(scene, folderOf(path)).material), path, what);
 }
 
 std::vector<FieldEntry> sceneFields()
@@ -177,6 +202,8 @@ void setField(Scene& scene, const std::string& path, const std::string& value)
     }
     Scene changed = sceneFromJson(json);
     changed.folder = scene.folder;
+    if (scene.material.sphereMap.document)
+        setFolder(changed.material.sphereMap.document, scene.material.sphereMap.document.document->folder);
     scene = std::move(changed);
 }
 

@@ -27,11 +27,11 @@ void checkFields(const std::string& path, const EmbeddedSphereMap& map)
         namingPlace(path, [&] { validate(*map.document); });
 }
 
-EmbeddedSphereMap movedTo(const EmbeddedSphereMap& map, const std::filesystem::path& folder)
+EmbeddedSphereMap storedIn(const EmbeddedSphereMap& map, const std::filesystem::path& folder)
 {
-    if (!map || map.document->folder == folder)
+    if (!map)
         return map;
-    return {std::make_shared<const SphereMapDocument>(movedTo(*map.document, folder))};
+    return {std::make_shared<const SphereMapDocument>(storedIn(*map.document, folder))};
 }
 
 void readJson(const std::string& path, const nlohmann::json& json, EmbeddedSphereMap& map)

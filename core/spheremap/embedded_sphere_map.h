@@ -23,7 +23,7 @@ struct EmbeddedSphereMap {
 /// @throws InvalidArgument naming the field
 void checkFields(const std::string& path, const EmbeddedSphereMap& map);
 
-/// The same with relative paths inside that start at `folder`.
-EmbeddedSphereMap movedTo(const EmbeddedSphereMap& map, const std::filesystem::path& folder);
+/// The same as a file in `folder` keeps it, see storedIn() of a document.
+EmbeddedSphereMap storedIn(const EmbeddedSphereMap& map, const std::filesystem::path& folder);
 
 } // namespace mirrorball

@@ -4,6 +4,8 @@
 #include "../field_checks.h"
 
 #include <algorithm>
+#include <functional>
+#include <vector>
 
 namespace mirrorball {
 
@@ -15,6 +17,31 @@ Image overBlack(const Image& rgba)
     for (size_t i = 0; i < rgb.texels.size() / 3; ++i)
         std::copy_n(&rgba.texels[4 * i], 3, &rgb.texels[3 * i]); // they are multiplied by their opacity
     return rgb;
+}
+
+/// Light that is added below a layer passes through it when what the layer does is linear in what lies below.
+bool letsLightThrough(const Layer& layer)
+{
+    const LayerRole role = kindOf(layer.content).role;
+    return role == LayerRole::Warp || (role == LayerRole::Generator && layer.blend == BlendMode::Multiply);
+}
+
+/// The layers that shine, over black, and what lies above the lowest of them and dims or moves its light.
+std::vector<Layer> shineOf(const std::vector<Layer>& layers, const std::function<bool(const Layer&)>& shines)
+{
+    std::vector<Layer> shine{{.name = "Black", .content = FillLayer{.color = glm::dvec3(0.0)}}};
+    for (const Layer& layer : layers) {
+        const bool isLowest = shine.size() == 1;
+        if (shines(layer))
+            shine.push_back(layer);
+        else if (!isLowest && letsLightThrough(layer))
+            shine.push_back(layer);
+        else
+            continue;
+        if (isLowest)
+            shine.back().blend = BlendMode::Normal; // black takes neither overlay nor multiply
+    }
+    return shine;
 }
 
 } // namespace
@@ -30,7 +57,7 @@ MatcapPasses evaluatePasses(const SphereMapDocument& document, std::span<const s
         return std::find(specularLayers.begin(), specularLayers.end(), layer.name) != specularLayers.end();
     };
     std::erase_if(diffuse.layers, shines);
-    std::erase_if(specular.layers, [&](const Layer& layer) { return !shines(layer); });
+    specular.layers = shineOf(document.layers, shines);
     return {overBlack(evaluate(diffuse, options, job)), overBlack(evaluate(specular, options, job))};
 }
 

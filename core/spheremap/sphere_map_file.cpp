@@ -43,14 +43,29 @@ OrderedJson sphereMapToJson(const SphereMapDocument& document)
 
 namespace {
 
-void moveContent(LayerContent& content, const std::filesystem::path& from, const std::filesystem::path& to)
+using ChangePath = std::string (*)(const std::string& path, const std::filesystem::path& from, const std::filesystem::path& to);
+
+void changePath(LayerContent& content, ChangePath change, const std::filesystem::path& from, const std::filesystem::path& to)
 {
     std::visit(
         [&](auto& layer) {
             if constexpr (requires { std::string_view(layer.source); })
-                layer.source = rebased(layer.source, from, to);
+                layer.source = change(layer.source, from, to);
         },
         content);
+}
+
+SphereMapDocument withPathsFrom(SphereMapDocument document, const std::filesystem::path& folder, ChangePath change)
+{
+    const auto whole = [](const std::filesystem::path& path) { return std::filesystem::absolute(path.empty() ? "." : path).lexically_normal(); };
+    const std::filesystem::path from = whole(document.folder), to = whole(folder);
+    for (Layer& layer : document.layers) {
+        changePath(layer.content, change, from, to);
+        if (layer.mask)
+            changePath(layer.mask->content, change, from, to);
+    }
+    document.folder = folder;
+    return document;
 }
 
 } // namespace
@@ -67,7 +82,7 @@ SphereMapDocument loadSphereMap(const std::filesystem::path& path)
 void saveSphereMap(const SphereMapDocument& document, const std::filesystem::path& path)
 {
     validate(document);
-    save(sphereMapToJson(movedTo(document, folderOf(path))), path, what);
+    save(sphereMapToJson(storedIn(document, folderOf(path))), path, what);
 }
 
 SphereMapDocument sphereMapFromText(const std::string& text) { return sphereMapFromJson(parse(text, what)); }
@@ -80,16 +95,12 @@ std::string sphereMapToText(const SphereMapDocument& document)
 
 SphereMapDocument movedTo(SphereMapDocument document, const std::filesystem::path& folder)
 {
-    const std::filesystem::path from = std::filesystem::absolute(document.folder.empty() ? "." : document.folder).lexically_normal();
-    const std::filesystem::path to = std::filesystem::absolute(folder.empty() ? "." : folder).lexically_normal();
-    if (from != to)
-        for (Layer& layer : document.layers) {
-            moveContent(layer.content, from, to);
-            if (layer.mask)
-                moveContent(layer.mask->content, from, to);
-        }
-    document.folder = folder;
-    return document;
+    return withPathsFrom(std::move(document), folder, rebased);
+}
+
+SphereMapDocument storedIn(SphereMapDocument document, const std::filesystem::path& folder)
+{
+    return withPathsFrom(std::move(document), folder, storedPath);
 }
 
 } // namespace mirrorball

@@ -1,7 +1,9 @@
 #include "document_test.h"
 
 #include "core/error.h"
+#include "core/image/image_io.h"
 #include "core/scene/scene_file.h"
+#include "core/spheremap/evaluate.h"
 #include "support/temporary_folder.h"
 #include "widgets/document.h"
 #include "widgets/text.h"
@@ -96,6 +98,39 @@ void DocumentTest::savesPathsBelowItsFolderRelative()
     QVERIFY(document.scene() == read);
     document.undoStack().undo();
     QVERIFY(document.isModified());
+}
+
+void DocumentTest::picturesOfItsSphereMapAreFoundAfterSavingMovingAndUndoing()
+{
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "project");
+    std::filesystem::create_directory(folder / "other");
+    Image ball(2, 2, 3);
+    ball.texels.assign(ball.texels.size(), 0.25f);
+    writeImage(folder / "project" / "ball.exr", ball);
+    const auto shown = [](const Scene& scene) { return evaluate(*scene.material.sphereMap.document.document, {.size = 1}).texels[0]; };
+    Document document;
+    document.edit(QStringLiteral("map"), {}, [&](Scene& scene) {
+        SphereMapDocument map;
+        map.layers = {{.content = ImageLayer{.source = (folder / "project" / "ball.exr").string()}}};
+        scene.material.sphereMap.document.document = std::make_shared<const SphereMapDocument>(std::move(map));
+    });
+    setExponent(document, 7);
+    document.save(fromPath(folder / "project" / "a.mirrorball"));
+    QCOMPARE(std::get<ImageLayer>(document.scene().material.sphereMap.document.document->layers[0].content).source, std::string("ball.exr"));
+    QCOMPARE(shown(document.scene()), 0.25f);
+    document.undoStack().undo();
+    QCOMPARE(shown(document.scene()), 0.25f);
+    document.undoStack().redo();
+    setExponent(document, 8);
+    document.save(fromPath(folder / "other" / "b.mirrorball"));
+    QCOMPARE(shown(document.scene()), 0.25f);
+    document.undoStack().undo();
+    document.undoStack().undo();
+    QCOMPARE(shown(document.scene()), 0.25f);
+    document.save(fromPath(folder / "project" / "a.mirrorball"));
+    std::filesystem::rename(folder / "project", folder / "moved");
+    QCOMPARE(shown(loadScene(folder / "moved" / "a.mirrorball")), 0.25f);
 }
 
 void DocumentTest::aFileThatCannotBeReadLeavesTheDocumentAsItWas()

@@ -14,6 +14,7 @@ private slots:
     void tellsWhichPartsChanged();
     void refusesAnInvalidEditAndKeepsTheScene();
     void savesPathsBelowItsFolderRelative();
+    void picturesOfItsSphereMapAreFoundAfterSavingMovingAndUndoing();
     void aFileThatCannotBeReadLeavesTheDocumentAsItWas();
 };
 

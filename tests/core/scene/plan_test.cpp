@@ -135,6 +135,35 @@ TEST(Plan, ASphereMapThatReplacesTheReflectionNeedsNoEnvironment)
     }
 }
 
+TEST(Plan, SaysHowTheLevelsOfASphereMapAreMade)
+{
+    Scene scene;
+    SphereMapSettings& map = scene.material.sphereMap;
+    const auto why = [&] {
+        for (const Stage& stage : makePlan(scene, probe).stages)
+            if (stage.name == "sphere map")
+                return stage.why;
+        return std::string();
+    };
+    map = {.source = "silhouette", .size = 64}; // a line of three pixels in each level
+    EXPECT_EQ(why(), "silhouette, 64 x 64, authored levels");
+    map.levels = SphereMapLevels::Plain;
+    EXPECT_EQ(why(), "silhouette, 64 x 64, plain levels");
+    map = {.source = "jade", .size = 64};
+    EXPECT_EQ(why(), "jade, 64 x 64, plain levels, for no layer is made for levels");
+    SphereMapDocument own;
+    own.layers = {{.content = FillLayer{}}};
+    map = {.document = {std::make_shared<const SphereMapDocument>(own)}, .size = 64};
+    EXPECT_EQ(why(), "the scene's own, 64 x 64, plain levels, for no layer is made for levels");
+    own.layers[0].firstLevel = 2;
+    map.document = {std::make_shared<const SphereMapDocument>(own)};
+    EXPECT_EQ(why(), "the scene's own, 64 x 64, authored levels");
+    map = {.source = "no-such/map.spheremap", .size = 64}; // not opened to make a plan
+    EXPECT_EQ(why(), "no-such/map.spheremap, 64 x 64, authored levels where the file has them");
+    map = {.source = "no-such/matcap.png", .size = 64};
+    EXPECT_EQ(why(), "no-such/matcap.png, a picture of its own size, plain levels");
+}
+
 TEST(Plan, AWindowShowsALayerForEachSphereMapNamed)
 {
     Scene scene;

@@ -149,6 +149,25 @@ TEST_F(SceneFile, RelativePathsStartAtTheFileAndFollowItWhenItMoves)
     EXPECT_EQ(moved.probe.source, "../light/a.hdr");
 }
 
+TEST_F(SceneFile, PathsIntoItsFolderAreRelativeEvenWhereTheyReadLikeNames)
+{
+    Scene scene;
+    scene.probe.source = (m_folder / "sub" / "a.hdr").string();
+    scene.view.geometry = (m_folder / "teapot").string(); // a mesh file without an extension
+    scene.material.sphereMap.source = (m_folder / "jade").string();
+    scene.view.window.far = (m_folder.parent_path() / "hills.spheremap").string();
+    scene.view.display.config = (m_folder / "env").string();
+    saveScene(scene, m_folder / "a.mirrorball");
+    const Scene read = loadScene(m_folder / "a.mirrorball");
+    EXPECT_EQ(read.probe.source, "sub/a.hdr");
+    EXPECT_EQ(read.view.geometry, "./teapot");
+    EXPECT_EQ(read.material.sphereMap.source, "./jade");
+    EXPECT_EQ(read.view.window.far, scene.view.window.far) << "outside: as it was";
+    EXPECT_EQ(read.view.display.config, "./env");
+    saveScene(read, m_folder / "a.mirrorball");
+    EXPECT_EQ(loadScene(m_folder / "a.mirrorball"), read);
+}
+
 TEST_F(SceneFile, EachBadFieldIsNamedWithWhatItMustBe)
 {
     const struct {
@@ -289,11 +308,11 @@ TEST_F(SceneFile, WhatCannotBeReadBackIsNotWritten)
 
 TEST_F(SceneFile, MaterialFilesHoldTheMaterialAlone)
 {
-    const Material material = changedScene().material;
-    saveMaterial(material, m_folder / "m.json");
-    EXPECT_EQ(loadMaterial(m_folder / "m.json"), material);
     Scene scene;
-    scene.material = material;
+    scene.material = changedScene().material;
+    const Material material = scene.material;
+    saveMaterial(scene, m_folder / "m.json");
+    EXPECT_EQ(loadMaterial(m_folder / "m.json"), material);
     saveScene(scene, m_folder / "s.mirrorball");
     EXPECT_EQ(loadMaterial(m_folder / "s.mirrorball"), material) << "a scene file stands for its material";
     EXPECT_THROW(loadMaterial(write(R"({"specular": {"exponent": -3}})")), FileError);

@@ -59,6 +59,51 @@ TEST(SphereMapFile, KeepsUnknownKindsAndKeysThroughLoadingAndSaving)
     EXPECT_EQ(again, sphereMapFromText(text));
 }
 
+TEST(SphereMapFile, KeepsPathsBelowItRelativeAndOthersAsTheyAre)
+{
+    const test::TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "maps" / "builtin:x");
+    SphereMapDocument document;
+    document.folder = folder / "maps";
+    const std::string outside = (folder / "outside.exr").string();
+    const auto inside = [&](const char* name) { return (folder / "maps" / name).string(); };
+    for (const std::string& source : {inside("a.exr"), inside("deep/b.exr"), inside("deep/../c.exr"), outside, std::string("../d.exr"), std::string("e.exr"),
+                                      std::string("builtin:sky"), inside("builtin:x/f.exr"), std::string()})
+        document.layers.push_back({.content = ImageLayer{.source = source}});
+    const auto sources = [&](const std::filesystem::path& path) {
+        saveSphereMap(document, path);
+        std::vector<std::string> read;
+        for (const Layer& layer : loadSphereMap(path).layers)
+            read.push_back(std::get<ImageLayer>(layer.content).source);
+        return read;
+    };
+    EXPECT_EQ(sources(folder / "maps" / "m.spheremap"),
+              (std::vector<std::string>{"a.exr", "deep/b.exr", "c.exr", outside, "../d.exr", "e.exr", "builtin:sky", "./builtin:x/f.exr", ""}));
+    EXPECT_EQ(sources(folder / "m.spheremap"), (std::vector<std::string>{"maps/a.exr", "maps/deep/b.exr", "maps/c.exr", "outside.exr", "d.exr", "maps/e.exr",
+                                                                         "builtin:sky", "maps/builtin:x/f.exr", ""}));
+}
+
+TEST(SphereMapFile, HostilePathsOfPicturesGiveOneShortLine)
+{
+    const test::TemporaryFolder folder;
+    for (const std::string& source : {std::string("../../../etc/passwd"), std::string(100000, 'x'), std::string("a\n\x1b[31mb.exr"), std::string("."),
+                                      std::string("/dev/zero"), std::string("builtin:no-such")}) {
+        SphereMapDocument document;
+        document.folder = folder.path();
+        document.layers = {{.content = FillLayer{}, .mask = Mask{.content = ProbeLayer{.source = source}}}};
+        try {
+            evaluate(document, {.size = 4});
+            ADD_FAILURE() << source.substr(0, 40);
+        } catch (const InvalidArgument& error) {
+            const std::string line = error.what();
+            EXPECT_LT(line.size(), 500u);
+            EXPECT_TRUE(std::none_of(line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; })) << line;
+        }
+    }
+    std::ofstream(folder / "nul.spheremap") << R"({"version": 1, "layers": [{"content": {"kind": "image", "source": "a\u0000.exr"}}]})";
+    EXPECT_THROW(loadSphereMap(folder / "nul.spheremap"), FileError);
+}
+
 TEST(SphereMapFile, BadDocumentsAreRefusedInOneLineThatNamesTheField)
 {
     EXPECT_EQ(refusal(withLayer(R"({"content": {"kind": "silhouette", "width": -1}})")),
