@@ -18,7 +18,7 @@ namespace {
 
 struct Options {
     std::string document, out, saved, stats;
-    int size = 512, threads = 0;
+    int size = 512, border = 0, threads = 0;
     std::vector<std::string> specular;
     bool levels = false, half = false;
 };
@@ -58,7 +58,10 @@ void run(const Options& o)
     if (!o.saved.empty())
         saveSphereMap(document, o.saved);
     const JobControl job = jobWithProgress("paint", o.threads);
-    const EvaluateOptions options{.size = o.size};
+    if (o.size <= 2 * o.border)
+        throw InvalidArgument("--border: must leave room for the map between the borders of a picture of " + std::to_string(o.size) + " texels; it is " +
+                              std::to_string(o.border));
+    const EvaluateOptions options{.size = o.size - 2 * o.border};
     const std::string index(words(document.index)[static_cast<size_t>(document.index)]);
     const WriteOptions writeOptions{.sampleType = o.half ? SampleType::Half : SampleType::Float,
                                     .attributes = {{"mirrorball:parameterization", "sphere"}, {"mirrorball:index", index}}};
@@ -67,15 +70,15 @@ void run(const Options& o)
             writeStats(o.stats, {.stages = stages, .method = "paint", .threads = job.threadCount()});
     };
     if (!o.specular.empty()) {
-        MatcapPasses passes = timedStage(stages, "evaluate", [&] { return evaluatePasses(document, o.specular, options, job); });
+        const MatcapPasses passes = timedStage(stages, "evaluate", [&] { return evaluatePasses(document, o.specular, options, job); });
         timedStage(stages, "write map", [&] {
-            writePasses(o.out, {{"diffuse", std::move(passes.diffuse)}, {"specular", std::move(passes.specular)}}, writeOptions);
+            writePasses(o.out, {{"diffuse", bordered(passes.diffuse, o.border)}, {"specular", bordered(passes.specular, o.border)}}, writeOptions);
         });
         writeStatsFile();
         return;
     }
     std::vector<Image> levels = timedStage(stages, "evaluate", [&] {
-        return o.levels ? evaluateLevels(document, options, job) : std::vector<Image>{evaluate(document, options, job)};
+        return o.levels ? evaluateLevels(document, options, job) : std::vector<Image>{bordered(evaluate(document, options, job), o.border)};
     });
     if (std::all_of(levels.begin(), levels.end(), isOpaque))
         std::transform(levels.begin(), levels.end(), levels.begin(), withoutOpacity);
@@ -93,6 +96,11 @@ void addPaintCommand(CLI::App& program)
     command->add_option("-o,--output", o->out, "output file: .exr and .tif keep linear light, .png shows it clipped")->required();
     command->add_option("--size", o->size, "edge of the map, in texels")->required();
     CLI::Option* levels = command->add_flag("--levels", o->levels, "the whole mip chain, as the document makes it: in one file, or NAME.LEVEL.EXT");
+    command
+        ->add_option("--border", o->border,
+                     "texels between the disc and the picture's edge, in the rim's colours; Blender looks 0.8 percent inside the edge, 2 at 512")
+        ->check(CLI::Range(0, 4096))
+        ->excludes(levels);
     command
         ->add_option("--specular", o->specular,
                      "names of layers: write two passes as Blender's matcaps have them, these layers and the rest, into one .exr")

@@ -61,4 +61,15 @@ MatcapPasses evaluatePasses(const SphereMapDocument& document, std::span<const s
     return {overBlack(evaluate(diffuse, options, job)), overBlack(evaluate(specular, options, job))};
 }
 
+Image bordered(const Image& picture, int texels)
+{
+    Image result(picture.width + 2 * texels, picture.height + 2 * texels, picture.channels);
+    for (int y = 0; y < result.height; ++y)
+        for (int x = 0; x < result.width; ++x) {
+            const int fromX = std::clamp(x - texels, 0, picture.width - 1), fromY = std::clamp(y - texels, 0, picture.height - 1);
+            std::copy_n(picture.texel(fromX, fromY), picture.channels, result.texel(x, y));
+        }
+    return result;
+}
+
 } // namespace mirrorball

@@ -22,4 +22,9 @@ struct MatcapPasses {
 MatcapPasses evaluatePasses(const SphereMapDocument& document, std::span<const std::string> specularLayers, const EvaluateOptions& options,
                             const JobControl& job = {});
 
+/// A picture with a border of so many texels around it, which continue those at its edge: for programs that look inside the rim, and would cut
+/// an outline off. Blender's radius is 0.992 of half the edge, so that a border of 2 fits 512 texels.
+/// Source: Blender's matcap_uv_compute, whose coordinates are 0.496 n.xy + 0.5
+Image bordered(const Image& picture, int texels);
+
 } // namespace mirrorball

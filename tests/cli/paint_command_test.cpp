@@ -89,6 +89,24 @@ TEST(PaintCommand, WritesBlendersTwoPasses)
     EXPECT_FAILS(mirrorballRuns("paint " + document + " -o " + quoted(folder / "x.png") + " --size 8 --specular Shine"), 2, ".exr");
 }
 
+// Blender's lookup, 0.496 n.xy + 0.5, meets the rim of a disc that has two texels around it at 512.
+TEST(PaintCommand, PutsTheRimWhereBlenderLooksForIt)
+{
+    const TemporaryFolder folder;
+    const auto ink = [&](const std::string& options) { // of a line of three pixels, along the middle row, within Blender's radius
+        EXPECT_EQ(mirrorballRuns("paint silhouette -o " + quoted(folder / "s.exr") + " --size 512" + options).status, 0);
+        const Image map = readImage(folder / "s.exr");
+        EXPECT_EQ(map.width, 512);
+        double sum = 0.0;
+        for (int x = 256; x < 256 + 254; ++x)
+            sum += 1.0 - map.texel(x, 256)[0];
+        return sum;
+    };
+    EXPECT_LT(ink(""), 1.1);
+    EXPECT_NEAR(ink(" --border 2"), 3.0, 0.1);
+    EXPECT_FAILS(mirrorballRuns("paint silhouette -o " + quoted(folder / "x.exr") + " --size 8 --border 4"), 2, "--border");
+}
+
 TEST(PaintCommand, RefusesBadDocumentsInOneLineAndWritesNothing)
 {
     const TemporaryFolder folder;

@@ -61,6 +61,20 @@ TEST(MatcapPasses, ShineIsWhatItIsByItselfWhateverLiesBelow)
     }
 }
 
+TEST(Bordered, ContinuesTheEdgeAndKeepsThePicture)
+{
+    Image picture(2, 2, 3);
+    for (size_t i = 0; i < picture.texels.size(); ++i)
+        picture.texels[i] = static_cast<float>(i);
+    EXPECT_EQ(bordered(picture, 0), picture);
+    const Image wide = bordered(picture, 2);
+    ASSERT_EQ(wide.width, 6);
+    ASSERT_EQ(wide.height, 6);
+    for (int y = 0; y < 6; ++y)
+        for (int x = 0; x < 6; ++x)
+            EXPECT_EQ(wide.texel(x, y)[1], picture.texel(x < 3 ? 0 : 1, y < 3 ? 0 : 1)[1]) << x << ' ' << y;
+}
+
 TEST(MatcapPasses, AreBlackWhereNothingShinesAndRefuseANameThatNoLayerHas)
 {
     Layer hidden = shine;
