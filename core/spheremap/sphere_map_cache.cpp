@@ -49,9 +49,10 @@ TexelRect whole(int size)
     return {0, 0, size, size};
 }
 
-bool holdsWarp(const SphereMapDocument& document, size_t end)
+/// Then a stroke reads or reaches more than it touches, and what lies below it is worth keeping.
+bool holdsWarp(const SphereMapDocument& document)
 {
-    return std::any_of(document.layers.begin(), document.layers.begin() + static_cast<std::ptrdiff_t>(end),
+    return std::any_of(document.layers.begin(), document.layers.end(),
                        [](const Layer& layer) { return layer.visible && kindOf(layer.content).role == LayerRole::Warp; });
 }
 
@@ -111,7 +112,7 @@ TexelRect SphereMapCache::advance(const SphereMapDocument& document, const JobCo
         return {};
     if (m_belowLayer > lowest)
         m_belowLayer = 0;
-    if (lowest > 0 && m_belowLayer != lowest && m_lastChanged == lowest && (!onlyStrokes || holdsWarp(document, lowest)))
+    if (lowest > 0 && m_belowLayer != lowest && m_lastChanged == lowest && (!onlyStrokes || holdsWarp(document)))
         keepBelow(document, lowest, job);
     m_lastChanged = lowest;
     if (!onlyStrokes) {

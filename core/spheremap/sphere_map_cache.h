@@ -11,7 +11,7 @@ namespace mirrorball {
 
 /// The picture of a document while an artist works on it: the same bytes as evaluate(), but a change evaluates again only what it reached.
 ///
-/// A stroke: the tiles that it touched, widened where a blur lies above. A parameter: the layers from the changed one up; what lies below
+/// A stroke: the tiles that it touched, and where layers above move the picture, what these reach. A parameter: the layers from the changed one up; what lies below
 /// is kept from the second change of a layer on, so that a slider costs the layers above it.
 class SphereMapCache {
 public:
