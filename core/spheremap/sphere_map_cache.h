@@ -11,8 +11,8 @@ namespace mirrorball {
 
 /// The picture of a document while an artist works on it: the same bytes as evaluate(), but a change evaluates again only what it reached.
 ///
-/// A stroke: the tiles that it touched, and where layers above move the picture, what these reach. A parameter: the layers from the changed one up; what lies below
-/// is kept from the second change of a layer on, so that a slider costs the layers above it.
+/// A stroke: the tiles that it touched, and where layers above move the picture, what these reach. A parameter: the layers from the changed
+/// one up; what lies below is kept from the second change of a layer on, so that a slider costs the layers above it.
 class SphereMapCache {
 public:
     /// @param options  `region`, `raster`, and the range of layers are not used. @throws InvalidArgument naming the field
