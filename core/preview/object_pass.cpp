@@ -136,7 +136,7 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
     }
     if (needed.sphereMap) {
         const bool isShifted = hasFlecks || sphereMaps[0].source()->hasAuthoredLevels;
-        sphereMaps[0].bind(4, isShifted ? SphereMapTexture::Filter::Even : SphereMapTexture::Filter::Anisotropic);
+        sphereMaps[0].bind(4, isShifted ? 1 : paint.anisotropy);
         shader.set("paintedMap", 4);
         shader.set("sphereOpacity", paint.opacity);
         shader.set("sphereColor", paint.color);

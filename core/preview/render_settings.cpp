@@ -30,6 +30,7 @@ void validate(const RenderSettings& settings)
     require(std::isfinite(settings.material.lodBias), "LOD bias must be finite");
     require(settings.material.anisotropy >= 1 && settings.material.anisotropy <= 16, "anisotropy must be 1 to 16");
     const PaintSettings& paint = settings.material.paint;
+    require(paint.anisotropy >= 1 && paint.anisotropy <= 16, "anisotropy of the sphere map must be 1 to 16");
     require(paint.opacity >= 0.0f && paint.opacity <= 1.0f, "opacity of the sphere map must be 0 to 1");
     require(paint.flecks.density >= 0.0f && paint.flecks.density <= 1.0f, "density of flecks must be 0 to 1");
     require(paint.flecks.size > 0.0f && std::isfinite(paint.flecks.size), "size of flecks must be greater than 0");

@@ -54,6 +54,7 @@ struct PaintSettings {
     glm::vec3 color{0.8f};
     DiscSpace space = DiscSpace::Eye;
     PlaceAt place = PlaceAt::Pixel;
+    int anisotropy = 16; ///< most lookups along the longer side of a pixel's footprint, where the map's levels are averages; 1 to 16
     Flecks flecks{};
 
     bool operator==(const PaintSettings&) const = default;

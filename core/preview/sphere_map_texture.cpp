@@ -47,10 +47,10 @@ void SphereMapTexture::update(const SphereMapChain& map, const char* role)
     m_source = map;
 }
 
-void SphereMapTexture::bind(GLuint unit, Filter filter) const
+void SphereMapTexture::bind(GLuint unit, int anisotropy) const
 {
     if (epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic") || epoxy_has_gl_extension("GL_ARB_texture_filter_anisotropic"))
-        glTextureParameterf(m_texture, GL_TEXTURE_MAX_ANISOTROPY_EXT, filter == Filter::Anisotropic ? 16.0f : 1.0f);
+        glTextureParameterf(m_texture, GL_TEXTURE_MAX_ANISOTROPY_EXT, static_cast<float>(anisotropy));
     glBindTextureUnit(unit, m_texture);
 }
 

@@ -13,9 +13,8 @@ public:
     /// larger than the GPU takes
     void update(const SphereMapChain& map, const char* role);
     void release();
-    /// @param filter Anisotropic: along the longer side of a footprint that the hardware measures itself, where it can
-    enum class Filter { Even, Anisotropic };
-    void bind(GLuint unit, Filter filter) const;
+    /// @param anisotropy most lookups along the longer side of a footprint that the hardware measures itself, where it can; 1: filtered evenly
+    void bind(GLuint unit, int anisotropy) const;
     const SphereMapChain& source() const { return m_source; }
 
     /// Puts texels into one level of the map that is there, their upper left one at (x, y).

@@ -24,7 +24,7 @@ void Renderer::Resources::drawWindow(const RenderSettings& settings, const Rende
     for (size_t i = 0; i < layers; ++i) {
         const auto unit = static_cast<GLuint>(4 + i);
         sphereMaps[i].update(maps.sphereMaps[i], "sphere map");
-        sphereMaps[i].bind(unit, SphereMapTexture::Filter::Anisotropic);
+        sphereMaps[i].bind(unit, settings.material.paint.anisotropy);
         shader.set(("windowLayer" + std::to_string(i)).c_str(), static_cast<int>(unit));
     }
     setWindowView(settings, shader);
