@@ -49,8 +49,8 @@ struct CurvePoint {
 enum class AdjustedChannels { All, Red, Green, Blue };
 std::span<const std::string_view> words(AdjustedChannels); // all red green blue
 
-/// A smooth curve through points, monotone between them (Fritsch and Carlson 1980). Past the last point it goes on as a straight line through
-/// the origin: f(x) = x f(1)/1, so light keeps its ratios.
+/// A smooth curve through points, monotone between them (Fritsch and Carlson 1980). Before its first point and from its last to 1 it is level;
+/// above 1 it is the straight line through the origin and f(1), f(x) = x f(1), so that bright light keeps its ratios.
 struct CurvesLayer {
     static constexpr LayerKind kind{"curves", "Curves", "a tone curve for all channels or one", LayerRole::Adjustment};
     AdjustedChannels channels = AdjustedChannels::All;
