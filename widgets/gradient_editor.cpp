@@ -267,6 +267,7 @@ GradientEditor::GradientEditor(QWidget* parent)
     for (QDoubleSpinBox* box : {m_position, m_opacity}) {
         box->setRange(0.0, 100.0);
         box->setDecimals(1);
+        box->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         box->setSuffix(QStringLiteral(" %"));
         box->setKeyboardTracking(false);
         box->setFocusPolicy(Qt::StrongFocus);

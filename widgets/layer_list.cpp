@@ -57,7 +57,7 @@ public:
         small.setPointSizeF(small.pointSizeF() * 0.86);
         painter->setFont(small);
         QColor faint = color;
-        faint.setAlphaF(0.65f);
+        faint.setAlphaF(selected ? 0.85f : 0.65f);
         painter->setPen(faint);
         painter->drawText(text, Qt::AlignLeft | Qt::AlignBottom,
                           QFontMetrics(small).elidedText(index.data(LayerModel::Detail).toString(), Qt::ElideRight, text.width()));

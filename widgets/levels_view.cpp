@@ -12,6 +12,7 @@ namespace mirrorball::studio {
 
 namespace {
 constexpr int largestLevel = 512;
+constexpr double margin = 8.0, gap = 6.0;
 } // namespace
 
 LevelsView::LevelsView(SphereMapEditor& editor, QWidget* parent) : QWidget(parent), m_editor(editor)
@@ -79,7 +80,7 @@ void LevelsView::paintEvent(QPaintEvent*)
     }
     const QString note = m_isAuthored ? tr("Made level by level: a layer has its width in pixels, or levels of its own.")
                                       : tr("Each level averages the one above. Give a layer a width in pixels to author them.");
-    const QRect noteArea = painter.boundingRect(rect().adjusted(4, 2, -4, -2), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, note);
+    const QRect noteArea = painter.boundingRect(rect().adjusted(8, 8, -8, -8), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, note);
     painter.drawText(noteArea, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, note);
     const int top = noteArea.bottom() + 8, label = fontMetrics().height() + 4;
     // As many columns as give the largest cells.
@@ -88,7 +89,7 @@ void LevelsView::paintEvent(QPaintEvent*)
     double cell = 0.0;
     for (int c = 1; c <= count; ++c) {
         const int rows = (count + c - 1) / c;
-        const double edge = std::min((width() - 6.0 * (c + 1)) / c, (height() - top - (label + 6.0) * rows) / rows);
+        const double edge = std::min((width() - 2.0 * margin - gap * (c - 1)) / c, (height() - top - (label + gap) * rows) / rows);
         if (edge > cell) {
             cell = edge;
             columns = c;
@@ -96,7 +97,7 @@ void LevelsView::paintEvent(QPaintEvent*)
     }
     painter.setRenderHint(QPainter::Antialiasing);
     for (int i = 0; i < count; ++i) {
-        const QRectF area(6.0 + i % columns * (cell + 6.0), top + i / columns * (cell + label + 6.0), cell, cell);
+        const QRectF area(margin + i % columns * (cell + gap), top + i / columns * (cell + label + gap), cell, cell);
         painter.fillRect(area, QColor(70, 70, 70));
         painter.setRenderHint(QPainter::SmoothPixmapTransform, m_levels[i].width() > cell * devicePixelRatioF());
         painter.drawImage(area, m_levels[i]);

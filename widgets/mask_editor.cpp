@@ -85,6 +85,7 @@ MaskEditor::MaskEditor(SphereMapEditor& editor, QWidget* parent)
     const auto levelBox = [&](QSpinBox* box, const char* object, const QString& title, const QString& help, int Layer::*level) {
         name(box, object, title, help);
         box->setRange(0, deepestLevel);
+        box->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         box->setFocusPolicy(Qt::StrongFocus);
         connect(box, &QSpinBox::valueChanged, this, [this, level](int value) {
             m_editor.editLayer(tr("Change levels"), {}, [&](Layer& layer) {

@@ -69,8 +69,9 @@ QString NumberBox::textFromValue(double value) const
 
 QSize NumberBox::sizeHint() const
 {
-    const QString widest = QStringLiteral("-1000000").left(m_style.digits + 3) + suffix();
-    return {fontMetrics().horizontalAdvance(widest) + 34, QDoubleSpinBox::sizeHint().height()};
+    const QString widest = QStringLiteral("-1000000").left(m_style.digits + 3);
+    const int unit = std::max(fontMetrics().horizontalAdvance(suffix()), fontMetrics().horizontalAdvance(QStringLiteral(" °"))); // boxes in a column alike
+    return {fontMetrics().horizontalAdvance(widest) + unit + 34, QDoubleSpinBox::sizeHint().height()};
 }
 
 // A wheel over a panel scrolls the panel, unless the box was clicked into.

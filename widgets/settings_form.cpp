@@ -2,6 +2,8 @@
 
 #include "disconnect_children.h"
 
+#include "core/spheremap/adjust.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCompleter>
@@ -87,6 +89,12 @@ void SettingsForm::addItemRows(const Field& field, const FieldStyle& style, Item
     m_rows.push_back(std::move(show));
 }
 
+void SettingsForm::chooseItem(const QString& list, int item)
+{
+    if (auto* chooser = findChild<ItemChooser*>(list))
+        chooser->choose(item);
+}
+
 void SettingsForm::addNumber(const Field& field, const FieldStyle& style, double preset, const std::function<void(const double&)>& set,
                              const std::function<double(const std::any&)>& get)
 {
@@ -111,6 +119,7 @@ void SettingsForm::addWhole(const Field& field, const FieldStyle& style, const s
 {
     auto* control = new QSpinBox(this);
     control->setRange(static_cast<int>(field.low), static_cast<int>(field.high));
+    control->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     control->setKeyboardTracking(false);
     control->setFocusPolicy(Qt::StrongFocus);
     connect(control, &QSpinBox::valueChanged, this, [this, set](int value) {
@@ -197,6 +206,23 @@ void SettingsForm::addGradient(const Field& field, const FieldStyle& style, cons
     connect(control, &GradientEditor::edited, this, [set](const std::vector<GradientStop>& stops) { set(stops); });
     connect(control, &GradientEditor::finished, this, &SettingsForm::finished);
     addRow(field, style, control, [control, get](const std::any& settings) { control->setStops(get(settings)); });
+}
+
+/// Whatever has a curve and channels shows the curve in their colour.
+void SettingsForm::addCurve(const Field& field, const FieldStyle& style, const std::function<void(const std::vector<CurvePoint>&)>& set,
+                            const std::function<std::vector<CurvePoint>(const std::any&)>& get)
+{
+    auto* control = new CurveEditor(this);
+    connect(control, &CurveEditor::edited, this, [set](const std::vector<CurvePoint>& points) { set(points); });
+    connect(control, &CurveEditor::finished, this, &SettingsForm::finished);
+    control->setObjectName(toQString(field.name));
+    control->setAccessibleName(labelOf(field, style));
+    m_layout->addRow(control); // across the form: the larger the plot, the finer the mouse
+    m_rows.push_back([control, get](const std::any& settings) {
+        if (const auto* curves = std::any_cast<const CurvesLayer*>(&settings))
+            control->setChannels((*curves)->channels);
+        control->setPoints(get(settings));
+    });
 }
 
 } // namespace mirrorball::studio

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "curve_editor.h"
 #include "gradient_editor.h"
 #include "item_chooser.h"
 #include "number_field.h"
 #include "options_form.h"
 #include "text.h"
 
+#include "core/spheremap/curve_table.h"
 #include "core/spheremap/gradient_table.h"
 #include "core/spheremap/stroke.h"
 
@@ -74,12 +76,16 @@ public:
             row(settings);
     }
 
+    /// Shows an item of a list.
+    void chooseItem(const QString& list, int item);
     /// The control of a field, or null.
     QWidget* control(const QString& name) const { return findChild<QWidget*>(name); }
 
 signals:
     /// The user let go of a control: what was edited since is one step.
     void finished();
+    /// Another item of a list is shown, by its field's name.
+    void itemChosen(const QString& list, int item);
 
 private:
     template <typename T, typename Settings>
@@ -119,6 +125,8 @@ private:
             addText(field, style, set, get);
         } else if constexpr (std::is_same_v<T, std::vector<GradientStop>>) {
             addGradient(field, style, set, get);
+        } else if constexpr (std::is_same_v<T, std::vector<CurvePoint>>) {
+            addCurve(field, style, set, get);
         } else if constexpr (isListOfSettings<T>) {
             addItems(field, style, set, get);
         } else if constexpr (std::is_enum_v<T>) {
@@ -150,6 +158,8 @@ private:
         }, m_styles);
         connect(form, &SettingsForm::finished, this, &SettingsForm::finished);
         connect(chooser, &ItemChooser::chosenChanged, form, show);
+        connect(chooser, &ItemChooser::chosenChanged, this,
+                [this, chooser, name = std::string(field.name)] { emit itemChosen(QString::fromStdString(name), chooser->chosen()); });
         connect(chooser, &ItemChooser::addRequested, this, [this, chooser, items, set] {
             std::vector<Item> changed = *items;
             const int at = chooser->chosen() + 1;
@@ -188,6 +198,8 @@ private:
                    const std::function<int(const std::any&)>& get);
     void addGradient(const Field&, const FieldStyle&, const std::function<void(const std::vector<GradientStop>&)>& set,
                      const std::function<std::vector<GradientStop>(const std::any&)>& get);
+    void addCurve(const Field&, const FieldStyle&, const std::function<void(const std::vector<CurvePoint>&)>& set,
+                  const std::function<std::vector<CurvePoint>(const std::any&)>& get);
 
     QFormLayout* m_layout;
     FieldStyles m_styles{}; ///< of the struct at hand, for its parts too

@@ -4,11 +4,13 @@
 
 #include "core/spheremap/symmetry.h"
 
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
 #include <QTabletEvent>
+#include <QToolTip>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -32,7 +34,10 @@ QPixmap checkerboard()
 
 } // namespace
 
-SphereMapCanvas::SphereMapCanvas(SphereMapEditor& editor, QWidget* parent) : QWidget(parent), m_editor(editor)
+SphereMapCanvas::SphereMapCanvas(SphereMapEditor& editor, QWidget* parent)
+    : QWidget(parent), m_editor(editor),
+      m_handles(editor,
+                {.placeOf = [this](const glm::dvec2& q) { return placeOf(q); }, .discAt = [this](const QPointF& place) { return discAt(place); }})
 {
     setObjectName(QStringLiteral("sphereMapCanvas"));
     setAccessibleName(tr("Sphere map"));
@@ -48,6 +53,10 @@ SphereMapCanvas::SphereMapCanvas(SphereMapEditor& editor, QWidget* parent) : QWi
     connect(&m_editor, &SphereMapEditor::mapChanged, this, redraw);
     connect(&m_editor, &SphereMapEditor::brushChanged, this, redraw);
     connect(&m_editor, &SphereMapEditor::toolChanged, this, redraw);
+    connect(&m_handles, &DiscHandles::changed, this, [this, redraw] {
+        setAccessibleDescription(m_handles.chosen() < 0 ? QString() : m_handles.describe(m_handles.chosen()));
+        redraw();
+    });
     connect(&m_editor, &SphereMapEditor::chosenChanged, this, [this, redraw] {
         m_hint.clear();
         redraw();
@@ -128,8 +137,12 @@ void SphereMapCanvas::paintEvent(QPaintEvent*)
     painter.setPen(QPen(QColor(0, 0, 0, 140), 1.5));
     painter.setBrush(Qt::NoBrush);
     painter.drawPath(disc);
-    paintSymmetry(painter);
-    paintBrush(painter);
+    if (m_handles.isActive()) {
+        m_handles.paint(painter, rect(), hasFocus() ? DiscHandles::Focus::Keys : DiscHandles::Focus::None);
+    } else {
+        paintSymmetry(painter);
+        paintBrush(painter);
+    }
     if (!m_hint.isEmpty()) {
         const QRect box = rect().adjusted(8, 8, -8, -8);
         const QRect text = painter.boundingRect(box, Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap, m_hint).adjusted(-8, -5, 8, 5);
@@ -208,6 +221,11 @@ void SphereMapCanvas::press(const QPointF& place, Qt::MouseButton button, Qt::Ke
     } else if (button == Qt::LeftButton && (m_editor.tool() == PaintTool::PickColor || modifiers.testFlag(Qt::AltModifier))) {
         m_drag = Drag::Pick;
         m_editor.pickColor(discAt(place));
+    } else if (button == Qt::LeftButton && m_handles.isActive()) {
+        if (m_handles.press(place))
+            m_drag = Drag::Handle;
+        else
+            m_hint = m_handles.hint();
     } else if (button == Qt::LeftButton) {
         m_hint = m_editor.paintingProblem();
         if (m_hint.isEmpty()) {
@@ -223,6 +241,10 @@ void SphereMapCanvas::move(const QPointF& place, double pressure)
 {
     switch (m_drag) {
     case Drag::None:
+        m_handles.hover(place);
+        break;
+    case Drag::Handle:
+        m_handles.move(place);
         break;
     case Drag::Stroke:
         m_editor.moveStroke({discAt(place), pressure});
@@ -247,6 +269,8 @@ void SphereMapCanvas::release()
 {
     if (m_drag == Drag::Stroke)
         m_editor.endStroke();
+    if (m_drag == Drag::Handle)
+        m_handles.release();
     m_drag = Drag::None;
     updateCursor();
     update();
@@ -268,6 +292,18 @@ void SphereMapCanvas::mouseReleaseEvent(QMouseEvent*)
 {
     if (!m_penIsDown)
         release();
+}
+
+/// The second press of two that are near and quick: on an empty place of a list of lights it adds one.
+void SphereMapCanvas::mouseDoubleClickEvent(QMouseEvent* event)
+{
+    mousePressEvent(event);
+    const bool isPlain = event->button() == Qt::LeftButton && !event->modifiers().testFlag(Qt::AltModifier) && !m_spaceIsDown;
+    if (isPlain && m_drag == Drag::None && m_handles.addAt(event->position())) {
+        m_drag = Drag::Handle;
+        m_hint.clear();
+        updateCursor();
+    }
 }
 
 void SphereMapCanvas::tabletEvent(QTabletEvent* event)
@@ -302,6 +338,8 @@ void SphereMapCanvas::wheelEvent(QWheelEvent* event)
 
 void SphereMapCanvas::keyPressEvent(QKeyEvent* event)
 {
+    if (m_drag == Drag::None && m_handles.isActive() && m_handles.pressKey(*event))
+        return;
     switch (event->key()) {
     case Qt::Key_BracketLeft:
         m_editor.stepBrush(-1);
@@ -323,6 +361,12 @@ void SphereMapCanvas::keyPressEvent(QKeyEvent* event)
             m_drag = Drag::None;
             return;
         }
+        if (m_drag == Drag::Handle) {
+            m_handles.cancel();
+            m_drag = Drag::None;
+            updateCursor();
+            return;
+        }
         break;
     default:
         break;
@@ -334,6 +378,8 @@ void SphereMapCanvas::keyReleaseEvent(QKeyEvent* event)
 {
     if (event->key() == Qt::Key_Space && !event->isAutoRepeat())
         m_spaceIsDown = false;
+    if (!event->isAutoRepeat())
+        m_handles.releaseKey();
     updateCursor();
     QWidget::keyReleaseEvent(event);
 }
@@ -341,7 +387,37 @@ void SphereMapCanvas::keyReleaseEvent(QKeyEvent* event)
 void SphereMapCanvas::leaveEvent(QEvent*)
 {
     m_cursor.reset();
+    m_handles.hover(std::nullopt);
     update();
+}
+
+void SphereMapCanvas::focusInEvent(QFocusEvent* event)
+{
+    QWidget::focusInEvent(event);
+    update();
+}
+
+void SphereMapCanvas::focusOutEvent(QFocusEvent* event)
+{
+    m_spaceIsDown = false;
+    m_handles.releaseKey();
+    QWidget::focusOutEvent(event);
+    update();
+}
+
+/// Tooltips of handles.
+bool SphereMapCanvas::event(QEvent* event)
+{
+    if (event->type() == QEvent::ToolTip && m_handles.isActive()) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        const int handle = m_handles.at(help->pos());
+        if (handle >= 0 && m_drag == Drag::None)
+            QToolTip::showText(help->globalPos(), m_handles.describe(handle), this);
+        else
+            QToolTip::hideText();
+        return true;
+    }
+    return QWidget::event(event);
 }
 
 void SphereMapCanvas::updateCursor()
@@ -350,6 +426,10 @@ void SphereMapCanvas::updateCursor()
         setCursor(Qt::ClosedHandCursor);
     else if (!m_editor.map())
         unsetCursor();
+    else if (m_drag == Drag::Handle)
+        setCursor(Qt::ClosedHandCursor);
+    else if (m_handles.isActive())
+        m_handles.isHovered() ? setCursor(Qt::OpenHandCursor) : setCursor(Qt::ArrowCursor);
     else if (m_editor.tool() != PaintTool::PickColor && !m_editor.canPaint())
         setCursor(Qt::ForbiddenCursor);
     else

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "disc_handles.h"
 #include "sphere_map_editor.h"
 
 #include <QImage>
@@ -8,11 +9,12 @@
 
 namespace mirrorball::studio {
 
-/// The disc, to paint on with mouse or pen.
+/// The disc, to paint on with mouse or pen, or with the handles of the chosen layer.
 ///
-/// Left draws with the chosen tool, a pen with its pressure, its eraser end erases. Alt picks a colour. Right drag changes the brush: across its
+/// Left draws with the chosen tool, a pen with its pressure, its eraser end erases; on a layer with places and directions it drags their handles
+/// instead, and keys move them (DiscHandles). Alt picks a colour. Right drag changes the brush: across its
 /// radius, up and down its hardness; [ and ] step the radius. The wheel zooms at the cursor, middle or Space and left drag pans, Home fits.
-/// Escape gives up the stroke at hand.
+/// Escape gives up the stroke or the drag at hand.
 class SphereMapCanvas : public QWidget {
     Q_OBJECT
 
@@ -27,6 +29,8 @@ public:
     glm::dvec2 discAt(const QPointF& place) const;
     QPointF placeOf(const glm::dvec2& q) const;
 
+    DiscHandles& handles() { return m_handles; }
+
 public slots:
     void fit();
 
@@ -35,14 +39,18 @@ protected:
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
     void tabletEvent(QTabletEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    bool event(QEvent* event) override;
 
 private:
-    enum class Drag { None, Stroke, Pan, Brush, Pick };
+    enum class Drag { None, Stroke, Pan, Brush, Pick, Handle };
 
     double scale() const; ///< pixels to a disc radius
     void show(const TexelRect& touched);
@@ -54,6 +62,7 @@ private:
     void updateCursor();
 
     SphereMapEditor& m_editor;
+    DiscHandles m_handles;
     QImage m_screen;
     double m_zoom = 1.0;
     glm::dvec2 m_center{0.0}; ///< place of the disc in the middle of the widget

@@ -158,6 +158,14 @@ void SphereMapEditor::choose(int layer)
     emit chosenChanged();
 }
 
+void SphereMapEditor::chooseLight(int light)
+{
+    if (light == m_light)
+        return;
+    m_light = light;
+    emit lightChanged();
+}
+
 const Layer* SphereMapEditor::chosenLayer() const
 {
     return m_map && m_chosen >= 0 ? &m_map->layers[static_cast<size_t>(m_chosen)] : nullptr;

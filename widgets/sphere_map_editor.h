@@ -51,6 +51,9 @@ public:
     int chosen() const { return m_chosen; }
     void choose(int layer);
     const Layer* chosenLayer() const;
+    /// Of a layer that is a list of lights, which one: chosen in its form or on the disc.
+    int chosenLight() const { return m_light; }
+    void chooseLight(int light);
     /// Changes the chosen layer.
     void editLayer(const QString& label, const QString& mergeKey, const std::function<void(Layer&)>& change);
     /// Puts a layer above the chosen one and chooses it.
@@ -104,6 +107,7 @@ signals:
     /// map() changed.
     void mapChanged();
     void chosenChanged();
+    void lightChanged();
     void brushChanged();
     void toolChanged();
     /// picture() changed within these texels.
@@ -128,6 +132,7 @@ private:
     Document& m_document;
     std::shared_ptr<const SphereMapDocument> m_map;
     int m_chosen = -1;
+    int m_light = 0;
     Brush m_brush{};
     Symmetry m_symmetry{};
     PaintTool m_tool = PaintTool::Paint;

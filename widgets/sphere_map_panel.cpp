@@ -1,5 +1,6 @@
 #include "sphere_map_panel.h"
 
+#include "form_labels.h"
 #include "text.h"
 
 #include "core/error.h"
@@ -15,11 +16,14 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace mirrorball::studio {
 
 namespace {
 
 const QString noticeSubject = QStringLiteral("sphere-map");
+const QString lightsField = QStringLiteral("lights"); // of PhongLightsLayer
 
 QIcon iconOf(const char* name)
 {
@@ -172,14 +176,25 @@ QWidget* SphereMapPanel::makeWork()
     m_tabs->addTab(makeBrushPage(), tr("Brush"));
     m_levels = new LevelsView(m_editor);
     m_tabs->addTab(m_levels, tr("Levels"));
-    auto* splitter = new QSplitter(Qt::Vertical);
-    splitter->addWidget(m_canvas);
-    splitter->addWidget(m_tabs);
-    splitter->setStretchFactor(0, 0); // a disc in a dock is as high as it is wide; what is left is for the layers
-    splitter->setStretchFactor(1, 1);
-    splitter->setChildrenCollapsible(false);
-    column->addWidget(splitter, 1);
+    m_split = new QSplitter(Qt::Vertical);
+    m_split->addWidget(m_canvas);
+    m_split->addWidget(m_tabs);
+    m_split->setStretchFactor(0, 0);
+    m_split->setStretchFactor(1, 1);
+    m_split->setChildrenCollapsible(false);
+    connect(m_split, &QSplitter::splitterMoved, this, [this] { m_splitIsChosen = true; });
+    column->addWidget(m_split, 1);
     return page;
+}
+
+/// A disc in a dock is as high as it is wide, where that leaves enough for the layers; until the user divides the dock otherwise.
+void SphereMapPanel::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    if (m_splitIsChosen)
+        return;
+    const int canvas = std::min(width(), 2 * height() / 5);
+    m_split->setSizes({canvas, height() - canvas});
 }
 
 QToolBar* SphereMapPanel::makeTools()
@@ -346,6 +361,11 @@ QWidget* SphereMapPanel::makeLayersPage()
     });
     m_layerForm->setObjectName(QStringLiteral("layerForm"));
     connect(m_layerForm, &SettingsForm::finished, &m_editor, &SphereMapEditor::finishEdit);
+    connect(m_layerForm, &SettingsForm::itemChosen, this, [this](const QString& list, int item) {
+        if (list == lightsField)
+            m_editor.chooseLight(item);
+    });
+    connect(&m_editor, &SphereMapEditor::lightChanged, this, [this] { m_layerForm->chooseItem(lightsField, m_editor.chosenLight()); });
     auto* parameters = new QWidget;
     auto* parameterColumn = new QVBoxLayout(parameters);
     parameterColumn->setContentsMargins(8, 6, 8, 8);
@@ -372,7 +392,7 @@ QWidget* SphereMapPanel::makeLayersPage()
     splitter->addWidget(scrolled(parameters));
     splitter->setStretchFactor(0, 1);
     splitter->setStretchFactor(1, 2);
-    splitter->setSizes({190, 260});
+    splitter->setSizes({235, 235});
     splitter->setChildrenCollapsible(false);
     m_layerControls = {m_blend, m_opacity, duplicate, up, down, remove};
     return splitter;
@@ -409,9 +429,10 @@ QWidget* SphereMapPanel::makeBrushPage()
     column->addWidget(m_symmetryForm);
     auto* hint = new QLabel(tr("Right drag changes radius and hardness, [ and ] step the radius, Alt picks a colour on the disc."));
     hint->setWordWrap(true);
-    hint->setEnabled(false);
+    hint->setProperty("role", QStringLiteral("footnote"));
     column->addWidget(hint);
     column->addStretch(1);
+    alignLabels(*inside);
     return scrolled(inside);
 }
 
@@ -435,6 +456,7 @@ void SphereMapPanel::showLayer()
     m_blend->setCurrentIndex(static_cast<int>(layer->blend));
     m_opacity->setValue(layer->opacity);
     m_layerForm->showContent(layer->content);
+    m_layerForm->chooseItem(lightsField, m_editor.chosenLight());
     QString note;
     if (const auto* unknown = std::get_if<UnknownLayer>(&layer->content))
         note = tr("This version does not know layers of the kind \"%1\". It is kept as it is, and left out of the picture.")
@@ -443,6 +465,7 @@ void SphereMapPanel::showLayer()
         note = tr("Draw on the disc, or on the model.");
     m_layerNote->setText(note);
     m_layerNote->setVisible(!note.isEmpty());
+    alignLabels(*m_layerForm->parentWidget()); // with the mask's
 }
 
 void SphereMapPanel::showBrush()

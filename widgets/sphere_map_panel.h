@@ -12,6 +12,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QMenu>
+#include <QSplitter>
 #include <QStackedWidget>
 #include <QTabWidget>
 #include <QToolBar>
@@ -38,6 +39,9 @@ public:
     void openMap(const QString& path);
     void saveMapAs(const QString& path);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     QWidget* makeStart();
     QWidget* makeWork();
@@ -54,6 +58,8 @@ private:
     SphereMapEditor& m_editor;
     QStackedWidget* m_pages;
     SphereMapCanvas* m_canvas = nullptr;
+    QSplitter* m_split = nullptr; ///< canvas over tabs
+    bool m_splitIsChosen = false;  ///< by the user
     QTabWidget* m_tabs = nullptr;
     LayerList* m_layers = nullptr;
     QComboBox* m_blend = nullptr;

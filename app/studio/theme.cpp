@@ -31,6 +31,11 @@ QStatusBar::item { border: none; }
 QTabBar::tab { padding: 5px 12px; background: #2b2b2b; border: none; color: #b4b4b4; }
 QTabBar::tab:selected { background: #383838; color: #f0f0f0; border-top: 2px solid #8a8a8a; }
 QTabBar::tab:focus { color: #ffffff; text-decoration: underline; }
+QCheckBox::indicator { width: 14px; height: 14px; border: 1px solid #7d7d7d; border-radius: 2px; background: #262626; }
+QCheckBox::indicator:hover, QCheckBox::indicator:focus { border-color: #d8b06c; }
+QCheckBox::indicator:checked { background: #b98a3c; border-color: #b98a3c; image: url(:/icons/check.svg); }
+QCheckBox::indicator:checked:hover, QCheckBox::indicator:checked:focus { border-color: #f0d8a8; }
+QCheckBox::indicator:disabled { border-color: #505050; background: #383838; }
 QTreeView::item { padding: 2px 4px; }
 QHeaderView::section { background: #2b2b2b; color: #b4b4b4; border: none; padding: 4px 6px; }
 )";

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "curve_table.h"
 #include "layer_kind.h"
 #include "level.h"
 #include "span.h"
@@ -31,26 +32,11 @@ struct HueSaturationLayer {
     }
 };
 
-struct CurvePoint {
-    double x = 0.0;
-    double y = 0.0;
-    UnknownKeys unknown{};
-
-    bool operator==(const CurvePoint&) const = default;
-    template <typename Self, typename Visit>
-    static void visitFields(Self& self, Visit&& visit)
-    {
-        visit(Field{"x", "square root of the channel before", 0, 1}, self.x);
-        visit(Field{"y", "square root of the channel after", 0, 4}, self.y);
-    }
-};
-
 /// Which channels an adjustment changes.
 enum class AdjustedChannels { All, Red, Green, Blue };
 std::span<const std::string_view> words(AdjustedChannels); // all red green blue
 
-/// A smooth curve through points, monotone between them (Fritsch and Carlson 1980). Past the last point it goes on as a straight line through
-/// the origin: f(x) = x f(1)/1, so light keeps its ratios.
+/// A tone curve (curve_table.h) on the square root of channels. Light brighter than 1 keeps its ratios.
 struct CurvesLayer {
     static constexpr LayerKind kind{"curves", "Curves", "a tone curve for all channels or one", LayerRole::Adjustment};
     AdjustedChannels channels = AdjustedChannels::All;

@@ -28,6 +28,26 @@ inline Coordinate along(const glm::vec3& n, float inverseZ, const glm::vec3& cen
     return {flat + curvature * (curved - flat), std::sqrt(sx * sx + sy * sy)};
 }
 
+/// The window's frame: its centre on the ball, its axes there and on the disc. The first axis looks to the right on the picture, turned by
+/// the tilt.
+struct Frame {
+    explicit Frame(const WindowLayer& layer)
+    {
+        const glm::dvec2 c =
+            glm::dvec2(layer.centerX, layer.centerY) * std::min(1.0, 0.98 / std::max(1e-9, std::hypot(layer.centerX, layer.centerY)));
+        centre = glm::dvec3(c, std::sqrt(1.0 - glm::dot(c, c)));
+        const glm::dvec3 right = glm::normalize(glm::dvec3(1, 0, 0) - centre.x * centre), up = glm::cross(centre, right);
+        const double tilt = layer.tiltDeg * pi / 180.0;
+        const double ct = std::cos(tilt), st = std::sin(tilt);
+        e1 = ct * right + st * up;
+        e2 = ct * up - st * right;
+        d1 = {ct, st};
+        d2 = {-st, ct};
+    }
+    glm::dvec3 centre{0.0}, e1{0.0}, e2{0.0};
+    glm::dvec2 d1{0.0}, d2{0.0};
+};
+
 /// Distances to the edges of panes and of the window along one coordinate.
 struct Spacing {
     float half;  ///< from the centre to the middle of the outer bar
@@ -78,15 +98,9 @@ MIRRORBALL_VECTOR_CLONES void draw(const Window& w, const DiscSpan& at, ColorSpa
 
 SpanGenerator prepare(const WindowLayer& layer, const Level& level)
 {
-    const glm::dvec2 c =
-        glm::dvec2(layer.centerX, layer.centerY) * std::min(1.0, 0.98 / std::max(1e-9, std::hypot(layer.centerX, layer.centerY)));
-    const glm::dvec3 centre(c, std::sqrt(1.0 - glm::dot(c, c)));
-    // The frame at the centre whose first axis looks to the right on the picture, turned by the tilt.
-    const glm::dvec3 right = glm::normalize(glm::dvec3(1, 0, 0) - centre.x * centre), up = glm::cross(centre, right);
-    const double tilt = layer.tiltDeg * pi / 180.0;
-    const double ct = std::cos(tilt), st = std::sin(tilt);
-    const glm::vec3 e1(ct * right + st * up), e2(ct * up - st * right), n0(centre);
-    const glm::vec2 d1(ct, st), d2(-st, ct);
+    const Frame frame(layer);
+    const glm::vec3 e1(frame.e1), e2(frame.e2), n0(frame.centre);
+    const glm::vec2 d1(frame.d1), d2(frame.d2);
     const auto bar = static_cast<float>(level.width(layer.frame, layer.unit));
     const Spacing u{static_cast<float>(0.5 * layer.width), static_cast<float>(layer.width / layer.columns), 0.5f * bar};
     const Spacing v{static_cast<float>(0.5 * layer.height), static_cast<float>(layer.height / layer.rows), 0.5f * bar};
@@ -104,6 +118,40 @@ SpanGenerator prepare(const WindowLayer& layer, const Level& level)
                         glm::vec3(layer.paneColor),
                         glm::vec3(layer.frameColor)};
     return [window](const DiscSpan& at, ColorSpan& out) { draw(window, at, out); };
+}
+
+glm::dvec2 windowCoordinates(const WindowLayer& layer, const glm::dvec2& q)
+{
+    const Frame frame(layer);
+    const double length = glm::length(q);
+    const glm::dvec2 inside = length > 1.0 ? q / length : q;
+    const glm::dvec3 n(inside, std::sqrt(std::max(1.0 - glm::dot(inside, inside), 0.0)));
+    const double inverse = 1.0 / std::max(glm::dot(n, frame.centre), 0.05);
+    const glm::dvec2 curved(glm::dot(n, frame.e1) * inverse, glm::dot(n, frame.e2) * inverse);
+    const glm::dvec2 from = inside - glm::dvec2(frame.centre), flat(glm::dot(from, frame.d1), glm::dot(from, frame.d2));
+    return glm::mix(flat, curved, layer.curvature);
+}
+
+glm::dvec2 windowPlace(const WindowLayer& layer, const glm::dvec2& uv)
+{
+    constexpr double inside = 0.9999, h = 1e-5;
+    const Frame frame(layer);
+    const auto kept = [](const glm::dvec2& q) {
+        const double length = glm::length(q);
+        return length > inside ? q * (inside / length) : q;
+    };
+    // The exact place for straight lines on the tangent plane, from which that of a flatter window is not far.
+    glm::dvec2 q = kept(glm::dvec2(glm::normalize(frame.centre + uv.x * frame.e1 + uv.y * frame.e2)));
+    for (int i = 0; i < 20; ++i) {
+        const glm::dvec2 off = windowCoordinates(layer, q) - uv;
+        const glm::dvec2 dx = (windowCoordinates(layer, q + glm::dvec2(h, 0.0)) - windowCoordinates(layer, q - glm::dvec2(h, 0.0))) / (2.0 * h);
+        const glm::dvec2 dy = (windowCoordinates(layer, q + glm::dvec2(0.0, h)) - windowCoordinates(layer, q - glm::dvec2(0.0, h))) / (2.0 * h);
+        const double det = dx.x * dy.y - dx.y * dy.x;
+        if (glm::length(off) < 1e-9 || std::abs(det) < 1e-9)
+            break;
+        q = kept(q - glm::dvec2(dy.y * off.x - dy.x * off.y, dx.x * off.y - dx.y * off.x) / det);
+    }
+    return q;
 }
 
 } // namespace mirrorball

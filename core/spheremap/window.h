@@ -56,4 +56,11 @@ struct WindowLayer {
 
 SpanGenerator prepare(const WindowLayer& layer, const Level& level);
 
+/// The window's coordinates (u, v) of a place on the disc, from its centre, in disc radii:
+///   (1 - curvature) (q - c).d + curvature (n.e) / (n.c)
+/// Places that face away from the window (n.c < 0.05) are far outside it.
+glm::dvec2 windowCoordinates(const WindowLayer& layer, const glm::dvec2& q);
+/// The place on the disc that has such coordinates, or the nearest on the rim where the window reaches around it. By Newton's method.
+glm::dvec2 windowPlace(const WindowLayer& layer, const glm::dvec2& uv);
+
 } // namespace mirrorball

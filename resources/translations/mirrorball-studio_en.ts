@@ -2380,6 +2380,87 @@
     </message>
 </context>
 <context>
+    <name>mirrorball::studio::CurveEditor</name>
+    <message>
+        <source>Before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The chosen point across: square root of the light that comes in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The chosen point upwards: square root of the light that goes out; above 1 it is brighter than white</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset the curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the straight line, which changes nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::CurvePlot</name>
+    <message>
+        <source>Tone curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Across: what the layer gets; up: what it makes of it. Both are square roots of linear light, about as the eye sees it: 0 is black, 1 is white. Brighter light keeps its ratios.&lt;/p&gt;&lt;p&gt;Click for a new point, drag to move it, pull it away or press Delete to remove it; double-click a point to put it back on the diagonal. Arrow keys move it, with Shift finer; Ctrl and arrows go from point to point.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::DiscHandles</name>
+    <message>
+        <source>%1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a light, or double-click to add one; to paint, choose a paint layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a handle to change the layer; to paint, choose a paint layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move a handle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove a light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mask: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>mirrorball::studio::Document</name>
     <message>
         <source>Untitled</source>

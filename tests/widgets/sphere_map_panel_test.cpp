@@ -1,6 +1,6 @@
 #include "sphere_map_panel_test.h"
 
-#include "studio_window.h"
+#include "painting.h"
 #include "widget_driver.h"
 
 #include "widgets/model_painter.h"
@@ -27,71 +27,6 @@ using namespace mirrorball::studio;
 namespace mirrorball::test {
 
 static const RegisterTests<SphereMapPanelTest> registered;
-
-namespace {
-
-/// A window with the dock in front and a map of a ground and a paint layer.
-class Painting {
-public:
-    explicit Painting(bool withMap = true)
-    {
-        m_window.show();
-        QDockWidget* dock = m_window->dock(QStringLiteral("sphere-map"));
-        dock->setFloating(true);
-        dock->resize(380, 900);
-        dock->show();
-        dock->raise();
-        m_panel = dock->findChild<SphereMapPanel*>();
-        if (withMap)
-            QTest::mouseClick(m_panel->findChild<QWidget*>(QStringLiteral("newSphereMap")), Qt::LeftButton);
-        waitForPicture();
-        QTest::qWait(50);
-    }
-
-    StudioWindow& window() { return m_window; }
-    SphereMapPanel& panel() { return *m_panel; }
-    SphereMapCanvas& canvas() { return m_panel->canvas(); }
-    SphereMapEditor& editor() { return m_window->workspace().sphereMap; }
-    Document& document() { return m_window.document(); }
-    int steps() { return document().undoStack().index(); }
-    const std::vector<Stroke>& strokes(size_t layer = 1) { return std::get<PaintLayer>(editor().map()->layers[layer].content).strokes; }
-
-    void waitForPicture() { QTRY_VERIFY_WITH_TIMEOUT(editor().isUpToDate(), 30000); }
-    QPoint at(double x, double y) { return canvas().placeOf({x, y}).toPoint(); }
-    void drag(const QPoint& from, const QPoint& to, Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers keys = {})
-    {
-        drag(&canvas(), from, to, button, keys);
-    }
-    static void drag(QWidget* widget, const QPoint& from, const QPoint& to, Qt::MouseButton button = Qt::LeftButton,
-                     Qt::KeyboardModifiers keys = {})
-    {
-        QTest::mousePress(widget, button, keys, from);
-        for (int i = 1; i <= 6; ++i) { // QTest::mouseMove moves without a button
-            const QPointF place = QPointF(from) + QPointF(to - from) * (i / 6.0);
-            QMouseEvent move(QEvent::MouseMove, place, widget->mapToGlobal(place), Qt::NoButton, button, keys);
-            QCoreApplication::sendEvent(widget, &move);
-        }
-        QTest::mouseRelease(widget, button, keys, to);
-    }
-    void pen(QEvent::Type type, const QPointF& place, double pressure, QPointingDevice::PointerType end)
-    {
-        static const QPointingDevice tip(QStringLiteral("pen"), 77, QInputDevice::DeviceType::Stylus, QPointingDevice::PointerType::Pen,
-                                         QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 2);
-        static const QPointingDevice eraser(QStringLiteral("eraser"), 78, QInputDevice::DeviceType::Stylus,
-                                            QPointingDevice::PointerType::Eraser,
-                                            QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 2);
-        const auto button = type == QEvent::TabletMove ? Qt::NoButton : Qt::LeftButton;
-        QTabletEvent event(type, end == QPointingDevice::PointerType::Eraser ? &eraser : &tip, place, canvas().mapToGlobal(place), pressure, 0,
-                           0, 0, 0, 0, {}, button, type == QEvent::TabletRelease ? Qt::NoButton : Qt::LeftButton);
-        QCoreApplication::sendEvent(&canvas(), &event);
-    }
-
-private:
-    StudioWindow m_window;
-    SphereMapPanel* m_panel = nullptr;
-};
-
-} // namespace
 
 void SphereMapPanelTest::offersAWayToStartWithoutAMap()
 {

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "test_class.h"
+
+namespace mirrorball::test {
+
+class CurveEditorTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void drawsTheCurveThatCoreEvaluates();
+    void addsAPointOnTheCurveAndDragsItInOneStep();
+    void keepsPointsBetweenTheirNeighbours();
+    void removesAPointThatIsPulledAwayAndBringsItBack();
+    void followsKeys();
+    void takesNumbersBeyondWhite();
+    void putsAPointBackOnTheDiagonalByADoubleClick();
+    void resetsToTheCurveThatChangesNothing();
+    void changesThePictureOneUndoStepADrag();
+    void explainsItsControls();
+};
+
+} // namespace mirrorball::test
