@@ -7,6 +7,19 @@
 
 namespace mirrorball::studio {
 
+namespace {
+
+/// Whether nobody hid a widget, or what it stands in: what was just made shows only when events are next handled.
+bool willShow(const QWidget* widget, const QWidget& root)
+{
+    for (; widget && widget != &root; widget = widget->parentWidget())
+        if (widget->isHidden() && widget->testAttribute(Qt::WA_WState_ExplicitShowHide))
+            return false;
+    return true;
+}
+
+} // namespace
+
 void alignLabels(QWidget& root)
 {
     QVector<QLabel*> labels;
@@ -15,7 +28,7 @@ void alignLabels(QWidget& root)
         for (int row = 0; row < form->rowCount(); ++row) {
             const QLayoutItem* item = form->itemAt(row, QFormLayout::LabelRole);
             auto* label = item ? qobject_cast<QLabel*>(item->widget()) : nullptr;
-            if (!label || !label->isVisibleTo(&root))
+            if (!label || !willShow(label, root))
                 continue;
             labels << label;
             widest = std::max(widest, label->sizeHint().width());

@@ -396,6 +396,19 @@ void SphereMapPanelTest::editsListsOfLights()
     QCOMPARE(lights().size(), size_t{2});
 }
 
+void SphereMapPanelTest::linesUpTheControlsOfAllForms()
+{
+    Painting painting;
+    painting.editor().addLayer({.name = "Lights", .content = PhongLightsLayer{}}); // a light's fields stand in a form of their own
+    const auto left = [&](const char* name) {
+        const auto* control = painting.panel().findChild<QWidget*>(QLatin1String(name));
+        return control->mapTo(&painting.panel(), QPoint()).x();
+    };
+    QTRY_COMPARE(left("intensity"), left("lights"));
+    for (const char* name : {"exponent", "model", "ambient", "maskKind"})
+        QCOMPARE(left(name), left("lights"));
+}
+
 void SphereMapPanelTest::offersFilesToLayersThatReadThem()
 {
     Painting painting;

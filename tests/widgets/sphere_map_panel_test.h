@@ -28,6 +28,7 @@ private slots:
     void choosesABrushOnTheModelAsOnTheDisc();
     void masksALayerByPaintingOnItsMask();
     void editsListsOfLights();
+    void linesUpTheControlsOfAllForms();
     void offersFilesToLayersThatReadThem();
     void followsHandMadeLevelsWhileAStrokeIsDrawn();
     void looksWell();
