@@ -55,6 +55,24 @@ SpanGenerator preparedGenerator(const LayerContent& content, const Level& level,
         content);
 }
 
+/// What `make` makes of a layer, or of its mask. What is wrong with it is said of that layer, by its number and name.
+template <typename Make>
+auto naming(const SphereMapDocument& document, size_t index, const char* part, const Make& make)
+{
+    const Layer& layer = document.layers[index];
+    const auto where = [&] {
+        return "layers[" + std::to_string(index) + "]" + part + " " +
+               inQuotes(layer.name.empty() ? std::string(kindOf(layer.content).title) : layer.name);
+    };
+    try {
+        return make();
+    } catch (const FileError& error) {
+        throw FileError(where(), error.what());
+    } catch (const InvalidArgument& error) {
+        throw InvalidArgument(where() + ": " + error.what());
+    }
+}
+
 SpanAdjustment preparedAdjustment(const LayerContent& content, const Level& level)
 {
     return std::visit(
@@ -120,7 +138,7 @@ std::vector<Pass> passesOf(const SphereMapDocument& document, const EvaluateOpti
             continue;
         if (kindOf(layer.content).role == LayerRole::Warp) {
             passes.back().warpLayer = i;
-            passes.back().warp = preparedWarp(layer.content, level);
+            passes.back().warp = naming(document, i, "", [&] { return preparedWarp(layer.content, level); });
             passes.emplace_back();
         } else {
             passes.back().layers.push_back(i);
@@ -315,9 +333,11 @@ public:
     }
 
 private:
-    SpanGenerator maskOf(const Layer& layer, const TexelRect& rect) const
+    SpanGenerator maskOf(size_t layer, const TexelRect& rect) const
     {
-        return layer.mask ? preparedGenerator(layer.mask->content, m_level, rect, nullptr, m_job) : SpanGenerator{};
+        const std::optional<Mask>& mask = m_document.layers[layer].mask;
+        return mask ? naming(m_document, layer, ".mask", [&] { return preparedGenerator(mask->content, m_level, rect, nullptr, m_job); })
+                    : SpanGenerator{};
     }
 
     /// The layers of a pass over the picture of the one before, which is empty at the bottom.
@@ -330,11 +350,12 @@ private:
             if (raster && (raster->width != m_level.size || raster->height != m_level.size || raster->channels != 4))
                 throw InvalidArgument("layers[" + std::to_string(i) + "]: its raster must be " + std::to_string(m_level.size) +
                                       " texels square with four channels");
-            steps.push_back({.layer = &layer, .mask = maskOf(layer, pass.rect)});
+            steps.push_back({.layer = &layer, .mask = maskOf(i, pass.rect)});
             if (kindOf(layer.content).role == LayerRole::Adjustment)
-                steps.back().adjust = preparedAdjustment(layer.content, m_level);
+                steps.back().adjust = naming(m_document, i, "", [&] { return preparedAdjustment(layer.content, m_level); });
             else
-                steps.back().generate = preparedGenerator(layer.content, m_level, pass.rect, raster, m_job);
+                steps.back().generate =
+                    naming(m_document, i, "", [&] { return preparedGenerator(layer.content, m_level, pass.rect, raster, m_job); });
         }
         if (steps.empty() && !below.empty())
             return below;
@@ -361,7 +382,7 @@ private:
         Image result = pass.warp.apply(below, pass.rect, wanted, m_job);
         if (!layer.mask && layer.opacity >= 1.0 && layer.blend == BlendMode::Normal)
             return result;
-        const SpanGenerator mask = maskOf(layer, wanted);
+        const SpanGenerator mask = maskOf(*pass.warpLayer, wanted);
         Image mixed = pass.rect == wanted ? std::move(below) : cut(below, pass.rect, wanted);
         forEachRun(wanted, m_level, m_job, [&](const DiscSpan& at) {
             ColorSpan colors, backdrop;
