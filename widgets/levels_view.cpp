@@ -1,6 +1,6 @@
 #include "levels_view.h"
 
-#include "screen_color.h"
+#include "screen_picture.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -52,8 +52,7 @@ void LevelsView::request()
         [map = *m_editor.map(), size = m_editor.size()](const JobControl& job) {
             QVector<Level> levels;
             for (const Image& level : evaluateLevels(map, {.size = size, .unknownLayers = UnknownLayers::Skip}, job)) {
-                QImage picture(level.width, level.height, QImage::Format_RGBA8888_Premultiplied);
-                putOnScreen(level, {0, 0, level.width, level.height}, picture);
+                QImage picture = onScreen(level, job);
                 if (level.width > largestPicture)
                     picture = picture.scaled(largestPicture, largestPicture, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
                 levels << Level{level.width, picture};

@@ -1,6 +1,6 @@
 #include "preset_library.h"
 
-#include "screen_color.h"
+#include "screen_picture.h"
 #include "text.h"
 
 #include "core/spheremap/contact_sheet.h"
@@ -15,8 +15,7 @@ namespace {
 QImage ballOf(const SphereMapDocument& map, const JobControl& job)
 {
     constexpr int size = 2 * PresetLibrary::pictureEdge;
-    QImage picture(size, size, QImage::Format_RGBA8888_Premultiplied);
-    putOnScreen(cutToDisc(evaluate(map, {.size = size}, job)), {0, 0, size, size}, picture);
+    QImage picture = onScreen(cutToDisc(evaluate(map, {.size = size}, job)), job);
     picture.setDevicePixelRatio(2.0);
     return picture;
 }

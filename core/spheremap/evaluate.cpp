@@ -320,7 +320,7 @@ public:
         TexelRect rect = region; // from the top down: what each pass must make
         for (auto pass = passes.rbegin(); pass != passes.rend(); ++pass) {
             if (pass->warpLayer)
-                rect = rect.united(pass->warp.needs(rect));
+                rect = rect.united(pass->warp.needs(inwards(rect, m_level.size)));
             pass->rect = rect;
         }
         Image picture = m_options.below ? cut(*m_options.below, {0, 0, m_level.size, m_level.size}, passes.front().rect) : Image();
@@ -333,11 +333,22 @@ public:
     }
 
 private:
-    SpanGenerator maskOf(size_t layer, const TexelRect& rect) const
+    const Image* rasterOf(size_t layer, PaintTarget target) const
     {
-        const std::optional<Mask>& mask = m_document.layers[layer].mask;
-        return mask ? naming(m_document, layer, ".mask", [&] { return preparedGenerator(mask->content, m_level, rect, nullptr, m_job); })
-                    : SpanGenerator{};
+        const Image* raster = m_options.raster ? m_options.raster(layer, target) : nullptr;
+        if (raster && (raster->width != m_level.size || raster->height != m_level.size || raster->channels != 4))
+            throw InvalidArgument("layers[" + std::to_string(layer) + "]: its raster must be " + std::to_string(m_level.size) +
+                                  " texels square with four channels");
+        return raster;
+    }
+
+    SpanGenerator maskOf(size_t i, const TexelRect& rect) const
+    {
+        const std::optional<Mask>& mask = m_document.layers[i].mask;
+        if (!mask)
+            return {};
+        const Image* raster = rasterOf(i, PaintTarget::Mask);
+        return naming(m_document, i, ".mask", [&] { return preparedGenerator(mask->content, m_level, rect, raster, m_job); });
     }
 
     /// The layers of a pass over the picture of the one before, which is empty at the bottom.
@@ -346,16 +357,14 @@ private:
         std::vector<Step> steps;
         for (const size_t i : pass.layers) {
             const Layer& layer = m_document.layers[i];
-            const Image* raster = m_options.raster ? m_options.raster(i) : nullptr;
-            if (raster && (raster->width != m_level.size || raster->height != m_level.size || raster->channels != 4))
-                throw InvalidArgument("layers[" + std::to_string(i) + "]: its raster must be " + std::to_string(m_level.size) +
-                                      " texels square with four channels");
             steps.push_back({.layer = &layer, .mask = maskOf(i, pass.rect)});
-            if (kindOf(layer.content).role == LayerRole::Adjustment)
+            if (kindOf(layer.content).role == LayerRole::Adjustment) {
                 steps.back().adjust = naming(m_document, i, "", [&] { return preparedAdjustment(layer.content, m_level); });
-            else
+            } else {
+                const Image* raster = rasterOf(i, PaintTarget::Layer);
                 steps.back().generate =
                     naming(m_document, i, "", [&] { return preparedGenerator(layer.content, m_level, pass.rect, raster, m_job); });
+            }
         }
         if (steps.empty() && !below.empty())
             return below;
@@ -443,7 +452,7 @@ TexelRect touchedBy(const SphereMapDocument& document, size_t layer, const Texel
     TexelRect rect = outwards(touched.intersected({0, 0, options.size, options.size}), options.size);
     for (size_t i = layer + 1; i < document.layers.size() && !rect.empty(); ++i)
         if (takesPart(document.layers[i], options) && kindOf(document.layers[i].content).role == LayerRole::Warp)
-            rect = rect.united(preparedWarp(document.layers[i].content, level).reaches(rect));
+            rect = rect.united(outwards(preparedWarp(document.layers[i].content, level).reaches(rect), options.size));
     return rect;
 }
 
