@@ -55,8 +55,6 @@ void run(const Options& o)
 {
     std::vector<Stage> stages;
     const SphereMapDocument document = timedStage(stages, "read document", [&] { return findDocument(o.document); });
-    if (!o.saved.empty())
-        saveSphereMap(document, o.saved);
     const JobControl job = jobWithProgress("paint", o.threads);
     if (o.size <= 2 * o.border)
         throw InvalidArgument("--border: must leave room for the map between the borders of a picture of " + std::to_string(o.size) + " texels; it is " +
@@ -65,7 +63,9 @@ void run(const Options& o)
     const std::string index(words(document.index)[static_cast<size_t>(document.index)]);
     const WriteOptions writeOptions{.sampleType = o.half ? SampleType::Half : SampleType::Float,
                                     .attributes = {{"mirrorball:parameterization", "sphere"}, {"mirrorball:index", index}}};
-    const auto writeStatsFile = [&] {
+    const auto writeTheRest = [&] { // once all went well
+        if (!o.saved.empty())
+            saveSphereMap(document, o.saved);
         if (!o.stats.empty())
             writeStats(o.stats, {.stages = stages, .method = "paint", .threads = job.threadCount()});
     };
@@ -74,7 +74,7 @@ void run(const Options& o)
         timedStage(stages, "write map", [&] {
             writePasses(o.out, {{"diffuse", bordered(passes.diffuse, o.border)}, {"specular", bordered(passes.specular, o.border)}}, writeOptions);
         });
-        writeStatsFile();
+        writeTheRest();
         return;
     }
     std::vector<Image> levels = timedStage(stages, "evaluate", [&] {
@@ -83,7 +83,7 @@ void run(const Options& o)
     if (std::all_of(levels.begin(), levels.end(), isOpaque))
         std::transform(levels.begin(), levels.end(), levels.begin(), withoutOpacity);
     timedStage(stages, "write map", [&] { writePictures(o.out, levels, writeOptions); });
-    writeStatsFile();
+    writeTheRest();
 }
 
 } // namespace
