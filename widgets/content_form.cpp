@@ -3,9 +3,18 @@
 #include "core/image/builtin_probes.h"
 #include "core/shading/conductor.h"
 
+#include <QFileDialog>
+
+#include <algorithm>
+
 namespace mirrorball::studio {
 
 namespace {
+
+QString imageFilter()
+{
+    return ContentForm::tr("Images (*.exr *.hdr *.tif *.tiff *.png *.jpg *.jpeg *.tga *.bmp);;All files (*)");
+}
 
 const FieldStyles& layerStyles()
 {
@@ -30,16 +39,107 @@ const FieldStyles& layerStyles()
             {"frame", {.sliderLow = 0.0, .sliderHigh = 0.5}},
             {"rings", {.sliderLow = 0.0, .sliderHigh = 10.0}},
             {"density", {.sliderLow = 1.0, .sliderHigh = 200.0, .scale = Scale::Logarithmic}},
-            {"source",
-             {.suggestions = probes,
-              .fileFilter = ContentForm::tr("Images (*.exr *.hdr *.tif *.tiff *.png *.jpg *.jpeg *.tga *.bmp);;All files (*)")}},
-            {"metal", {.suggestions = metals}},
+            {"source", {.suggestions = probes, .fileFilter = imageFilter()}},
+            {"metal", {.names = metals}},
         };
     }();
     return styles;
 }
 
+/// A picture of a ball is a file; there are none built in.
+template <typename Kind>
+FieldStyles stylesOf()
+{
+    FieldStyles styles = layerStyles();
+    if constexpr (std::is_same_v<Kind, ImageLayer>)
+        styles["source"].suggestions.clear();
+    return styles;
+}
+
+bool isOneOf(std::string_view name, std::initializer_list<std::string_view> names)
+{
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Whether a parameter has an effect with the choices made. Numbers that are 0 are no choices: a slider must not make others come and go.
+template <typename Kind>
+bool isUsed(const Kind&, std::string_view)
+{
+    return true;
+}
+
+bool isUsed(const GradientLayer& layer, std::string_view name)
+{
+    const GradientShape shape = layer.shape;
+    if (isOneOf(name, {"center-x", "center-y"}))
+        return shape != GradientShape::Shaded;
+    if (name == "radius")
+        return shape == GradientShape::Radial || shape == GradientShape::Linear;
+    if (name == "angle")
+        return shape == GradientShape::Linear || shape == GradientShape::Angular;
+    if (name == "repeat") // the others run from 0 to 1
+        return shape == GradientShape::Radial || shape == GradientShape::Linear;
+    return !isOneOf(name, {"azimuth", "polar"}) || shape == GradientShape::Shaded;
+}
+
+bool isUsed(const ColorgramLayer& layer, std::string_view name)
+{
+    const bool isGrating = layer.source == ColorgramSource::Grating;
+    if (name == "groove-angle")
+        return isGrating && layer.grooves == Grooves::Straight;
+    if (name == "twist") // pieces that are turned every way already have none
+        return !isGrating || layer.grooves != Grooves::Scattered;
+    if (isOneOf(name, {"pitch", "orders", "grooves", "azimuth", "polar", "spread", "intensity"}))
+        return isGrating;
+    return !isOneOf(name, {"stops", "rings", "sweep", "arcs", "ripple", "center-softness"}) || !isGrating;
+}
+
+bool isUsed(const ProbeLayer& layer, std::string_view name)
+{
+    if (name == "exponent")
+        return layer.lobe == ProbeLobe::Phong;
+    if (name == "roughness")
+        return layer.lobe == ProbeLobe::Ggx;
+    if (name == "index")
+        return layer.fresnel == FresnelKind::Dielectric;
+    if (name == "metal")
+        return layer.fresnel == FresnelKind::Conductor;
+    return name != "share" || layer.fresnel != FresnelKind::None;
+}
+
+bool isUsed(const HatchingLayer& layer, std::string_view name)
+{
+    if (isOneOf(name, {"azimuth", "polar"}))
+        return layer.tone == HatchingTone::Shade;
+    return !isOneOf(name, {"cross-angle", "cross-from"}) || layer.cross;
+}
+
+bool isUsed(const ToonLayer& layer, std::string_view name)
+{
+    return !isOneOf(name, {"count", "shade-color", "light-color", "shade-end"}) || layer.bands.empty();
+}
+
+bool isUsed(const PhongLightsLayer& layer, std::string_view name)
+{
+    return name != "match" || layer.model == PhongModel::NH;
+}
+
+bool isUsed(const PaintLayer& layer, std::string_view name)
+{
+    return name != "reference" || layer.unit == WidthUnit::Pixels;
+}
+
+bool isUsed(const ImageLayer& layer, std::string_view name)
+{
+    return name != "tint" || layer.pass != ImagePass::Specular;
+}
+
 } // namespace
+
+QString askForImage(QWidget* parent)
+{
+    return QFileDialog::getOpenFileName(parent, ContentForm::tr("Open a picture of a ball"), {}, imageFilter());
+}
 
 ContentForm::ContentForm(EditContent edit, QWidget* parent) : SettingsForm(parent), m_edit(std::move(edit)) {}
 
@@ -62,7 +162,7 @@ void ContentForm::showContent(const LayerContent& content)
                                     change(*same);
                             });
                         },
-                        layerStyles());
+                        stylesOf<Kind>(), [](const Kind& layer, std::string_view name) { return isUsed(layer, name); });
                 else
                     SettingsForm::show(settings);
                 QWidget::show();

@@ -6,6 +6,9 @@
 
 namespace mirrorball::studio {
 
+/// Asks for the file of an image layer or mask; empty: the user thought better of it.
+QString askForImage(QWidget* parent);
+
 /// Controls for the parameters of whatever a layer, or its mask, is.
 class ContentForm : public SettingsForm {
     Q_OBJECT

@@ -6,6 +6,7 @@
 #include "core/scene/scene.h"
 #include "core/shading/conductor.h"
 #include "core/spheremap/layer.h"
+#include "core/spheremap/presets.h"
 #include "core/spheremap/sphere_map_document.h"
 
 #include <optional>
@@ -75,6 +76,11 @@ std::set<std::string> fieldTexts()
         all.add(kind.title);
         all.add(kind.help);
     }
+    for (const auto presets : {sphereMapPresets(), windowViewPresets()})
+        for (const SphereMapPreset& preset : presets) {
+            all.add(preset.title);
+            all.add(preset.description);
+        }
     for (const MaterialPreset& preset : materialPresets()) {
         all.add(preset.name);
         all.add(preset.description);

@@ -11,7 +11,7 @@
 namespace mirrorball::studio {
 
 namespace {
-constexpr int largestLevel = 512;
+constexpr int largestPicture = 512;
 constexpr double margin = 8.0, gap = 6.0;
 } // namespace
 
@@ -49,15 +49,18 @@ void LevelsView::request()
     }
     m_isAuthored = hasAuthoredLevels(*m_editor.map());
     m_runner.start(
-        [map = *m_editor.map()](const JobControl& job) {
-            QVector<QImage> pictures;
-            for (const Image& level :
-                 evaluateLevels(map, {.size = largestLevel, .unknownLayers = UnknownLayers::Skip}, job))
-                pictures << onScreen(level, job);
-            return pictures;
+        [map = *m_editor.map(), size = m_editor.size()](const JobControl& job) {
+            QVector<Level> levels;
+            for (const Image& level : evaluateLevels(map, {.size = size, .unknownLayers = UnknownLayers::Skip}, job)) {
+                QImage picture = onScreen(level, job);
+                if (level.width > largestPicture)
+                    picture = picture.scaled(largestPicture, largestPicture, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+                levels << Level{level.width, picture};
+            }
+            return levels;
         },
-        [this](const QVector<QImage>& pictures) {
-            m_levels = pictures;
+        [this](const QVector<Level>& levels) {
+            m_levels = levels;
             m_problem.clear();
             update();
             emit updated();
@@ -96,10 +99,10 @@ void LevelsView::paintEvent(QPaintEvent*)
     for (int i = 0; i < count; ++i) {
         const QRectF area(margin + i % columns * (cell + gap), top + i / columns * (cell + label + gap), cell, cell);
         painter.fillRect(area, QColor(70, 70, 70));
-        painter.setRenderHint(QPainter::SmoothPixmapTransform, m_levels[i].width() > cell * devicePixelRatioF());
-        painter.drawImage(area, m_levels[i]);
+        painter.setRenderHint(QPainter::SmoothPixmapTransform, m_levels[i].picture.width() > cell * devicePixelRatioF());
+        painter.drawImage(area, m_levels[i].picture);
         painter.drawText(QRectF(area.left(), area.bottom() + 1.0, cell, label), Qt::AlignHCenter | Qt::AlignTop,
-                         tr("%1: %2").arg(i).arg(m_levels[i].width()));
+                         tr("%1: %2").arg(i).arg(m_levels[i].size));
     }
 }
 

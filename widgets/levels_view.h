@@ -17,8 +17,12 @@ class LevelsView : public QWidget {
 public:
     explicit LevelsView(SphereMapEditor& editor, QWidget* parent = nullptr);
 
-    /// The levels shown, largest first.
-    const QVector<QImage>& levels() const { return m_levels; }
+    /// The levels, largest first; those of more texels than fit on a screen are made smaller.
+    struct Level {
+        int size = 0; ///< texels along an edge
+        QImage picture{};
+    };
+    const QVector<Level>& levels() const { return m_levels; }
     QSize sizeHint() const override { return {260, 260}; }
     QSize minimumSizeHint() const override { return {140, 120}; }
 
@@ -35,7 +39,7 @@ private:
     SphereMapEditor& m_editor;
     JobRunner m_runner;
     QTimer m_rest; ///< runs out when edits have come to rest
-    QVector<QImage> m_levels;
+    QVector<Level> m_levels;
     QString m_problem;
     bool m_isStale = true;
     bool m_isAuthored = false;

@@ -128,12 +128,23 @@ MaskEditor::MaskEditor(SphereMapEditor& editor, QWidget* parent)
 
 void MaskEditor::chooseKind(int index)
 {
+    QString picture;
+    if (index > 0 && generators()[static_cast<size_t>(index - 1)].name == ImageLayer::kind.name) {
+        const Layer* layer = m_editor.chosenLayer();
+        const bool isImage = layer && layer->mask && std::holds_alternative<ImageLayer>(layer->mask->content);
+        if (!isImage && (picture = askForImage(this)).isEmpty()) {
+            follow(); // as it was
+            return;
+        }
+    }
     m_editor.editLayer(index == 0 ? tr("Remove the mask") : tr("Change the mask"), {}, [&](Layer& layer) {
         if (index == 0)
             layer.mask.reset();
         else if (const LayerKind& kind = generators()[static_cast<size_t>(index - 1)];
                  !layer.mask || kindOf(layer.mask->content).name != kind.name)
             layer.mask = maskOf(kind);
+        if (layer.mask && !picture.isEmpty())
+            std::get<ImageLayer>(layer.mask->content).source = picture.toStdString();
     });
     const Layer* layer = m_editor.chosenLayer();
     m_editor.setPaintsMask(layer && layer->mask && std::holds_alternative<PaintLayer>(layer->mask->content));

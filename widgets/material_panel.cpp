@@ -24,6 +24,7 @@ namespace {
 constexpr auto specularOf = [](auto& scene) -> auto& { return scene.material.specular; };
 constexpr auto fresnelOf = [](auto& scene) -> auto& { return scene.material.fresnel; };
 constexpr auto diffuseOf = [](auto& scene) -> auto& { return scene.material.diffuse; };
+constexpr auto mapOf = [](auto& scene) -> auto& { return scene.map; };
 constexpr auto materialOf = [](auto& scene) -> auto& { return scene.material; };
 
 auto lobeIs(SurfaceLobe lobe)
@@ -39,6 +40,12 @@ auto fresnelIs(FresnelKind kind)
 bool isCustomMetal(const Scene& scene)
 {
     return scene.material.fresnel.kind == FresnelKind::Conductor && scene.material.fresnel.metal == "custom";
+}
+
+/// Whether the reflection is read from levels of its map.
+bool readsLevels(const Scene& scene)
+{
+    return scene.map.mips || scene.material.lambda > 0.0;
 }
 
 /// A weight of 0 to 2 on the slider; more can be typed.
@@ -73,6 +80,7 @@ MaterialPanel::MaterialPanel(Workspace& workspace, QWidget* parent) : QWidget(pa
     addReflection();
     addFresnel();
     addDiffuse();
+    addLookup();
     scroll->setWidget(m_form);
     connect(&m_workspace.document, &Document::changed, this, [this](Parts parts) {
         if (parts.testFlag(Part::Material))
@@ -160,6 +168,21 @@ void MaterialPanel::addReflection()
                        {"lambda_grazing",
                         {.label = tr("At grazing"), .sliderLow = 0.0, .sliderHigh = 1.0, .isShown = [](const Scene& scene) { return scene.material.lambda > 0.0; }}},
                        {"lod_bias", {.label = tr("LOD bias"), .sliderLow = -4.0, .sliderHigh = 8.0, .step = 0.1}}});
+}
+
+// Kind and size of the map have their place in the map's dock.
+void MaterialPanel::addLookup()
+{
+    m_form->addHeading(tr("Lookup in the map"));
+    m_form->addFields("map", mapOf,
+                      onlyFields<MapSettings>({{"mips", {.label = tr("Coarser levels")}},
+                                               {"mip_filtering",
+                                                {.label = tr("Mip filtering"),
+                                                 .isShown = [](const Scene& scene) {
+                                                     return readsLevels(scene) && scene.map.parameterization == Parameterization::Cube;
+                                                 }}},
+                                               {"anisotropy", {.isShown = readsLevels}},
+                                               {"space", {.label = tr("Space")}}}));
 }
 
 void MaterialPanel::addFresnel()

@@ -24,6 +24,7 @@ private:
     void addReflection();
     void addFresnel();
     void addDiffuse();
+    void addLookup();
     void showPreset();
 
     Workspace& m_workspace;

@@ -1,5 +1,6 @@
 #include "options_form.h"
 
+#include "field_label.h"
 #include "text.h"
 
 #include <QCheckBox>
@@ -18,22 +19,6 @@
 namespace mirrorball::studio {
 
 namespace {
-
-/// A label that resets its field by a double click, as the slider does.
-class FieldLabel : public QLabel {
-public:
-    FieldLabel(const QString& text, std::function<void()> reset) : QLabel(text), m_reset(std::move(reset)) {}
-
-protected:
-    void mouseDoubleClickEvent(QMouseEvent*) override
-    {
-        if (m_reset)
-            m_reset();
-    }
-
-private:
-    std::function<void()> m_reset;
-};
 
 QColor toScreen(const glm::dvec3& linear)
 {
@@ -118,7 +103,7 @@ void OptionsForm::addControl(const QString& path, const Field& field, const Fiel
         control->setAccessibleName(name);
         control->setToolTip(labelText(field.help));
     }
-    auto* label = new FieldLabel(name, number ? std::function<void()>([number] { number->reset(); }) : nullptr);
+    auto* label = new FieldLabel(name);
     label->setBuddy(control);
     label->setToolTip(labelText(field.help));
     m_layout->addRow(label, control);
@@ -127,6 +112,16 @@ void OptionsForm::addControl(const QString& path, const Field& field, const Fiel
     m_rows.push_back({control, std::move(show), style.isShown});
     if (style.isShown)
         m_layout->setRowVisible(control, style.isShown(m_document.scene()));
+}
+
+void OptionsForm::setReset(const QString& path, const FieldStyle& style, const Field& field, const std::function<void(Scene&)>& reset)
+{
+    QWidget* made = control(path);
+    auto* label = made ? dynamic_cast<FieldLabel*>(m_layout->labelForField(made)) : nullptr;
+    if (!label)
+        return;
+    const QString text = tr("Reset %1").arg((style.label.isEmpty() ? labelText(field.name) : style.label).toLower());
+    label->setReset([this, text, reset] { m_document.edit(text, {}, reset); });
 }
 
 void OptionsForm::addNumber(const QString& path, const Field& field, const FieldStyle& style, double initial, const Access<double>& access)

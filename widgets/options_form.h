@@ -33,9 +33,33 @@ struct FieldStyle {
     QVector<int> choices{};                               ///< whole numbers that a list offers
     bool isHidden = false;                                ///< no control at all
     QStringList suggestions{};                            ///< texts that are often wanted
+    QStringList names{};                                  ///< the texts that there are to choose from; empty: any
     QString fileFilter{};                                 ///< a text that names a file: what its chooser shows; empty: no chooser
 };
 using FieldStyles = std::map<std::string, FieldStyle, std::less<>>;
+
+/// The styles of a struct of which only some fields get a control: those named here.
+template <typename Settings>
+FieldStyles onlyFields(const FieldStyles& shown)
+{
+    FieldStyles styles = shown;
+    const Settings initial;
+    Settings::visitFields(initial, [&](const Field& field, const auto&) { styles.try_emplace(std::string(field.name), FieldStyle{.isHidden = true}); });
+    return styles;
+}
+
+/// A field of a settings struct by its name, for a control that is made elsewhere.
+template <typename Settings>
+Field fieldNamed(std::string_view name)
+{
+    Field found{};
+    const Settings initial;
+    Settings::visitFields(initial, [&](const Field& field, const auto&) {
+        if (field.name == name)
+            found = field;
+    });
+    return found;
+}
 
 /// A list that lets the wheel scroll the panel it stands in, unless it was clicked into.
 class QuietCombo : public QComboBox {
@@ -107,6 +131,7 @@ public:
                 addChoice(fieldPath, field, style, words(value),
                           {[access](const Scene& scene) { return static_cast<int>(access.get(scene)); },
                            [access](Scene& scene, const int& to) { access.set(scene, static_cast<T>(to)); }});
+            setReset(fieldPath, style, field, [access, value](Scene& scene) { access.set(scene, value); });
         });
     }
 
@@ -150,6 +175,8 @@ private:
     void addChoice(const QString& path, const Field& field, const FieldStyle& style, std::span<const std::string_view> names,
                    const Access<int>& access);
     void addVector(const QString& path, const Field& field, const FieldStyle& style, const Access<glm::dvec3>& access);
+    /// What a double click on a field's label does.
+    void setReset(const QString& path, const FieldStyle& style, const Field& field, const std::function<void(Scene&)>& reset);
     void refresh();
 
     struct Row {

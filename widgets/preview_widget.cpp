@@ -246,9 +246,15 @@ void PreviewWidget::showEvent(QShowEvent*)
 void PreviewWidget::frame()
 {
     m_workspace.document.edit(tr("Frame the object"), {}, [](Scene& scene) {
-        const CameraSettings initial;
-        scene.view.camera.distance = initial.distance;
-        scene.view.camera.target = initial.target;
+        const CameraSettings initial = initialCamera(scene.view.geometry);
+        CameraSettings& camera = scene.view.camera;
+        camera.distance = initial.distance;
+        camera.target = initial.target;
+        if (scene.view.geometry == "window") { // which is seen from the room alone
+            camera.yawDeg = initial.yawDeg;
+            camera.pitchDeg = initial.pitchDeg;
+            camera.rollDeg = initial.rollDeg;
+        }
     });
 }
 
@@ -256,7 +262,7 @@ void PreviewWidget::resetView()
 {
     m_workspace.document.edit(tr("Reset the view"), {}, [](Scene& scene) {
         const Projection projection = scene.view.camera.projection;
-        scene.view.camera = {};
+        scene.view.camera = initialCamera(scene.view.geometry);
         scene.view.camera.projection = projection;
     });
 }

@@ -1,6 +1,7 @@
 #include "settings_form.h"
 
 #include "disconnect_children.h"
+#include "field_label.h"
 
 #include "core/spheremap/adjust.h"
 
@@ -12,6 +13,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QToolButton>
@@ -35,6 +37,8 @@ SettingsForm::~SettingsForm()
 void SettingsForm::clear()
 {
     m_rows.clear();
+    m_fields.clear();
+    m_isUsed = {};
     while (m_layout->rowCount() > 0) {
         const QFormLayout::TakeRowResult row = m_layout->takeRow(0);
         for (QLayoutItem* item : {row.labelItem, row.fieldItem}) {
@@ -49,6 +53,21 @@ void SettingsForm::clear()
             delete item;
         }
     }
+}
+
+void SettingsForm::showUsed(const std::any& settings)
+{
+    if (m_isUsed)
+        for (const auto& [name, control] : m_fields)
+            m_layout->setRowVisible(control, m_isUsed(settings, name));
+}
+
+void SettingsForm::setReset(const Field& field, const std::function<void()>& reset)
+{
+    for (const auto& [name, control] : m_fields)
+        if (name == field.name)
+            if (auto* label = dynamic_cast<FieldLabel*>(m_layout->labelForField(control)))
+                label->setReset(reset);
 }
 
 QString SettingsForm::labelOf(const Field& field, const FieldStyle& style)
@@ -69,10 +88,11 @@ void SettingsForm::addRow(const Field& field, const FieldStyle& style, QWidget* 
         control->setAccessibleName(name);
         control->setToolTip(help);
     }
-    auto* label = new QLabel(name);
+    auto* label = new FieldLabel(name);
     label->setBuddy(control);
     label->setToolTip(help);
     m_layout->addRow(label, control);
+    m_fields.push_back({std::string(field.name), control});
     m_rows.push_back(std::move(show));
 }
 
@@ -155,6 +175,10 @@ void SettingsForm::addColor(const Field& field, const FieldStyle& style, const s
 void SettingsForm::addText(const Field& field, const FieldStyle& style, const std::function<void(const std::string&)>& set,
                            const std::function<std::string(const std::any&)>& get)
 {
+    if (!style.names.isEmpty()) {
+        addName(field, style, set, get);
+        return;
+    }
     auto* control = new QLineEdit(this);
     if (!style.suggestions.isEmpty()) {
         auto* completer = new QCompleter(style.suggestions, control);
@@ -172,6 +196,20 @@ void SettingsForm::addText(const Field& field, const FieldStyle& style, const st
         if (control->text() != text)
             control->setText(text);
     });
+    if (!style.suggestions.isEmpty()) {
+        QAction* offer = control->addAction(QIcon(QStringLiteral(":/icons/down.svg")), QLineEdit::TrailingPosition);
+        offer->setObjectName(QStringLiteral("chooseSuggestion"));
+        offer->setToolTip(tr("Choose one that is built in"));
+        connect(offer, &QAction::triggered, this, [this, control, set, suggestions = style.suggestions] {
+            QMenu menu;
+            for (const QString& suggestion : suggestions)
+                menu.addAction(suggestion);
+            if (const QAction* chosen = menu.exec(control->mapToGlobal(QPoint(0, control->height())))) {
+                set(chosen->text().toStdString());
+                emit finished();
+            }
+        });
+    }
     if (style.fileFilter.isEmpty())
         return;
     QAction* browse = control->addAction(QIcon(QStringLiteral(":/icons/open.svg")), QLineEdit::TrailingPosition);
@@ -183,6 +221,24 @@ void SettingsForm::addText(const Field& field, const FieldStyle& style, const st
             return;
         set(path.toStdString());
         emit finished();
+    });
+}
+
+void SettingsForm::addName(const Field& field, const FieldStyle& style, const std::function<void(const std::string&)>& set,
+                           const std::function<std::string(const std::any&)>& get)
+{
+    auto* control = new QuietCombo(this);
+    for (const QString& name : style.names)
+        control->addItem(labelText(name.toStdString()), name);
+    connect(control, &QComboBox::activated, this, [this, control, set](int) {
+        set(control->currentData().toString().toStdString());
+        emit finished();
+    });
+    addRow(field, style, control, [control, get](const std::any& settings) {
+        const QString name = QString::fromStdString(get(settings));
+        if (control->findData(name) < 0) // of a file
+            control->addItem(name, name);
+        control->setCurrentIndex(control->findData(name));
     });
 }
 

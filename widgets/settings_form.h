@@ -44,11 +44,17 @@ public:
     ~SettingsForm() override;
 
     /// Removes all controls and makes those of this struct.
+    /// @param isUsed  whether a field, by its name, has an effect on what the struct says; others are hidden. Null: all have
     template <typename Settings>
-    void build(const Settings& value, const Edit<Settings>& edit, const FieldStyles& styles = {})
+    void build(const Settings& value, const Edit<Settings>& edit, const FieldStyles& styles = {},
+               const std::function<bool(const Settings&, std::string_view)>& isUsed = {})
     {
         clear();
         m_styles = styles;
+        if (isUsed)
+            m_isUsed = [isUsed](const std::any& settings, std::string_view name) {
+                return isUsed(*std::any_cast<const Settings*>(settings), name);
+            };
         const Settings initial;
         Settings::visitFields(initial, [&](const Field& field, const auto& preset) {
             using T = std::remove_cvref_t<decltype(preset)>;
@@ -63,6 +69,10 @@ public:
             };
             const auto get = [name](const std::any& settings) { return valueOf<T>(*std::any_cast<const Settings*>(settings), name); };
             addField(field, style, preset, std::function<void(const T&)>(set), std::function<T(const std::any&)>(get));
+            setReset(field, [this, set, preset] {
+                set(preset);
+                emit finished();
+            });
         });
         show(value);
     }
@@ -74,6 +84,7 @@ public:
         const std::any settings = &value;
         for (const auto& row : m_rows)
             row(settings);
+        showUsed(settings);
     }
 
     /// Shows an item of a list.
@@ -183,6 +194,8 @@ private:
                      std::function<void(const std::any&)> show);
 
     void clear();
+    void showUsed(const std::any& settings);
+    void setReset(const Field& field, const std::function<void()>& reset);
     static QString labelOf(const Field& field, const FieldStyle& style);
     void addRow(const Field& field, const FieldStyle& style, QWidget* control, std::function<void(const std::any&)> show);
     void addNumber(const Field&, const FieldStyle&, double preset, const std::function<void(const double&)>& set,
@@ -194,6 +207,8 @@ private:
                   const std::function<glm::dvec3(const std::any&)>& get);
     void addText(const Field&, const FieldStyle&, const std::function<void(const std::string&)>& set,
                  const std::function<std::string(const std::any&)>& get);
+    void addName(const Field&, const FieldStyle&, const std::function<void(const std::string&)>& set,
+                 const std::function<std::string(const std::any&)>& get);
     void addChoice(const Field&, const FieldStyle&, std::span<const std::string_view> names, const std::function<void(const int&)>& set,
                    const std::function<int(const std::any&)>& get);
     void addGradient(const Field&, const FieldStyle&, const std::function<void(const std::vector<GradientStop>&)>& set,
@@ -204,6 +219,8 @@ private:
     QFormLayout* m_layout;
     FieldStyles m_styles{}; ///< of the struct at hand, for its parts too
     QVector<std::function<void(const std::any&)>> m_rows;
+    QVector<std::pair<std::string, QWidget*>> m_fields; ///< controls by their fields' names
+    std::function<bool(const std::any&, std::string_view)> m_isUsed{};
 };
 
 } // namespace mirrorball::studio

@@ -178,6 +178,7 @@ void SphereMapEditor::setMap(const QString& label, const SphereMapDocument& map)
     m_document.edit(label, {}, [&](Scene& scene) {
         SphereMapDocument own = movedTo(map, scene.folder);
         scene.material.sphereMap.document.document = std::make_shared<const SphereMapDocument>(std::move(own));
+        scene.material.sphereMap.source.clear();
         scene.material.sphereMap.size = std::max(scene.material.sphereMap.size, paintingSize);
     });
     choose(m_map ? static_cast<int>(m_map->layers.size()) - 1 : -1);

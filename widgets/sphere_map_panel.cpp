@@ -1,22 +1,28 @@
 #include "sphere_map_panel.h"
 
 #include "form_labels.h"
+#include "sphere_map_source_field.h"
 #include "text.h"
 
 #include "core/error.h"
+#include "core/scene/sphere_map_source.h"
 #include "core/spheremap/presets.h"
 #include "core/spheremap/sphere_map_file.h"
 
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace mirrorball::studio {
 
@@ -76,7 +82,14 @@ SphereMapPanel::SphereMapPanel(Workspace& workspace, QWidget* parent)
     m_pages->addWidget(makeStart());
     m_pages->addWidget(makeWork());
     connect(&m_editor, &SphereMapEditor::mapChanged, this, &SphereMapPanel::showMap);
-    connect(&m_editor, &SphereMapEditor::chosenChanged, this, &SphereMapPanel::showLayer);
+    connect(&m_workspace.document, &Document::changed, this, [this](Parts parts) {
+        if (parts.testFlag(Part::Material) && !m_editor.map())
+            showMap();
+    });
+    connect(&m_editor, &SphereMapEditor::chosenChanged, this, [this] {
+        showLayer();
+        m_parameters->verticalScrollBar()->setValue(0);
+    });
     connect(&m_editor, &SphereMapEditor::brushChanged, this, &SphereMapPanel::showBrush);
     connect(&m_editor, &SphereMapEditor::problemChanged, this,
             [this](const QString& problem) { m_workspace.notices.set({.subject = noticeSubject, .text = problem}); });
@@ -90,51 +103,93 @@ QWidget* SphereMapPanel::makeStart()
 {
     auto* page = new QWidget;
     auto* column = new QVBoxLayout(page);
-    column->setContentsMargins(24, 24, 24, 24);
-    column->setSpacing(10);
+    column->setContentsMargins(12, 12, 12, 10);
+    column->setSpacing(8);
     auto* text = new QLabel(tr("A sphere map paints the look of the material by hand: one picture of a ball, in layers, shown live on the model."));
     text->setWordWrap(true);
-    text->setAlignment(Qt::AlignCenter);
-    auto* fresh = new QPushButton(tr("New sphere map"));
-    fresh->setObjectName(QStringLiteral("newSphereMap"));
-    fresh->setAccessibleName(tr("New sphere map"));
-    fresh->setToolTip(tr("Give the material a sphere map of its own, to paint and layer"));
+    const auto choice = [this](const char* object, const QString& name, const QString& help, auto act) {
+        auto* made = new QPushButton(name);
+        made->setObjectName(QLatin1String(object));
+        made->setAccessibleName(name);
+        made->setToolTip(help);
+        connect(made, &QPushButton::clicked, this, act);
+        return made;
+    };
+    QPushButton* fresh = choice("newSphereMap", tr("New sphere map"), tr("Give the material a sphere map of its own, to paint and layer"),
+                                [this] { m_editor.setMap(tr("New sphere map"), freshMap()); });
     fresh->setDefault(true);
-    connect(fresh, &QPushButton::clicked, this, [this] { m_editor.setMap(tr("New sphere map"), freshMap()); });
-    auto* preset = new QPushButton(tr("Start from a preset"));
-    preset->setObjectName(QStringLiteral("presetSphereMap"));
-    preset->setAccessibleName(preset->text());
-    preset->setToolTip(tr("Copy a built-in sphere map into the material, to change it"));
-    auto* presets = new QMenu(preset);
-    addPresets(*presets);
-    preset->setMenu(presets);
-    auto* open = new QPushButton(tr("Open a file..."));
-    open->setObjectName(QStringLiteral("openSphereMap"));
-    open->setAccessibleName(open->text());
-    open->setToolTip(tr("Show a sphere map or recorded strokes from a file"));
-    connect(open, &QPushButton::clicked, this, [this] {
-        const QString path = QFileDialog::getOpenFileName(this, tr("Open a sphere map"), {}, tr("Sphere maps (*.spheremap *.strokes)"));
-        if (!path.isEmpty())
-            openMap(path);
-    });
-    column->addStretch(1);
+    auto* files = new QHBoxLayout;
+    files->setSpacing(6);
+    files->addWidget(choice("openSphereMap", tr("Open a file..."), tr("Copy a sphere map or recorded strokes from a file into the scene"),
+                            [this] { askAndOpen(); }));
+    files->addWidget(choice("linkSphereMap", tr("Link a file..."),
+                            tr("Show a sphere map, or a picture of one, that stays in its file and follows it"), [this] { askAndLink(); }));
+    auto* heading = new QLabel(tr("Start from a preset"));
+    heading->setProperty("role", QStringLiteral("heading"));
+    auto* gallery = new PresetGallery(m_workspace.presets);
+    connect(gallery, &PresetGallery::chosen, this, &SphereMapPanel::choosePreset);
     column->addWidget(text);
-    for (QPushButton* choice : {fresh, preset, open})
-        column->addWidget(choice, 0, Qt::AlignHCenter);
-    for (QPushButton* choice : {fresh, preset, open})
-        choice->setMinimumWidth(180);
-    column->addStretch(2);
+    column->addWidget(fresh);
+    column->addLayout(files);
+    column->addWidget(heading);
+    column->addWidget(gallery, 1);
     return page;
 }
 
-void SphereMapPanel::addPresets(QMenu& menu)
+void SphereMapPanel::askAndOpen()
 {
-    for (const SphereMapPreset& preset : sphereMapPresets()) {
-        QAction* action = menu.addAction(QString::fromStdString(preset.title));
-        action->setToolTip(QString::fromStdString(preset.description));
-        connect(action, &QAction::triggered, this, [this, &preset] { m_editor.setMap(tr("Choose a sphere map"), preset.document); });
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open a sphere map"), {}, tr("Sphere maps (*.spheremap *.strokes)"));
+    if (!path.isEmpty())
+        openMap(path);
+}
+
+void SphereMapPanel::askAndLink()
+{
+    const QString path = QFileDialog::getOpenFileName(this, tr("Link a sphere map"), {}, sphereMapFileFilter());
+    if (!path.isEmpty())
+        linkMap(path);
+}
+
+void SphereMapPanel::choosePreset(const QString& name)
+{
+    if (const SphereMapPreset* preset = findSphereMapPreset(name.toStdString()))
+        m_editor.setMap(tr("Choose a sphere map"), preset->document);
+}
+
+void SphereMapPanel::linkMap(const QString& path)
+{
+    m_workspace.document.edit(tr("Link a sphere map"), {}, [&](Scene& scene) {
+        scene.material.sphereMap.document = {};
+        scene.material.sphereMap.source = path.toStdString();
+    });
+}
+
+// What the scene names becomes a part of it; a picture becomes an image layer.
+void SphereMapPanel::ownLinkedMap()
+{
+    const Scene& scene = m_workspace.document.scene();
+    const std::string source = scene.material.sphereMap.source;
+    if (!isSphereMapFile(source)) {
+        choosePreset(toQString(source));
+        return;
     }
-    menu.setToolTipsVisible(true);
+    const QString path = toQString(resolved(scene, source));
+    if (path.endsWith(QStringLiteral(".spheremap"))) {
+        openMap(path);
+        return;
+    }
+    SphereMapDocument map;
+    map.title = QFileInfo(path).completeBaseName().toStdString();
+    map.layers = {{.name = map.title, .content = ImageLayer{.source = path.toStdString(), .inset = 0.0}}};
+    m_editor.setMap(tr("Open a sphere map"), map);
+}
+
+void SphereMapPanel::removeMap()
+{
+    m_workspace.document.edit(tr("Remove the sphere map"), {}, [](Scene& scene) {
+        scene.material.sphereMap.document = {};
+        scene.material.sphereMap.source.clear();
+    });
 }
 
 void SphereMapPanel::openMap(const QString& path)
@@ -167,7 +222,10 @@ QWidget* SphereMapPanel::makeWork()
     auto* column = new QVBoxLayout(page);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(makeTools());
+    m_bar = makeTools();
+    column->addWidget(m_bar);
+    m_linked = makeLinked();
+    column->addWidget(m_linked);
     m_canvas = new SphereMapCanvas(m_editor);
     m_tabs = new QTabWidget;
     m_tabs->setDocumentMode(true);
@@ -176,9 +234,20 @@ QWidget* SphereMapPanel::makeWork()
     m_tabs->addTab(makeBrushPage(), tr("Brush"));
     m_levels = new LevelsView(m_editor);
     m_tabs->addTab(m_levels, tr("Levels"));
+    m_mapForm = new SphereMapForm(m_workspace);
+    m_tabs->addTab(scrolled(m_mapForm), tr("Map"));
+    for (const auto& [tab, help] : {std::pair{0, tr("What the map is made of")}, {1, tr("What is painted with")}, {2, tr("The mip chain, level by level")},
+                                    {3, tr("How the map is looked up, its size, flecks, and what it is called")}})
+        m_tabs->setTabToolTip(tab, help);
+    auto* below = new QWidget;
+    auto* belowColumn = new QVBoxLayout(below);
+    belowColumn->setContentsMargins(0, 0, 0, 0);
+    belowColumn->setSpacing(4);
+    belowColumn->addWidget(new SphereMapUseRow(m_workspace.document));
+    belowColumn->addWidget(m_tabs, 1);
     m_split = new QSplitter(Qt::Vertical);
     m_split->addWidget(m_canvas);
-    m_split->addWidget(m_tabs);
+    m_split->addWidget(below);
     m_split->setStretchFactor(0, 0);
     m_split->setStretchFactor(1, 1);
     m_split->setChildrenCollapsible(false);
@@ -191,10 +260,51 @@ QWidget* SphereMapPanel::makeWork()
 void SphereMapPanel::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
+    divideLayers();
     if (m_splitIsChosen)
         return;
-    const int canvas = std::min(width(), 2 * height() / 5);
+    const int canvas = std::min(width(), 36 * height() / 100);
     m_split->setSizes({canvas, height() - canvas});
+}
+
+/// The list is as high as its layers, as long as the parameters of the chosen one have room or half of the page; until the user divides it otherwise.
+void SphereMapPanel::divideLayers()
+{
+    if (m_layerSplitIsChosen || m_layerSplit->height() <= 0)
+        return;
+    const int rows = m_editor.map() ? static_cast<int>(m_editor.map()->layers.size()) : 0;
+    const int around = m_layerTop->sizeHint().height() - m_layers->sizeHint().height() + 2 * m_layers->frameWidth();
+    const int wanted = around + std::max(rows, 2) * std::max(m_layers->sizeHintForRow(0), 1);
+    const int all = m_layerSplit->height() - m_layerSplit->handleWidth();
+    const int list = std::min(wanted, std::max(all / 2, all - m_parameters->widget()->sizeHint().height()));
+    m_layerSplit->setSizes({list, all - list});
+}
+
+/// A map that stays in its file can be used, not changed.
+QWidget* SphereMapPanel::makeLinked()
+{
+    auto* box = new QWidget;
+    auto* column = new QVBoxLayout(box);
+    column->setContentsMargins(10, 10, 10, 4);
+    m_linkedText = new QLabel;
+    m_linkedText->setWordWrap(true);
+    auto* own = new QPushButton(tr("Edit a copy"));
+    own->setObjectName(QStringLiteral("ownSphereMap"));
+    own->setAccessibleName(own->text());
+    own->setToolTip(tr("Copy it into the scene, to paint and layer"));
+    connect(own, &QPushButton::clicked, this, &SphereMapPanel::ownLinkedMap);
+    auto* remove = new QPushButton(tr("Remove"));
+    remove->setObjectName(QStringLiteral("unlinkSphereMap"));
+    remove->setAccessibleName(tr("Remove the sphere map"));
+    remove->setToolTip(tr("Show the material without a sphere map"));
+    connect(remove, &QPushButton::clicked, this, &SphereMapPanel::removeMap);
+    auto* row = new QHBoxLayout;
+    row->addWidget(own);
+    row->addWidget(remove);
+    row->addStretch(1);
+    column->addWidget(m_linkedText);
+    column->addLayout(row);
+    return box;
 }
 
 QToolBar* SphereMapPanel::makeTools()
@@ -267,41 +377,34 @@ QToolBar* SphereMapPanel::makeTools()
     connect(fit, &QAction::triggered, this, [this] { m_canvas->fit(); });
     auto* more = button("more", tr("Sphere map"), tr("New, presets, open, save, remove"));
     more->setPopupMode(QToolButton::InstantPopup);
-    more->setMenu(makeMapMenu());
+    more->setMenu(makeMapMenu(*more));
     bar->addWidget(more);
     return bar;
 }
 
-QMenu* SphereMapPanel::makeMapMenu()
+QMenu* SphereMapPanel::makeMapMenu(QToolButton& button)
 {
     auto* menu = new QMenu(this);
     connect(menu->addAction(tr("New sphere map")), &QAction::triggered, this,
             [this] { m_editor.setMap(tr("New sphere map"), freshMap()); });
-    addPresets(*menu->addMenu(tr("Presets")));
-    connect(menu->addAction(tr("Open...")), &QAction::triggered, this, [this] {
-        const QString path = QFileDialog::getOpenFileName(this, tr("Open a sphere map"), {}, tr("Sphere maps (*.spheremap *.strokes)"));
-        if (!path.isEmpty())
-            openMap(path);
+    connect(menu->addAction(tr("Presets...")), &QAction::triggered, this, [this, &button] {
+        connect(openPresetGallery(m_workspace.presets, button), &PresetGallery::chosen, this, &SphereMapPanel::choosePreset);
     });
+    connect(menu->addAction(tr("Open...")), &QAction::triggered, this, &SphereMapPanel::askAndOpen);
+    connect(menu->addAction(tr("Link a file...")), &QAction::triggered, this, &SphereMapPanel::askAndLink);
     connect(menu->addAction(tr("Save a copy...")), &QAction::triggered, this, [this] {
         QString path = QFileDialog::getSaveFileName(this, tr("Save the sphere map"), {}, tr("Sphere maps (*.spheremap)"));
         if (!path.isEmpty())
             saveMapAs(path.endsWith(QStringLiteral(".spheremap")) ? path : path + QStringLiteral(".spheremap"));
     });
     menu->addSeparator();
-    connect(menu->addAction(tr("Remove the sphere map")), &QAction::triggered, this, [this] {
-        m_workspace.document.edit(tr("Remove the sphere map"), {}, [](Scene& scene) { scene.material.sphereMap.document = {}; });
-    });
+    connect(menu->addAction(tr("Remove the sphere map")), &QAction::triggered, this, &SphereMapPanel::removeMap);
     return menu;
 }
 
-QWidget* SphereMapPanel::makeLayersPage()
+QMenu* SphereMapPanel::makeKindsMenu()
 {
-    m_layers = new LayerList(m_editor);
-    auto* add = button("add", tr("Add layer"), tr("Add a layer above the chosen one"));
-    add->setObjectName(QStringLiteral("addLayer"));
-    add->setPopupMode(QToolButton::InstantPopup);
-    auto* kinds = new QMenu(add);
+    auto* kinds = new QMenu(this);
     kinds->setToolTipsVisible(true);
     LayerRole role = LayerRole::Generator;
     for (const LayerRole wanted : {LayerRole::Generator, LayerRole::Adjustment, LayerRole::Warp}) {
@@ -313,11 +416,33 @@ QWidget* SphereMapPanel::makeLayersPage()
             role = kind.role;
             QAction* action = kinds->addAction(fieldText(kind.title));
             action->setToolTip(labelText(kind.help));
-            connect(action, &QAction::triggered, this,
-                    [this, name = std::string(kind.name)] { m_editor.addLayer({.content = makeContent(name)}); });
+            connect(action, &QAction::triggered, this, [this, kind] { addLayer(kind); });
         }
     }
-    add->setMenu(kinds);
+    return kinds;
+}
+
+// A picture without a file would be an error: it is asked for first.
+void SphereMapPanel::addLayer(const LayerKind& kind)
+{
+    Layer layer = makeLayer(kind.name);
+    if (auto* image = std::get_if<ImageLayer>(&layer.content)) {
+        const QString path = askForImage(this);
+        if (path.isEmpty())
+            return;
+        image->source = path.toStdString();
+        layer.name = QFileInfo(path).completeBaseName().toStdString();
+    }
+    m_editor.addLayer(layer);
+}
+
+QWidget* SphereMapPanel::makeLayersPage()
+{
+    m_layers = new LayerList(m_editor);
+    auto* add = button("add", tr("Add layer"), tr("Add a layer above the chosen one"));
+    add->setObjectName(QStringLiteral("addLayer"));
+    add->setPopupMode(QToolButton::InstantPopup);
+    add->setMenu(makeKindsMenu());
     auto* duplicate = button("duplicate", tr("Duplicate layer"), tr("Copy the chosen layer"));
     connect(duplicate, &QToolButton::clicked, &m_editor, &SphereMapEditor::duplicateChosen);
     auto* up = button("up", tr("Move up"), tr("Move the chosen layer up (Ctrl+Up)"));
@@ -380,22 +505,23 @@ QWidget* SphereMapPanel::makeLayersPage()
     parameterColumn->addWidget(m_mask);
     parameterColumn->addStretch(1);
 
-    auto* top = new QWidget;
-    auto* column = new QVBoxLayout(top);
-    column->setContentsMargins(8, 8, 8, 4);
+    m_layerTop = new QWidget;
+    auto* column = new QVBoxLayout(m_layerTop);
+    column->setContentsMargins(8, 6, 8, 4);
     column->setSpacing(6);
     column->addLayout(blendRow);
     column->addWidget(m_layers, 1);
     column->addLayout(buttons);
-    auto* splitter = new QSplitter(Qt::Vertical);
-    splitter->addWidget(top);
-    splitter->addWidget(scrolled(parameters));
-    splitter->setStretchFactor(0, 1);
-    splitter->setStretchFactor(1, 2);
-    splitter->setSizes({235, 235});
-    splitter->setChildrenCollapsible(false);
+    m_parameters = scrolled(parameters);
+    m_layerSplit = new QSplitter(Qt::Vertical);
+    m_layerSplit->addWidget(m_layerTop);
+    m_layerSplit->addWidget(m_parameters);
+    m_layerSplit->setStretchFactor(0, 1);
+    m_layerSplit->setStretchFactor(1, 2);
+    m_layerSplit->setChildrenCollapsible(false);
+    connect(m_layerSplit, &QSplitter::splitterMoved, this, [this] { m_layerSplitIsChosen = true; });
     m_layerControls = {m_blend, m_opacity, duplicate, up, down, remove};
-    return splitter;
+    return m_layerSplit;
 }
 
 QWidget* SphereMapPanel::makeBrushPage()
@@ -438,13 +564,28 @@ QWidget* SphereMapPanel::makeBrushPage()
 
 void SphereMapPanel::showMap()
 {
-    m_pages->setCurrentIndex(m_editor.map() ? 1 : 0);
+    const SphereMapSettings& settings = m_workspace.document.scene().material.sphereMap;
+    const bool isOwn = m_editor.map() != nullptr;
+    m_pages->setCurrentIndex(settings.isNone() ? 0 : 1);
+    m_bar->setVisible(isOwn);
+    m_canvas->setVisible(isOwn);
+    m_linked->setVisible(!isOwn);
+    m_linkedText->setText(isSphereMapFile(settings.source) ? tr("The material shows %1, which stays in its file.").arg(toQString(settings.source))
+                                                           : tr("The material shows the preset %1.").arg(toQString(settings.source)));
+    const bool isNewlyOwn = isOwn && !m_tabs->isTabVisible(0);
+    for (int tab = 0; tab < m_tabs->count() - 1; ++tab)
+        m_tabs->setTabVisible(tab, isOwn);
+    if (isNewlyOwn)
+        m_tabs->setCurrentIndex(0); // hiding the others has chosen the last
     showLayer();
 }
 
 void SphereMapPanel::showLayer()
 {
     const Layer* layer = m_editor.chosenLayer();
+    QMetaObject::invokeMethod(this, &SphereMapPanel::divideLayers, Qt::QueuedConnection); // when the form has its rows
+    if (const size_t kind = layer ? layer->content.index() : SIZE_MAX; std::exchange(m_shownKind, kind) != kind)
+        m_parameters->verticalScrollBar()->setValue(0);
     for (QWidget* control : m_layerControls)
         control->setEnabled(layer != nullptr);
     if (!layer) {

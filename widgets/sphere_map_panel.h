@@ -4,14 +4,17 @@
 #include "layer_list.h"
 #include "levels_view.h"
 #include "mask_editor.h"
+#include "preset_gallery.h"
 #include "settings_form.h"
 #include "sphere_map_canvas.h"
+#include "sphere_map_form.h"
 #include "workspace.h"
 
 #include <QActionGroup>
 #include <QComboBox>
 #include <QLabel>
 #include <QMenu>
+#include <QScrollArea>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QTabWidget>
@@ -20,7 +23,8 @@
 
 namespace mirrorball::studio {
 
-/// The dock "Sphere map": the disc to paint on, layers with their parameters, the brush, the levels.
+/// The dock "Sphere map": the disc to paint on, how the map is used, layers with their parameters, the brush, the levels, the map as a whole. Without a
+/// map it offers the presets; a map that stays in its file has no layers here.
 class SphereMapPanel : public QWidget {
     Q_OBJECT
 
@@ -33,11 +37,14 @@ public:
     MaskEditor& mask() { return *m_mask; }
     SettingsForm& brushForm() { return *m_brushForm; }
     LevelsView& levels() { return *m_levels; }
+    SphereMapForm& mapForm() { return *m_mapForm; }
     QTabWidget& tabs() { return *m_tabs; }
 
     /// Takes a sphere map or a file of strokes into the scene; what is wrong with it is told by a notice.
     void openMap(const QString& path);
     void saveMapAs(const QString& path);
+    /// Lets the scene name a sphere map, or a picture of one, that stays in its file.
+    void linkMap(const QString& path);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -46,12 +53,20 @@ private:
     QWidget* makeStart();
     QWidget* makeWork();
     QToolBar* makeTools();
-    QMenu* makeMapMenu();
-    void addPresets(QMenu& menu);
+    QWidget* makeLinked();
+    QMenu* makeMapMenu(QToolButton& button);
     QWidget* makeLayersPage();
     QWidget* makeBrushPage();
+    QMenu* makeKindsMenu();
+    void addLayer(const LayerKind& kind);
+    void askAndOpen();
+    void askAndLink();
+    void choosePreset(const QString& name);
+    void ownLinkedMap();
+    void removeMap();
     void showMap();
     void showLayer();
+    void divideLayers();
     void showBrush();
 
     Workspace& m_workspace;
@@ -60,6 +75,15 @@ private:
     SphereMapCanvas* m_canvas = nullptr;
     QSplitter* m_split = nullptr; ///< canvas over tabs
     bool m_splitIsChosen = false;  ///< by the user
+    QSplitter* m_layerSplit = nullptr; ///< list over parameters
+    bool m_layerSplitIsChosen = false;
+    QWidget* m_layerTop = nullptr;     ///< the list with its buttons
+    QScrollArea* m_parameters = nullptr;
+    size_t m_shownKind = SIZE_MAX;     ///< of the layer's content
+    QToolBar* m_bar = nullptr;
+    QWidget* m_linked = nullptr;       ///< what stands above a map that stays in its file
+    QLabel* m_linkedText = nullptr;
+    SphereMapForm* m_mapForm = nullptr;
     QTabWidget* m_tabs = nullptr;
     LayerList* m_layers = nullptr;
     QComboBox* m_blend = nullptr;

@@ -1,9 +1,11 @@
 #include "view_panel.h"
 
+#include "sphere_map_source_field.h"
 #include "text.h"
 
 #include "core/error.h"
 #include "core/preview/mesh_file.h"
+#include "core/spheremap/presets.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -27,6 +29,27 @@ auto backdropIs(Backdrop kind)
     return [kind](const Scene& scene) { return scene.view.background.kind == kind; };
 }
 
+bool showsWindow(const Scene& scene)
+{
+    return scene.view.geometry == "window";
+}
+
+/// The camera of a geometry's first view, with what the artist chose of the lens.
+CameraSettings firstView(const std::string& geometry, const CameraSettings& now)
+{
+    CameraSettings camera = initialCamera(geometry);
+    camera.projection = now.projection;
+    camera.fieldOfViewDeg = now.fieldOfViewDeg;
+    camera.unknown = now.unknown;
+    return camera;
+}
+
+/// The sphere map that a window begins with, as far as lines of sight go.
+SphereMapSettings firstOutside()
+{
+    return {.source = windowViewPresets().front().name, .space = MapSpace::World, .size = 1024};
+}
+
 /// Degrees of a full turn on the slider; more can be typed.
 FieldStyle turnStyle(const QString& label)
 {
@@ -37,10 +60,32 @@ const FieldStyle hidden{.isHidden = true};
 
 } // namespace
 
+void useGeometry(Scene& scene, const std::string& geometry)
+{
+    const std::string before = scene.view.geometry;
+    if (geometry == before)
+        return;
+    scene.view.geometry = geometry;
+    CameraSettings& camera = scene.view.camera;
+    if (showsWindow(scene) || camera == firstView(before, camera))
+        camera = firstView(geometry, camera);
+    SphereMapSettings& map = scene.material.sphereMap;
+    WindowSettings& window = scene.view.window;
+    if (showsWindow(scene) && map.isNone()) {
+        map = firstOutside();
+        if (window.middle.empty() && window.far.empty()) {
+            window.middle = windowViewPresets()[1].name;
+            window.far = windowViewPresets()[2].name;
+        }
+    } else if (before == "window" && map == firstOutside()) {
+        map = {}; // no material for a model
+    }
+}
+
 void useMesh(Document& document, const QString& path)
 {
     const QString absolute = QFileInfo(path).absoluteFilePath();
-    document.edit(ViewPanel::tr("Open mesh"), {}, [&](Scene& scene) { scene.view.geometry = absolute.toStdString(); });
+    document.edit(ViewPanel::tr("Open mesh"), {}, [&](Scene& scene) { useGeometry(scene, absolute.toStdString()); });
 }
 
 ViewPanel::ViewPanel(Workspace& workspace, QWidget* parent) : QWidget(parent), m_workspace(workspace)
@@ -57,8 +102,9 @@ ViewPanel::ViewPanel(Workspace& workspace, QWidget* parent) : QWidget(parent), m
     m_form->layout()->setContentsMargins(10, 10, 10, 10);
     m_form->addHeading(tr("Object"));
     addGeometry();
+    addWindow();
     m_form->addFields("view", viewOf,
-                      {{"tessellation", {.label = tr("Tessellation")}},
+                      {{"tessellation", {.label = tr("Tessellation"), .isShown = [](const Scene& scene) { return !showsWindow(scene); }}},
                        {"tone", hidden}, {"exposure", hidden}, {"width", hidden}, {"height", hidden}, {"shading", {.label = tr("Shading")}}});
     m_form->addHeading(tr("Environment"));
     m_form->addFields("probe", probeOf,
@@ -89,7 +135,7 @@ ViewPanel::ViewPanel(Workspace& workspace, QWidget* parent) : QWidget(parent), m
 
 void ViewPanel::addGeometry()
 {
-    constexpr std::array bodies{"teapot", "torus", "sphere", "box"};
+    constexpr std::array bodies{"teapot", "torus", "sphere", "box", "window"};
     auto* bodiesBox = new QuietCombo;
     for (const char* body : bodies)
         bodiesBox->addItem(labelText(body), QLatin1String(body));
@@ -105,7 +151,7 @@ void ViewPanel::addGeometry()
                 useMesh(m_workspace.document, path);
         } else {
             m_workspace.document.edit(tr("Change geometry"), {},
-                                      [&](Scene& scene) { scene.view.geometry = bodiesBox->itemData(index).toString().toStdString(); });
+                                      [&](Scene& scene) { useGeometry(scene, bodiesBox->itemData(index).toString().toStdString()); });
         }
         const int builtin = bodiesBox->findData(toQString(m_workspace.document.scene().view.geometry)); // a dialog may have been cancelled
         bodiesBox->setCurrentIndex(builtin >= 0 ? builtin : meshItem);
@@ -117,6 +163,35 @@ void ViewPanel::addGeometry()
                            bodiesBox->setItemText(meshItem, builtin >= 0 ? tr("Mesh file…") : QFileInfo(shown).fileName());
                            bodiesBox->setCurrentIndex(builtin >= 0 ? builtin : meshItem);
                        });
+}
+
+// What lies outside, the nearest first. The nearest is the material's sphere map, which may be painted in its dock.
+void ViewPanel::addWindow()
+{
+    const auto addSource = [this](const char* path, const Field& field, const QString& label, std::function<bool(const Scene&)> isShown, auto select) {
+        auto* control = new SphereMapSourceField(m_workspace.presets);
+        connect(control, &SphereMapSourceField::edited, this, [this, label, select](const QString& source) {
+            m_workspace.document.edit(tr("Change %1").arg(label.toLower()), {}, [&](Scene& scene) { select(scene) = source.toStdString(); });
+        });
+        m_form->addControl(QLatin1String(path), field, {.label = label, .isShown = std::move(isShown)}, control,
+                           [control, select](const Scene& scene) { control->setSource(toQString(select(scene))); });
+        control->describe(label, labelText(field.help));
+    };
+    const auto addDepth = [this](const char* name, const QString& label, std::function<bool(const Scene&)> isShown) {
+        m_form->addFields("view.window", [](auto& scene) -> auto& { return scene.view.window; },
+                          onlyFields<WindowSettings>({{name, {.label = label, .sliderLow = 0.1, .sliderHigh = 1e4, .scale = Scale::Logarithmic,
+                                                              .isShown = std::move(isShown)}}}));
+    };
+    addSource("view.window.nearest", fieldNamed<SphereMapSettings>("source"), tr("Outside"),
+              [](const Scene& scene) { return showsWindow(scene) && !scene.material.sphereMap.document; },
+              [](auto& scene) -> auto& { return scene.material.sphereMap.source; });
+    addDepth("depth", tr("Its depth"), showsWindow);
+    addSource("view.window.middle", fieldNamed<WindowSettings>("middle"), tr("Behind it"), showsWindow,
+              [](auto& scene) -> auto& { return scene.view.window.middle; });
+    addDepth("middle_depth", tr("Middle depth"), [](const Scene& scene) { return showsWindow(scene) && !scene.view.window.middle.empty(); });
+    addSource("view.window.far", fieldNamed<WindowSettings>("far"), tr("Farthest"), showsWindow,
+              [](auto& scene) -> auto& { return scene.view.window.far; });
+    addDepth("far_depth", tr("Far depth"), [](const Scene& scene) { return showsWindow(scene) && !scene.view.window.far.empty(); });
 }
 
 // One list of what can be chosen: sRGB, the views of $OCIO or of the scene's configuration, or another file.

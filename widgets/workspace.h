@@ -5,6 +5,7 @@
 #include "live_scene.h"
 #include "method_error.h"
 #include "notices.h"
+#include "preset_library.h"
 #include "probe_library.h"
 #include "sphere_map_editor.h"
 
@@ -18,6 +19,7 @@ struct Workspace {
     DirectionCursor cursor{};
     MethodError methodError{};
     ProbeLibrary library{};
+    PresetLibrary presets{};
     Notices notices{};
 };
 

@@ -2,6 +2,7 @@
 
 #include "theme.h"
 #include "widgets/text.h"
+#include "widgets/view_panel.h"
 
 #include <QSettings>
 #include <QToolButton>
@@ -51,13 +52,14 @@ void ViewActions::makeGeometry()
 {
     const auto body = [this](const char* word, const QString& text) {
         addChoice(
-            m_geometry, word, word, text, {}, tr("Change geometry"), [word](Scene& scene) { scene.view.geometry = word; },
+            m_geometry, word, word, text, {}, tr("Change geometry"), [word](Scene& scene) { useGeometry(scene, word); },
             [word](const Scene& scene) { return scene.view.geometry == word; });
     };
     body("teapot", tr("Teapot"));
     body("torus", tr("Torus"));
     body("sphere", tr("Sphere"));
     body("box", tr("Box"));
+    body("window", tr("Window of a room"));
 }
 
 void ViewActions::makeShading()
@@ -73,6 +75,15 @@ void ViewActions::makeShading()
     view(Shading::TexCoords, "texcoords", tr("Texture coordinates"));
     view(Shading::Seams, "seams", tr("Seams of the map"));
     view(Shading::Mips, "mips", tr("Mip levels"));
+    m_lookup = add("view.lookup", "lookup-vertex", tr("&Interpolate texture coordinates at vertices, as in 1999"),
+                   tr("Looks sphere maps up between the vertices of the mesh, as the hardware of the papers did; otherwise at every pixel"), {}, [this] {
+                       m_workspace.document.edit(tr("Change lookup"), {}, [](Scene& scene) {
+                           LookupAt& lookup = scene.material.sphereMap.lookup;
+                           lookup = lookup == LookupAt::Vertex ? LookupAt::Pixel : LookupAt::Vertex;
+                       });
+                   });
+    m_lookup->setCheckable(true);
+    m_choices.push_back({m_lookup, [](const Scene& scene) { return scene.material.sphereMap.lookup == LookupAt::Vertex; }});
 }
 
 void ViewActions::makeCamera()
@@ -160,6 +171,7 @@ void ViewActions::addTo(QMenu& menu)
     const auto submenu = [&](const QString& title, const QList<QAction*>& actions) { menu.addMenu(title)->addActions(actions); };
     submenu(tr("&Geometry"), m_geometry.actions());
     submenu(tr("&Shading"), m_shading.actions());
+    menu.addAction(m_lookup);
     submenu(tr("&Projection"), m_projection.actions());
     submenu(tr("&Background"), m_background.actions());
     submenu(tr("&Compare"), QList<QAction*>{m_snapshot} + m_compare.actions());

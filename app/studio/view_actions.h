@@ -40,6 +40,7 @@ private:
     Workspace& m_workspace;
     QActionGroup m_geometry, m_shading, m_projection, m_background, m_compare, m_turn;
     QList<QAction*> m_camera, m_exposure;
+    QAction* m_lookup = nullptr;
     QAction* m_snapshot = nullptr;
     QVector<std::pair<QAction*, std::function<bool(const Scene&)>>> m_choices;
 };

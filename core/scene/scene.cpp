@@ -142,6 +142,13 @@ bool isBuiltinGeometry(std::string_view geometry)
     return std::find(bodies.begin(), bodies.end(), geometry) != bodies.end();
 }
 
+CameraSettings initialCamera(std::string_view geometry)
+{
+    if (geometry == "window")
+        return {.yawDeg = 12.0, .pitchDeg = 4.0, .distance = 3.2};
+    return {};
+}
+
 Lobe lobe(const SpecularSettings& specular)
 {
     switch (specular.lobe) {

@@ -446,6 +446,9 @@ std::string resolved(const Scene& scene, const std::string& path);
 /// Whether view.geometry is the name of a body that is built in; otherwise it names a mesh file.
 bool isBuiltinGeometry(std::string_view geometry);
 
+/// Where the camera of a scene is at first: in the room, where the geometry is the window; otherwise before and above the object.
+CameraSettings initialCamera(std::string_view geometry);
+
 /// The lobe of the reflection; a mirror is ggx with alpha = 0.
 Lobe lobe(const SpecularSettings& specular);
 /// The Fresnel term with the metal looked up. @throws InvalidArgument for an unknown metal

@@ -30,7 +30,8 @@ std::vector<GradientStop> rainbow();
 /// light's extent. Order 0, the mirror direction, is white. Colours outside Rec.709 are mixed with white until they lie inside.
 /// Source: 003 section 6, figures 18 and 19; Born and Wolf, Principles of Optics, section 8.6.1 for the grating.
 struct ColorgramLayer {
-    static constexpr LayerKind kind{"colorgram", "Colorgram", "rainbow rings and arcs, drawn or diffracted"};
+    static constexpr LayerKind kind{"colorgram", "Colorgram", "rainbow rings and arcs, drawn or diffracted, to be multiplied over a material",
+                                    LayerRole::Generator, BlendMode::Multiply};
     ColorgramSource source = ColorgramSource::Gradient;
     std::vector<GradientStop> stops = rainbow();
     double rings = 2.0;

@@ -55,6 +55,24 @@ SpanGenerator preparedGenerator(const LayerContent& content, const Level& level,
         content);
 }
 
+/// What `make` makes of a layer, or of its mask. What is wrong with it is said of that layer, by its number and name.
+template <typename Make>
+auto naming(const SphereMapDocument& document, size_t index, const char* part, const Make& make)
+{
+    const Layer& layer = document.layers[index];
+    const auto where = [&] {
+        return "layers[" + std::to_string(index) + "]" + part + " " +
+               inQuotes(layer.name.empty() ? std::string(kindOf(layer.content).title) : layer.name);
+    };
+    try {
+        return make();
+    } catch (const FileError& error) {
+        throw FileError(where(), error.what());
+    } catch (const InvalidArgument& error) {
+        throw InvalidArgument(where() + ": " + error.what());
+    }
+}
+
 SpanAdjustment preparedAdjustment(const LayerContent& content, const Level& level)
 {
     return std::visit(
@@ -120,7 +138,7 @@ std::vector<Pass> passesOf(const SphereMapDocument& document, const EvaluateOpti
             continue;
         if (kindOf(layer.content).role == LayerRole::Warp) {
             passes.back().warpLayer = i;
-            passes.back().warp = preparedWarp(layer.content, level);
+            passes.back().warp = naming(document, i, "", [&] { return preparedWarp(layer.content, level); });
             passes.emplace_back();
         } else {
             passes.back().layers.push_back(i);
@@ -355,8 +373,11 @@ private:
 
     SpanGenerator maskOf(size_t i, const TexelRect& rect) const
     {
-        const Layer& layer = m_document.layers[i];
-        return layer.mask ? preparedGenerator(layer.mask->content, m_level, rect, rasterOf(i, PaintTarget::Mask), m_job) : SpanGenerator{};
+        const std::optional<Mask>& mask = m_document.layers[i].mask;
+        if (!mask)
+            return {};
+        const Image* raster = rasterOf(i, PaintTarget::Mask);
+        return naming(m_document, i, ".mask", [&] { return preparedGenerator(mask->content, m_level, rect, raster, m_job); });
     }
 
     /// The layers of a pass over the picture of the one before, which is empty at the bottom.
@@ -366,10 +387,13 @@ private:
         for (const size_t i : pass.layers) {
             const Layer& layer = m_document.layers[i];
             steps.push_back({.layer = &layer, .mask = maskOf(i, pass.rect)});
-            if (kindOf(layer.content).role == LayerRole::Adjustment)
-                steps.back().adjust = preparedAdjustment(layer.content, m_level);
-            else
-                steps.back().generate = preparedGenerator(layer.content, m_level, pass.rect, rasterOf(i, PaintTarget::Layer), m_job);
+            if (kindOf(layer.content).role == LayerRole::Adjustment) {
+                steps.back().adjust = naming(m_document, i, "", [&] { return preparedAdjustment(layer.content, m_level); });
+            } else {
+                const Image* raster = rasterOf(i, PaintTarget::Layer);
+                steps.back().generate =
+                    naming(m_document, i, "", [&] { return preparedGenerator(layer.content, m_level, pass.rect, raster, m_job); });
+            }
         }
         if (steps.empty() && !below.empty())
             return below;

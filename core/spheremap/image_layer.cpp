@@ -63,7 +63,7 @@ std::string assetKey(const std::string& path)
 SpanGenerator prepare(const ImageLayer& layer, const Level& level)
 {
     if (layer.source.empty())
-        throw InvalidArgument("an image layer's source: must be an image file; it is empty");
+        throw InvalidArgument("source: must be an image file; it is empty");
     const std::string path = assetPath(level, layer.source);
     const auto passes = level.assets->get<Passes>("image|" + assetKey(path), [&] {
         Passes read = readPasses(path);

@@ -53,6 +53,13 @@ LayerContent makeContent(std::string_view kindName)
     return UnknownLayer{.name = std::string(kindName), .text = "{}"};
 }
 
+Layer makeLayer(std::string_view kindName)
+{
+    Layer layer{.content = makeContent(kindName)};
+    layer.blend = kindOf(layer.content).blend;
+    return layer;
+}
+
 void checkFields(const std::string& path, const LayerContent& content)
 {
     std::visit(

@@ -94,6 +94,9 @@ struct Layer {
     }
 };
 
+/// A layer as one adds it to a stack: of a kind, with its defaults, blended as such layers usually are.
+Layer makeLayer(std::string_view kindName);
+
 /// Checks the parameters of a layer's content. @throws InvalidArgument naming the field
 void checkFields(const std::string& path, const LayerContent& content);
 

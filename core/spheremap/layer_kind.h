@@ -1,5 +1,7 @@
 #pragma once
 
+#include "blend.h"
+
 #include <string_view>
 
 namespace mirrorball {
@@ -13,6 +15,7 @@ struct LayerKind {
     std::string_view title{}; ///< for a list in a form
     std::string_view help{};  ///< one line, no full stop
     LayerRole role = LayerRole::Generator;
+    BlendMode blend = BlendMode::Normal; ///< what a new layer of the kind is given; files that name none mean normal
 };
 
 } // namespace mirrorball

@@ -119,12 +119,12 @@ std::span<const std::string_view> words(FresnelShare) { return shareWords; }
 SpanGenerator prepare(const ProbeLayer& layer, const Level& level)
 {
     if (layer.source.empty())
-        throw InvalidArgument("a probe layer's source: must be an image file or builtin:NAME; it is empty");
+        throw InvalidArgument("source: must be an image file or builtin:NAME; it is empty");
     Fresnel fresnel{.kind = layer.fresnel, .index = layer.index};
     if (layer.fresnel == FresnelKind::Conductor) {
         const auto metal = conductorFromName(layer.metal);
         if (!metal)
-            throw InvalidArgument("a probe layer's metal: " + inQuotes(layer.metal) + " is no metal that is built in");
+            throw InvalidArgument("metal: " + inQuotes(layer.metal) + " is no metal that is built in");
         fresnel.conductor = *metal;
     }
     const std::string path = assetPath(level, layer.source);

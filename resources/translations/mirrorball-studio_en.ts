@@ -1671,10 +1671,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>rainbow rings and arcs, drawn or diffracted</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>read mesh</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2302,6 +2298,278 @@
         <source>then tips it about +X: what is above moves towards the eye</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>A banknote&apos;s engraving: fine lines that swell with the shade.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A black and white sketch of a window, whose bars show the shape.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A cream pearl with a faint rose and green lustre.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A glowing outline that fades to nothing in the middle, for adding over anything.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A morning sky, the farthest layer outside a window.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Airbrushed chrome: a blue sky, a hard horizon, a desert floor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anime skin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blue hills, a middle layer outside a window.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blue ice: clear and dark inside, white at the edges, with a frosted light.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blue velvet, dark in front and bright towards the edges.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blueprint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brushed steel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Candy red under a clear coat that mirrors a studio.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Car paint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chrome horizon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cold moonlight in four tones with a magenta rim.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compact disc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cyan and magenta tubes on black lacquer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dark mercury with ribbons of light.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deep red sealing wax, soft inside and wet on top.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diffraction foil</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Engraving</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Glazed white porcelain by a tall studio window.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gooch&apos;s cold-warm shading: blue shade, yellow light, a white highlight.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grass, shrubs and trees, the nearest layer outside a window.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hills</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Holographic gift foil: true diffraction colours over silver.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Holographic ribbon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ink outlines on white paper, of the same width whatever the curvature.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jade</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Key, fill and rim light, as a portrait photographer sets them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Liquid metal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Meadow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Miner&apos;s hat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Neon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Obsidian</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Oil slick</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One Phong highlight of a light at the eye over dark plastic.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pearl</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pen lines that gather and cross towards the outline.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pencil</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Petrol colours that swim on black water.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Porcelain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Red wax</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ribbons of diffracted colour that wind around the ball.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Satin gold in a photographic studio: a real probe under a metal&apos;s Fresnel term.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Silhouette</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sky</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Soft graphite on toothy paper, shaded by hand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Studio clay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The spokes of colour of a pressed disc under two lamps.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Three flat tones of a comic, a hard highlight and an ink line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Three lights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Toon hero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Toon night</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Translucent green stone that glows where light comes through.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turned steel: bow ties of light around the axis of the lathe.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two soft-edged skin tones with a rosy border between light and shade.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Velvet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volcanic glass: black, with the studio mirrored by its Fresnel term alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warm sculptor&apos;s clay under a soft key light.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>White lines on blueprint paper.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>White, with pastel rainbow arcs towards the edges, to multiply over any surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Window sketch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rainbow rings and arcs, drawn or diffracted, to be multiplied over a material</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -2376,6 +2644,10 @@
     </message>
     <message>
         <source>Images (*.exr *.hdr *.tif *.tiff *.png *.jpg *.jpeg *.tga *.bmp);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a picture of a ball</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3680,6 +3952,22 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <source>At grazing</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Lookup in the map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coarser levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mip filtering</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>mirrorball::studio::MethodChart</name>
@@ -3752,6 +4040,10 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <source>Switch %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Reset %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>mirrorball::studio::PlanView</name>
@@ -3789,6 +4081,29 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
     </message>
     <message>
         <source>Last update: %1. Left out: %2 of %3 stages.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::PresetGallery</name>
+    <message>
+        <source>Find a preset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows only presets whose names or descriptions hold these letters; Enter takes the one at hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click a preset, or press Enter on it, to take it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No preset has these letters in its name or description.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4199,6 +4514,10 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <source>Choose a file</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Choose one that is built in</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>mirrorball::studio::SphereMapCanvas</name>
@@ -4259,6 +4578,49 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
     </message>
 </context>
 <context>
+    <name>mirrorball::studio::SphereMapForm</name>
+    <message>
+        <source>Lookup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looked up per</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flecks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the sphere map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change index</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looked up by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>mirrorball::studio::SphereMapPanel</name>
     <message>
         <source>A sphere map paints the look of the material by hand: one picture of a ball, in layers, shown live on the model.</source>
@@ -4277,15 +4639,7 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Copy a built-in sphere map into the material, to change it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Open a file...</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Show a sphere map or recorded strokes from a file</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4409,10 +4763,6 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Presets</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Open...</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4510,6 +4860,124 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
     </message>
     <message>
         <source>Right drag changes radius and hardness, [ and ] step the radius, Alt picks a colour on the disc.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy a sphere map or recorded strokes from a file into the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Link a file...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show a sphere map, or a picture of one, that stays in its file and follows it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Link a sphere map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the map is made of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is painted with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mip chain, level by level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the map is looked up, its size, flecks, and what it is called</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit a copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy it into the scene, to paint and layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the material without a sphere map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Presets...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The material shows %1, which stays in its file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The material shows the preset %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::SphereMapSourceField</name>
+    <message>
+        <source>Sphere maps and pictures of them (*.spheremap *.exr *.hdr *.tif *.tiff *.png *.jpg *.jpeg);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a sphere map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a preset</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::SphereMapUseRow</name>
+    <message>
+        <source>Use of the map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change use of the map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opacity of the map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much of the map shows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change opacity of the map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface colour below the map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change surface colour</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4723,6 +5191,22 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <source>&amp;Turn the environment by</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Window of a room</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Interpolate texture coordinates at vertices, as in 1999</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looks sphere maps up between the vertices of the mesh, as the hardware of the papers did; otherwise at every pixel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change lookup</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>mirrorball::studio::ViewPanel</name>
@@ -4824,6 +5308,34 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
     </message>
     <message>
         <source>OpenColorIO (*.ocio);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Behind it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Middle depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Farthest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Far depth</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

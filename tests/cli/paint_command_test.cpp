@@ -213,5 +213,22 @@ TEST(PaintCommand, PresetsListTheSphereMapsAndShowThemOnASheet)
     EXPECT_GE(static_cast<size_t>(sheet.width / 16 * (sheet.height / 16)), sphereMapPresets().size());
 }
 
+// On the sheet's first cell and in the first file stands the same ball.
+TEST(PaintCommand, ThumbnailsAreTheCellsOfTheSheet)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(mirrorballRuns("presets --sheet " + quoted(folder / "sheet.png") + " --size 16").status, 0);
+    ASSERT_EQ(mirrorballRuns("presets --thumbnails " + quoted(folder / "new" / "balls") + " --size 16").status, 0);
+    const Image sheet = readImage(folder / "sheet.png");
+    const Image first = readImage(folder / "new" / "balls" / (sphereMapPresets().front().name + ".png"));
+    ASSERT_EQ(first.width, 16);
+    ASSERT_EQ(first.height, 16);
+    for (int y = 0; y < 16; ++y)
+        EXPECT_TRUE(std::equal(first.row(y), first.row(y) + 3 * 16, sheet.row(y))) << y;
+    for (const auto presets : {sphereMapPresets(), windowViewPresets()})
+        for (const SphereMapPreset& preset : presets)
+            EXPECT_TRUE(std::filesystem::exists(folder / "new" / "balls" / (preset.name + ".png"))) << preset.name;
+}
+
 } // namespace
 } // namespace mirrorball

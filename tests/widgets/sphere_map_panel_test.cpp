@@ -248,8 +248,9 @@ void SphereMapPanelTest::showsTheLevels()
     painting.panel().tabs().setCurrentIndex(2);
     LevelsView& levels = painting.panel().levels();
     QTRY_VERIFY_WITH_TIMEOUT(!levels.levels().isEmpty(), 20000);
-    QCOMPARE(levels.levels().size(), 10); // 512 to 1
-    QCOMPARE(levels.levels().last().width(), 1);
+    QCOMPARE(levels.levels().first().size, painting.document().scene().material.sphereMap.size);
+    QCOMPARE(levels.levels().size(), 11); // 1024 to 1
+    QCOMPARE(levels.levels().last().size, 1);
 }
 
 void SphereMapPanelTest::opensAndSavesFilesAndTellsWhatIsWrong()

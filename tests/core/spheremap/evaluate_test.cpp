@@ -275,6 +275,21 @@ TEST(SphereMapLevels, OfADiscOnlyDocumentAreAverages)
     EXPECT_EQ(plainChain(Image(5, 5, 4, 0.75f))[1].texels, std::vector<float>(16, 0.75f));
 }
 
+TEST(EvaluateSphereMap, SaysWhichLayerIsWrong)
+{
+    const auto messageOf = [](const Layer& wrong) {
+        try {
+            evaluate(stack({white, wrong}), {.size = 4});
+        } catch (const InvalidArgument& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(messageOf({.name = "Matcap", .content = ImageLayer{}}), "layers[1] 'Matcap': source: must be an image file; it is empty");
+    EXPECT_EQ(messageOf({.content = ProbeLayer{.source = ""}}).find("layers[1] 'Light probe': source"), 0u);
+    EXPECT_EQ(messageOf({.name = "Glow", .mask = Mask{.content = ImageLayer{.source = "gone.png"}}}).find("layers[1].mask 'Glow': gone.png"), 0u);
+}
+
 TEST(SphereMapLevels, LayersTakePartInTheLevelsTheyName)
 {
     const SphereMapDocument document = stack({white, {.content = FillLayer{{0.0, 0.0, 0.0}}, .firstLevel = 1, .lastLevel = 2}});

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "test_class.h"
+
+namespace mirrorball::test {
+
+class SphereMapSettingsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init();
+    void everyFieldOfASceneFileHasAControl();
+    void useOpacityAndColourAreAtHandAndUndoneStepByStep();
+    void theRestOfTheMapIsSetInItsTab();
+    void aDoubleClickOnALabelResetsTheField();
+    void coordinatesAreInterpolatedAtVerticesByAMenuCommand();
+    void theWindowIsSeenFromTheRoom();
+    void theWindowsLayersAreChosenByNameOrFile();
+    void aPresetIsFoundByTypingAndTakenByEnter();
+    void presetsHavePicturesOfTheirBalls();
+    void aLinkedMapStaysInItsFileUntilItIsCopied();
+    void newLayersAreBlendedAsTheirKindIs();
+    void anImageLayerIsAddedWithItsFile();
+    void parametersWithoutEffectAreHidden();
+    void namesThatThereAreAreOffered();
+    void anotherLayersParametersBeginAtTheirTop();
+    void theListShowsTheLayersThatThereAre();
+    void looksWell();
+};
+
+} // namespace mirrorball::test
