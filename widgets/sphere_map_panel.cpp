@@ -1,6 +1,7 @@
 #include "sphere_map_panel.h"
 
 #include "form_labels.h"
+#include "painted_export.h"
 #include "text.h"
 
 #include "core/error.h"
@@ -288,6 +289,8 @@ QMenu* SphereMapPanel::makeMapMenu()
         if (!path.isEmpty())
             saveMapAs(path.endsWith(QStringLiteral(".spheremap")) ? path : path + QStringLiteral(".spheremap"));
     });
+    auto* picture = new PaintedExport(m_workspace, this);
+    connect(menu->addAction(tr("Export the picture...")), &QAction::triggered, picture, &PaintedExport::askAndWrite);
     menu->addSeparator();
     connect(menu->addAction(tr("Remove the sphere map")), &QAction::triggered, this, [this] {
         m_workspace.document.edit(tr("Remove the sphere map"), {}, [](Scene& scene) { scene.material.sphereMap.document = {}; });
