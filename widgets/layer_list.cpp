@@ -1,6 +1,6 @@
 #include "layer_list.h"
 
-#include "screen_color.h"
+#include "screen_picture.h"
 #include "text.h"
 
 #include "core/error.h"
@@ -164,8 +164,7 @@ QPixmap LayerModel::thumbnail(size_t i) const
         try {
             SphereMapDocument alone;
             alone.layers = {{.content = content}};
-            QImage picture(size, size, QImage::Format_RGBA8888_Premultiplied);
-            putOnScreen(evaluate(alone, {.size = size}), {0, 0, size, size}, picture);
+            const QImage picture = onScreen(evaluate(alone, {.size = size}));
             QPainterPath disc;
             disc.addEllipse(1, 1, size - 2, size - 2);
             painter.setClipPath(disc);

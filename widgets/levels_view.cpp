@@ -1,6 +1,6 @@
 #include "levels_view.h"
 
-#include "screen_color.h"
+#include "screen_picture.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -52,11 +52,8 @@ void LevelsView::request()
         [map = *m_editor.map()](const JobControl& job) {
             QVector<QImage> pictures;
             for (const Image& level :
-                 evaluateLevels(map, {.size = largestLevel, .unknownLayers = UnknownLayers::Skip}, job)) {
-                QImage picture(level.width, level.height, QImage::Format_RGBA8888_Premultiplied);
-                putOnScreen(level, {0, 0, level.width, level.height}, picture);
-                pictures << picture;
-            }
+                 evaluateLevels(map, {.size = largestLevel, .unknownLayers = UnknownLayers::Skip}, job))
+                pictures << onScreen(level, job);
             return pictures;
         },
         [this](const QVector<QImage>& pictures) {

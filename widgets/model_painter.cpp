@@ -1,13 +1,10 @@
 #include "model_painter.h"
 
-#include "core/spheremap/paint_position.h"
-
 #include <QMouseEvent>
 #include <QTabletEvent>
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace mirrorball::studio {
 
@@ -34,12 +31,7 @@ ModelPainter::ModelPainter(PreviewWidget& preview, Workspace& workspace)
 std::optional<glm::dvec2> ModelPainter::placeAt(const QPointF& position)
 {
     const SphereMapDocument* map = m_workspace.sphereMap.map();
-    if (!map || !m_preview.rect().contains(position.toPoint()))
-        return std::nullopt;
-    const std::optional<preview::SurfaceHit> hit = m_preview.pick(position);
-    if (!hit)
-        return std::nullopt;
-    return map->index == SphereMapIndex::Normal ? glm::dvec2(hit->eyeNormal) : sphere_map::discFromDirection(glm::dvec3(hit->eyeReflected));
+    return map ? m_preview.discPlaceAt(position, map->index) : std::nullopt;
 }
 
 /// The circle on the disc, seen on the model as far as the model bends like its tangent there: two differences of places make the matrix
@@ -78,17 +70,12 @@ QPolygonF ModelPainter::outlineAt(const QPointF& position)
 void ModelPainter::showRing()
 {
     const SphereMapEditor& editor = m_workspace.sphereMap;
-    if (!isOn() || !m_cursor || editor.tool() == PaintTool::PickColor) {
+    if (!isOn() || !m_cursor || editor.tool() == PaintTool::PickColor || m_workspace.document.isDragging()) { // the model turns
         m_ring->show({});
         return;
     }
-    if (m_isPainting) { // a look at the model waits for the picture that is being drawn; while the pen moves the ring goes with it
-        m_ring->show(m_ring->outline().translated(*m_cursor - std::exchange(m_ringAt, *m_cursor)));
-        return;
-    }
-    m_ringAt = m_brushBefore ? m_pressed : *m_cursor;
     const Brush& brush = editor.brush();
-    m_ring->show(outlineAt(m_ringAt),
+    m_ring->show(outlineAt(m_brushBefore ? m_pressed : *m_cursor),
                  m_brushBefore ? tr("radius %1, hardness %2").arg(brush.radius, 0, 'f', 3).arg(brush.hardness, 0, 'f', 2) : QString());
 }
 

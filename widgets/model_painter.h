@@ -8,8 +8,8 @@
 
 namespace mirrorball::studio {
 
-/// Painting on the model: what the pen touches in the preview is painted on the sphere map at the place that colours it there (the normal
-/// or the reflection, spheremap/paint_position.h), so a highlight is put where it is to be seen.
+/// Painting on the model: what the pen touches in the preview is painted on the sphere map at the place that colours it there
+/// (preview/disc_places.h), so a highlight is put where it is to be seen.
 ///
 /// On while SphereMapEditor::paintsOnModel(): left draws in place of orbiting, Alt and left orbits, right drag changes the brush as on the
 /// disc. Off the model the pen is lifted. A ring shows what the brush would touch.
@@ -41,7 +41,6 @@ private:
     BrushRing* m_ring;  ///< the preview's child
     QTimer m_ringTimer; ///< a moving mouse looks at the model this often
     std::optional<QPointF> m_cursor{};
-    QPointF m_ringAt{}; ///< where the ring stands
     bool m_isPainting = false;
     bool m_isPicking = false;
     bool m_penIsDown = false;

@@ -32,6 +32,17 @@ Image cutOut(const Image& picture, const TexelRect& rect)
     return part;
 }
 
+/// What the places of lookups in a painted sphere map depend on.
+preview::RenderSettings placesOnly(const preview::RenderSettings& settings)
+{
+    preview::RenderSettings only{.width = settings.width, .height = settings.height, .geometry = settings.geometry, .camera = settings.camera};
+    only.windowDepths = settings.windowDepths;
+    only.yaw = settings.yaw;
+    only.material.paint.space = settings.material.paint.space;
+    only.material.paint.place = settings.material.paint.place;
+    return only;
+}
+
 } // namespace
 
 PreviewWidget::PreviewWidget(Workspace& workspace, QWidget* parent) : QWidget(parent), m_workspace(workspace)
@@ -105,7 +116,7 @@ preview::RenderSettings PreviewWidget::settings(const PreparedScene& made) const
     shown.view.height = size.height();
     preview::RenderSettings settings = preview::renderSettings(shown, made.plan, made.mesh, made.display);
     settings.pixelRatio = static_cast<float>(devicePixelRatioF());
-    if (m_workspace.document.isDragging())
+    if (m_workspace.document.isDragging() || m_workspace.sphereMap.isPainting())
         settings.samples = m_dragSamples;
     if (const auto& direction = m_workspace.cursor.direction(); direction && !m_isPointing)
         settings.marker = glm::vec3(*direction);
@@ -401,13 +412,18 @@ void PreviewWidget::leaveEvent(QEvent*)
     m_workspace.cursor.set(std::nullopt);
 }
 
-std::optional<preview::SurfaceHit> PreviewWidget::pick(const QPointF& position)
+std::optional<glm::dvec2> PreviewWidget::discPlaceAt(const QPointF& position, SphereMapIndex index)
 {
     const auto made = m_workspace.live.made();
     if (!made)
         return std::nullopt;
-    const QPoint pixel = devicePixel(position);
-    return m_thread.pick(settings(*made), pixel.x(), pixel.y());
+    const std::pair wanted(placesOnly(settings(*made)), index);
+    if (wanted != m_placesOf) {
+        m_places = m_thread.discPlaces(wanted.first, index);
+        m_placesOf = wanted;
+    }
+    const double ratio = devicePixelRatioF();
+    return m_places ? m_places->at(position.x() * ratio, position.y() * ratio) : std::nullopt;
 }
 
 QPoint PreviewWidget::devicePixel(const QPointF& position) const

@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace mirrorball::studio {
@@ -35,8 +36,9 @@ public:
     const QImage& picture() const { return m_picture.image; }
     /// Whether picture() is of all that is known: nothing waits to be drawn.
     bool isUpToDate() const { return !m_isDue && !m_isDrawing && !m_picture.image.isNull(); }
-    /// What the picture shows at a place of the widget; nothing beside the model. Waits for the answer.
-    std::optional<preview::SurfaceHit> pick(const QPointF& position);
+    /// The place on a sphere map indexed so that colours a place of the widget; nothing beside the model. After the camera has moved it waits
+    /// until all places have been looked up; until it moves again they are known.
+    std::optional<glm::dvec2> discPlaceAt(const QPointF& position, SphereMapIndex index);
 
     /// Samples a pixel while something is dragged; smooth edges follow when the drag ends. 1 at first.
     void setSamplesWhileDragging(int samples) { m_dragSamples = samples; }
@@ -115,6 +117,8 @@ private:
     QTimer m_rest;     ///< runs out when wheel and keys have come to rest
     QTimer m_pointing; ///< a moving mouse looks at the model this often
     bool m_isPointing = false;
+    std::shared_ptr<const preview::DiscPlaces> m_places;
+    std::optional<std::pair<preview::RenderSettings, SphereMapIndex>> m_placesOf; ///< what they were looked up for
 };
 
 } // namespace mirrorball::studio

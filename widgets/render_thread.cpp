@@ -81,6 +81,16 @@ std::optional<preview::SurfaceHit> look(preview::Renderer* renderer, const previ
     }
 }
 
+std::shared_ptr<const preview::DiscPlaces> lookEverywhere(preview::Renderer* renderer, const preview::RenderSettings& settings,
+                                                          SphereMapIndex index)
+{
+    try {
+        return renderer ? std::make_shared<const preview::DiscPlaces>(renderer->discPlaces(settings, index)) : nullptr;
+    } catch (const Error&) {
+        return nullptr;
+    }
+}
+
 } // namespace
 
 /// What belongs to the thread: its context, and all that lives in it.
@@ -214,15 +224,15 @@ void RenderThread::patch(SphereMapPatch patch)
     m_patches.push_back(std::move(patch));
 }
 
-std::optional<preview::SurfaceHit> RenderThread::pick(const preview::RenderSettings& settings, int x, int y)
+std::shared_ptr<const preview::DiscPlaces> RenderThread::discPlaces(const preview::RenderSettings& settings, SphereMapIndex index)
 {
-    std::promise<std::optional<preview::SurfaceHit>> hit;
+    std::promise<std::shared_ptr<const preview::DiscPlaces>> places;
     {
         const std::lock_guard lock(m_mutex);
-        m_awaitedLook = [&](preview::Renderer* renderer) { hit.set_value(look(renderer, settings, x, y)); };
+        m_awaitedLook = [&](preview::Renderer* renderer) { places.set_value(lookEverywhere(renderer, settings, index)); };
     }
     m_wake.notify_one();
-    return hit.get_future().get();
+    return places.get_future().get();
 }
 
 void RenderThread::pick(const preview::RenderSettings& settings, int x, int y, std::function<void(const std::optional<preview::SurfaceHit>&)> use)

@@ -65,9 +65,10 @@ public:
     void draw(PictureOrder order);
     /// Goes into the map's texture before the next picture of it.
     void patch(SphereMapPatch patch);
-    /// What the pixel at (x, y) shows, from the upper left. Waits for it: a picture's time at most.
-    std::optional<preview::SurfaceHit> pick(const preview::RenderSettings& settings, int x, int y);
-    /// The same without waiting; of several that wait only the newest is looked up.
+    /// Where each pixel looks the painted sphere map up that is indexed so; null where nothing can be drawn. Waits for it: the time of
+    /// two pictures at most.
+    std::shared_ptr<const preview::DiscPlaces> discPlaces(const preview::RenderSettings& settings, SphereMapIndex index);
+    /// What the pixel at (x, y) shows, from the upper left, without waiting; of several that wait only the newest is looked up.
     void pick(const preview::RenderSettings& settings, int x, int y, std::function<void(const std::optional<preview::SurfaceHit>&)> use);
 
 signals:
@@ -83,8 +84,8 @@ private:
     std::condition_variable_any m_wake;
     std::optional<PictureOrder> m_order;
     std::vector<SphereMapPatch> m_patches;
-    Look m_look;       ///< may be replaced by a newer one
-    Look m_awaitedLook;///< someone waits for it
+    Look m_look;        ///< may be replaced by a newer one
+    Look m_awaitedLook; ///< someone waits for it
     std::jthread m_thread; ///< last: it ends first
 };
 

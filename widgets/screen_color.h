@@ -1,10 +1,8 @@
 #pragma once
 
 #include "core/image/color.h"
-#include "core/spheremap/texel_rect.h"
 
 #include <QColor>
-#include <QImage>
 
 #include <glm/glm.hpp>
 
@@ -26,9 +24,5 @@ inline glm::dvec3 linearColor(const QColor& color)
     const auto decode = [](double x) { return std::round(static_cast<double>(decodeSrgb(static_cast<float>(x))) * 1e5) / 1e5; };
     return {decode(color.redF()), decode(color.greenF()), decode(color.blueF())};
 }
-
-/// Puts a part of a sphere map, RGBA multiplied by its opacity, onto a picture for the screen (Format_RGBA8888_Premultiplied).
-/// @param at  where the part's upper left texel goes
-void putOnScreen(const Image& part, const TexelRect& at, QImage& picture);
 
 } // namespace mirrorball::studio

@@ -1,6 +1,5 @@
 #include "sphere_map_canvas.h"
 
-#include "screen_color.h"
 
 #include "core/spheremap/symmetry.h"
 
@@ -61,7 +60,6 @@ SphereMapCanvas::SphereMapCanvas(SphereMapEditor& editor, QWidget* parent)
         m_hint.clear();
         redraw();
     });
-    show({0, 0, m_editor.picture().width, m_editor.picture().height});
     updateCursor();
 }
 
@@ -90,18 +88,7 @@ void SphereMapCanvas::fit()
 
 void SphereMapCanvas::show(const TexelRect& touched)
 {
-    const Image& picture = m_editor.picture();
-    if (picture.empty())
-        return;
-    if (m_screen.width() != picture.width)
-        m_screen = QImage(picture.width, picture.height, QImage::Format_RGBA8888_Premultiplied);
-    const bool whole = touched.width() == picture.width;
-    Image part(touched.width(), touched.height(), 4);
-    if (!whole)
-        for (int y = 0; y < part.height; ++y)
-            std::copy_n(picture.texel(touched.x0, touched.y0 + y), static_cast<size_t>(part.width) * 4, part.row(y));
-    putOnScreen(whole ? picture : part, touched, m_screen);
-    const double n = picture.width;
+    const double n = m_editor.screen().size();
     const QPointF low = placeOf({touched.x0 / n * 2.0 - 1.0, 1.0 - touched.y0 / n * 2.0});
     const QPointF high = placeOf({touched.x1 / n * 2.0 - 1.0, 1.0 - touched.y1 / n * 2.0});
     update(QRectF(low, high).toAlignedRect().adjusted(-2, -2, 2, 2));
@@ -126,13 +113,14 @@ void SphereMapCanvas::paintEvent(QPaintEvent*)
         return;
     }
     // Outside the disc the rim's colour goes on, which a lookup may meet: shown, but faintly.
+    const QImage& picture = m_editor.screen().forPixels(square.width() * devicePixelRatioF());
     painter.setOpacity(0.22);
-    painter.drawImage(square, m_screen);
+    painter.drawImage(square, picture);
     painter.setOpacity(1.0);
     painter.save();
     painter.setClipPath(disc);
     painter.drawTiledPixmap(square.toAlignedRect().intersected(rect()), checks);
-    painter.drawImage(square, m_screen);
+    painter.drawImage(square, picture);
     painter.restore();
     painter.setPen(QPen(QColor(0, 0, 0, 140), 1.5));
     painter.setBrush(Qt::NoBrush);

@@ -3,7 +3,6 @@
 #include "disc_handles.h"
 #include "sphere_map_editor.h"
 
-#include <QImage>
 #include <QPointF>
 #include <QWidget>
 
@@ -63,7 +62,6 @@ private:
 
     SphereMapEditor& m_editor;
     DiscHandles m_handles;
-    QImage m_screen;
     double m_zoom = 1.0;
     glm::dvec2 m_center{0.0}; ///< place of the disc in the middle of the widget
     Drag m_drag = Drag::None;

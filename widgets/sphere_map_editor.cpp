@@ -11,6 +11,16 @@ namespace mirrorball::studio {
 namespace {
 constexpr int paintingSize = 1024; ///< texels: what a map is painted at unless the scene asks for more
 
+/// The scene's own map as it was last made for the model, of so many texels; null where there is none.
+SphereMapChain shownMap(const LiveScene& live, int size)
+{
+    const auto made = live.made();
+    if (!made || made->plan.sphereMaps.empty() || !made->plan.sphereMaps.front().document || made->maps.sphereMaps.empty() ||
+        made->maps.sphereMaps.front()->levels.front().width != size)
+        return nullptr;
+    return made->maps.sphereMaps.front();
+}
+
 /// The strokes of a layer or of its mask; null where there are none.
 template <typename Map>
 auto strokesOf(Map& map, size_t layer, PaintTarget target)
@@ -32,10 +42,19 @@ Brush draggedBrush(const Brush& before, const QPointF& moved)
     return brush;
 }
 
-SphereMapEditor::SphereMapEditor(Document& document, QObject* parent)
-    : QObject(parent), m_document(document)
+SphereMapEditor::SphereMapEditor(Document& document, LiveScene& live, QObject* parent)
+    : QObject(parent), m_document(document), m_live(live)
 {
     connect(&m_document, &Document::changed, this, &SphereMapEditor::follow);
+    connect(&m_document, &Document::dragFinished, this, [this] {
+        if (m_hasSkipped)
+            request();
+    });
+    connect(&m_live, &LiveScene::updated, this, &SphereMapEditor::followLive);
+    connect(&m_live, &LiveScene::failed, this, [this] {
+        if (m_awaitsLive)
+            request();
+    });
     connect(&m_runner, &JobRunner::failed, this, &SphereMapEditor::problemChanged);
     follow();
 }
@@ -58,15 +77,38 @@ void SphereMapEditor::follow()
         m_recorder.reset();
     const int before = m_chosen, count = m_map ? static_cast<int>(m_map->layers.size()) : 0;
     m_chosen = count == 0 ? -1 : m_chosen < 0 ? count - 1 : std::min(m_chosen, count - 1);
+    m_awaitsLive = m_map && m_document.isDragging() && !m_recorder && shownMap(m_live, m_size);
+    m_hasSkipped = m_hasSkipped || m_awaitsLive;
     emit mapChanged();
     if (m_chosen != before)
         emit chosenChanged();
-    request();
+    if (!m_awaitsLive)
+        request();
+}
+
+/// The same map need not be evaluated twice with each movement of a slider.
+void SphereMapEditor::followLive()
+{
+    if (!m_awaitsLive)
+        return;
+    const SphereMapChain chain = shownMap(m_live, m_size);
+    if (!chain) { // it could not be made, or is shown no more
+        request();
+        return;
+    }
+    m_awaitsLive = m_live.made()->plan.sphereMaps.front().document.document != m_map; // a later one follows
+    m_runner.start(
+        [chain, size = m_size](const JobControl& job) {
+            const Image& picture = chain->levels.front();
+            return Patch{.rect = {0, 0, size, size}, .size = size, .image = picture, .screen = onScreen(picture, job)};
+        },
+        [this](Patch patch) { show(std::move(patch)); }, Running::Finish);
 }
 
 /// The worker brings its cache to the document with the stroke at hand; only what changed comes back.
 void SphereMapEditor::request()
 {
+    m_awaitsLive = m_hasSkipped = false;
     if (!m_map)
         return;
     const std::vector<Stroke> pending = m_recorder ? m_recorder->strokes() : std::vector<Stroke>();
@@ -92,16 +134,17 @@ void SphereMapEditor::request()
             for (int y = 0; y < patch.image.height; ++y)
                 std::copy_n(cache->image().texel(patch.rect.x0, patch.rect.y0 + y), static_cast<size_t>(patch.image.width) * 4,
                             patch.image.row(y));
+            patch.screen = onScreen(patch.image, job);
             return patch;
         },
-        [this](const Patch& patch) {
-            show(patch);
+        [this](Patch patch) {
+            show(std::move(patch));
             emit problemChanged({});
         },
         Running::Finish);
 }
 
-void SphereMapEditor::show(const Patch& patch)
+void SphereMapEditor::show(Patch patch)
 {
     const auto put = [](const Image& part, const TexelRect& rect, int size, Image& picture) {
         if (picture.width != size)
@@ -121,7 +164,11 @@ void SphereMapEditor::show(const Patch& patch)
         emit levelsChanged(touched);
     }
     if (!patch.rect.empty()) {
-        put(patch.image, patch.rect, patch.size, m_picture);
+        if (patch.rect.width() == patch.size && patch.rect.height() == patch.size)
+            m_picture = std::move(patch.image);
+        else
+            put(patch.image, patch.rect, patch.size, m_picture);
+        m_screen.put(patch.screen, patch.rect, patch.size);
         emit pictureChanged(patch.rect);
     }
 }

@@ -2,6 +2,8 @@
 
 #include "document.h"
 #include "job_runner.h"
+#include "live_scene.h"
+#include "screen_picture.h"
 
 #include "core/spheremap/levels_cache.h"
 #include "core/spheremap/stroke_recorder.h"
@@ -22,9 +24,6 @@ enum class PaintTool { Paint, Erase, Smudge, PickColor };
 /// Which end of a pen touches.
 enum class PenEnd { Tip, Eraser };
 
-/// Where strokes go.
-enum class PaintTarget { Layer, Mask };
-
 /// A brush that is changed by a drag: across its radius, up and down its hardness. @param moved  since the press, in pixels
 Brush draggedBrush(const Brush& before, const QPointF& moved);
 
@@ -36,7 +35,8 @@ class SphereMapEditor : public QObject {
     Q_OBJECT
 
 public:
-    explicit SphereMapEditor(Document& document, QObject* parent = nullptr);
+    /// @param live  made of the document: while a control is dragged it evaluates the map for the model, and the picture is taken from there
+    SphereMapEditor(Document& document, LiveScene& live, QObject* parent = nullptr);
     ~SphereMapEditor() override;
 
     /// The scene's own sphere map; null when it has none.
@@ -99,9 +99,11 @@ public:
     int size() const { return m_size; }
     /// The picture, RGBA, linear, colours multiplied by their opacity; empty before the first. It may be of an older state.
     const Image& picture() const { return m_picture; }
+    /// The same for the screen.
+    const ScreenPicture& screen() const { return m_screen; }
     /// The coarser levels of a hand-made chain, of which only what levelsChanged() named since a stroke began is there.
     const std::vector<Image>& coarserLevels() const { return m_coarser; }
-    bool isUpToDate() const { return !m_runner.isBusy(); }
+    bool isUpToDate() const { return !m_runner.isBusy() && !m_awaitsLive; }
 
 signals:
     /// map() changed.
@@ -119,17 +121,22 @@ signals:
 
 private:
     void follow();
+    void followLive();
     void request();
 
     struct Patch {
         TexelRect rect{};
         int size = 0; ///< of the whole
         Image image{};
+        QImage screen{};
         std::vector<LevelPatch> levels{};
     };
-    void show(const Patch& patch);
+    void show(Patch patch);
 
     Document& m_document;
+    LiveScene& m_live;
+    bool m_awaitsLive = false; ///< the picture of map() comes from there
+    bool m_hasSkipped = false; ///< what is kept to evaluate strokes fast is of an older map
     std::shared_ptr<const SphereMapDocument> m_map;
     int m_chosen = -1;
     int m_light = 0;
@@ -143,6 +150,7 @@ private:
     size_t m_recorderLayer = 0;
     PaintTarget m_recorderTarget = PaintTarget::Layer;
     Image m_picture{};
+    ScreenPicture m_screen{};
     std::vector<Image> m_coarser{};
     std::shared_ptr<SphereMapCache> m_cache;      ///< touched on the worker only
     std::shared_ptr<LevelsCache> m_levelsCache{}; ///< the same; null until a stroke needs it

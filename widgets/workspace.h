@@ -14,7 +14,7 @@ namespace mirrorball::studio {
 struct Workspace {
     Document document{};
     LiveScene live{document};
-    SphereMapEditor sphereMap{document};
+    SphereMapEditor sphereMap{document, live};
     DirectionCursor cursor{};
     MethodError methodError{};
     ProbeLibrary library{};

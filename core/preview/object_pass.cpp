@@ -38,9 +38,14 @@ glm::mat3 mapRotation(const RenderSettings& settings)
     return settings.material.space == LookupSpace::Eye ? glm::transpose(settings.camera.cameraToWorld()) : yawToMap(settings.yaw);
 }
 
-void beginDrawing(const RenderTarget& target)
+// The turn of the painted map's lookups.
+glm::mat3 sphereRotation(const RenderSettings& settings)
 {
-    const glm::vec4 nothing(0.0f);
+    return settings.material.paint.space == DiscSpace::Eye ? glm::transpose(settings.camera.cameraToWorld()) : yawToMap(settings.yaw);
+}
+
+void beginDrawing(const RenderTarget& target, const glm::vec4& nothing = glm::vec4(0.0f))
+{
     const float farthest = 1.0f;
     glDepthMask(GL_TRUE);
     for (size_t i = 0; i < target.colors.size(); ++i)
@@ -135,7 +140,7 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
         shader.set("paintedMap", 4);
         shader.set("sphereOpacity", paint.opacity);
         shader.set("sphereColor", paint.color);
-        shader.set("sphereRotation", paint.space == DiscSpace::Eye ? glm::transpose(settings.camera.cameraToWorld()) : yawToMap(settings.yaw));
+        shader.set("sphereRotation", sphereRotation(settings));
         shader.set("flecks", glm::vec4(paint.flecks.density, paint.flecks.size, paint.flecks.spread, float(paint.flecks.seed)));
     }
     if (hasMarker) {
@@ -188,9 +193,38 @@ void Renderer::Resources::drawBuffers(const RenderSettings& settings, const Rend
     beginDrawing(target);
     const bool isPick = target.colors.size() > 3;
     const ShaderProgram& shader = programs.get({"preview/object.vert", "preview/buffers.frag"},
-                                               {{"HAS_TEXCOORD", isPick ? "1" : "0"}, {"SPHERE_VERTEX", "0"}, {"HAS_EYE", isPick ? "1" : "0"}});
+                                               {{"HAS_TEXCOORD", isPick ? "1" : "0"}, {"SPHERE_VERTEX", "0"}});
     shader.set("specularRotation", mapRotation(settings));
-    shader.set("worldToCamera", glm::transpose(settings.camera.cameraToWorld()));
+    drawMesh(settings, shader);
+    glDisable(GL_DEPTH_TEST);
+    glUseProgram(0);
+}
+
+void Renderer::Resources::drawDiscPlaces(const RenderSettings& settings, SphereMapIndex index, const RenderTarget& target)
+{
+    const PaintSettings& paint = settings.material.paint;
+    const bool isWindow = settings.geometry.kind == GeometryKind::Window && !settings.geometry.mesh;
+    std::vector<ShaderDefine> defines = {{"WINDOW", isWindow ? "1" : "0"},
+                                         {"HAS_TEXCOORD", isWindow ? "1" : "0"},
+                                         {"SPHERE_VERTEX", !isWindow && paint.place == PlaceAt::Vertex ? "1" : "0"}};
+    if (isWindow) {
+        defines.emplace_back("WINDOW_SPACE", number(static_cast<int>(paint.space)));
+    } else {
+        defines.emplace_back("SPHERE_INDEX", number(static_cast<int>(index)));
+        defines.emplace_back("SPHERE_SPACE", number(static_cast<int>(paint.space)));
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+    glViewport(0, 0, settings.width, settings.height);
+    glDisable(GL_SCISSOR_TEST);
+    beginDrawing(target, glm::vec4(DiscPlaces::noPlace));
+    const ShaderProgram& shader = programs.get({"preview/object.vert", "preview/disc_places.frag"}, defines);
+    shader.set("noPlace", DiscPlaces::noPlace);
+    if (isWindow) {
+        setWindowView(settings, shader);
+        shader.set("layerDepth", settings.windowDepths.x);
+    } else {
+        shader.set("sphereRotation", sphereRotation(settings));
+    }
     drawMesh(settings, shader);
     glDisable(GL_DEPTH_TEST);
     glUseProgram(0);

@@ -24,7 +24,7 @@ struct Renderer::Resources {
     DisplayTables displayTables{};
     Geometry geometry{};
     std::unique_ptr<MeshBuffer> meshBuffer{};
-    RenderTarget objectTarget{}, pictureTarget{}, bufferTarget{}, pickTarget{};
+    RenderTarget objectTarget{}, pictureTarget{}, bufferTarget{}, pickTarget{}, placesTarget{};
 
     const MeshBuffer& mesh(const Geometry& wanted);
     RenderTarget& target(RenderTarget& slot, int width, int height, int samples, GLenum colorFormat, int count, GLenum depthFormat);
@@ -39,8 +39,11 @@ struct Renderer::Resources {
     void drawObject(const RenderSettings& settings, const RenderMaps& maps, Output output);
     void drawWindow(const RenderSettings& settings, const RenderMaps& maps, Output output);
     void drawDebug(const RenderSettings& settings, const RenderMaps& maps, Output output);
-    /// Position, normal, direction and, with `count` 6, what else a SurfaceHit holds. @param corner pixel of the picture at (0, 0)
+    /// Position, normal, direction and, with five, what else a SurfaceHit holds. @param corner pixel of the picture at (0, 0)
     void drawBuffers(const RenderSettings& settings, const RenderTarget& target, glm::ivec2 corner);
+    /// Places in the painted sphere map, to a target of two channels.
+    void drawDiscPlaces(const RenderSettings& settings, SphereMapIndex index, const RenderTarget& target);
+    void setWindowView(const RenderSettings& settings, const ShaderProgram& shader); ///< window_pass.cpp: what lib/window_view.glsl reads
 
     // composite_pass.cpp
     /// @param part   of the picture

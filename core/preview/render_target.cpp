@@ -42,8 +42,9 @@ RenderTarget::RenderTarget(int width_, int height_, int samples_, GLenum format_
 // OpenGL's rows run from the bottom.
 Image readImage(const RenderTarget& target, int colorIndex)
 {
-    Image image(target.width, target.height, 4);
-    const size_t rowSize = static_cast<size_t>(target.width) * 4;
+    const int channels = target.format == GL_RG32F ? 2 : 4;
+    Image image(target.width, target.height, channels);
+    const size_t rowSize = static_cast<size_t>(target.width) * static_cast<size_t>(channels);
     if (target.format == GL_RGBA8) {
         std::vector<unsigned char> bytes(image.texels.size());
         glGetTextureImage(target.colors[static_cast<size_t>(colorIndex)], 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(bytes.size()),
@@ -53,7 +54,7 @@ Image readImage(const RenderTarget& target, int colorIndex)
                            image.row(target.height - 1 - y), [](unsigned char byte) { return static_cast<float>(byte) / 255.0f; });
         return image;
     }
-    glGetTextureImage(target.colors[static_cast<size_t>(colorIndex)], 0, GL_RGBA, GL_FLOAT,
+    glGetTextureImage(target.colors[static_cast<size_t>(colorIndex)], 0, channels == 2 ? GL_RG : GL_RGBA, GL_FLOAT,
                       static_cast<GLsizei>(image.texels.size() * sizeof(float)), image.texels.data());
     for (int y = 0; y < target.height / 2; ++y)
         std::swap_ranges(image.row(y), image.row(y) + rowSize, image.row(target.height - 1 - y));

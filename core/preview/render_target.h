@@ -28,7 +28,7 @@ struct RenderTarget {
     }
 };
 
-/// Four channels of one colour texture of a target with one sample, top row first.
+/// One colour texture of a target with one sample, top row first: two channels of GL_RG32F, four of other formats.
 Image readImage(const RenderTarget& target, int colorIndex = 0);
 
 } // namespace mirrorball::preview

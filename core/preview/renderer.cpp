@@ -179,7 +179,7 @@ std::optional<SurfaceHit> Renderer::pick(const RenderSettings& settings, int x, 
     validate(settings);
     checkPixel(settings, x, y);
     Resources& r = resources();
-    const RenderTarget& pixel = r.target(r.pickTarget, 1, 1, 1, GL_RGBA32F, 7, GL_DEPTH_COMPONENT32F);
+    const RenderTarget& pixel = r.target(r.pickTarget, 1, 1, 1, GL_RGBA32F, 5, GL_DEPTH_COMPONENT32F);
     r.drawBuffers(settings, pixel, {x, settings.height - 1 - y});
     const auto read = [&](int index) {
         const Image image = readImage(pixel, index);
@@ -190,11 +190,18 @@ std::optional<SurfaceHit> Renderer::pick(const RenderSettings& settings, int x, 
         return std::nullopt;
     return SurfaceHit{.position = position,
                       .normal = read(1),
-                      .texCoord = glm::vec2(read(5)),
-                      .reflected = read(6),
-                      .lookup = read(2),
-                      .eyeNormal = read(3),
-                      .eyeReflected = read(4)};
+                      .texCoord = glm::vec2(read(3)),
+                      .reflected = read(4),
+                      .lookup = read(2)};
+}
+
+DiscPlaces Renderer::discPlaces(const RenderSettings& settings, SphereMapIndex index)
+{
+    validate(settings);
+    Resources& r = resources();
+    const RenderTarget& places = r.target(r.placesTarget, settings.width, settings.height, 1, GL_RG32F, 1, GL_DEPTH_COMPONENT32F);
+    r.drawDiscPlaces(settings, index, places);
+    return {readImage(places)};
 }
 
 } // namespace mirrorball::preview

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "disc_places.h"
 #include "render_settings.h"
 
 #include <memory>
@@ -21,8 +22,6 @@ struct SurfaceHit {
     glm::vec2 texCoord{};
     glm::vec3 reflected{};    ///< mirror direction, world space
     glm::vec3 lookup{};       ///< mirror direction in the space of the specular map (yaw or eye space applied)
-    glm::vec3 eyeNormal{};    ///< in the frame about the view ray, z towards the eye: (x, y) is its place in a sphere map indexed by normal
-    glm::vec3 eyeReflected{}; ///< in the camera's axes: looked up in a sphere map indexed by reflection
 };
 
 /// Pixels [x, x + width) x [y, y + height), from the lower left.
@@ -71,6 +70,9 @@ public:
 
     /// What one pixel of the picture shows, x and y from the upper left; nothing beside the object. Draws that pixel only.
     std::optional<SurfaceHit> pick(const RenderSettings& settings, int x, int y);
+
+    /// Where each pixel looks a painted sphere map up that is indexed so; through a window, the nearest layer outside. One sample per pixel.
+    DiscPlaces discPlaces(const RenderSettings& settings, SphereMapIndex index);
 
     /// Puts new texels into one level of the painted sphere map that the last picture read, their upper left one at (x, y): what a stroke
     /// touched, without a new map. The next picture must be handed the same pointer. @param texels RGBA, colours multiplied by opacity

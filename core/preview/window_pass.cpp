@@ -27,14 +27,19 @@ void Renderer::Resources::drawWindow(const RenderSettings& settings, const Rende
         sphereMaps[i].bind(unit, SphereMapTexture::Filter::Anisotropic);
         shader.set(("windowLayer" + std::to_string(i)).c_str(), static_cast<int>(unit));
     }
-    const double roll = rollToCancel(settings.camera.cameraToWorld());
+    setWindowView(settings, shader);
     shader.set("layerDepths", glm::vec4(settings.windowDepths, 0.0f));
-    shader.set("reference", glm::vec4(windowReference, 0.0f));
-    shader.set("worldToCamera", glm::transpose(settings.camera.cameraToWorld()));
-    shader.set("rollCancelled", glm::vec4(std::cos(roll), std::sin(roll), 0.0f, 0.0f));
     shader.set("pane", glm::vec4(window::paneCentre, window::paneHalf));
     shader.set("exposure", std::exp2(settings.exposure));
     drawMesh(settings, shader);
+}
+
+void Renderer::Resources::setWindowView(const RenderSettings& settings, const ShaderProgram& shader)
+{
+    const double roll = rollToCancel(settings.camera.cameraToWorld());
+    shader.set("reference", glm::vec4(windowReference, 0.0f));
+    shader.set("worldToCamera", glm::transpose(settings.camera.cameraToWorld()));
+    shader.set("rollCancelled", glm::vec4(std::cos(roll), std::sin(roll), 0.0f, 0.0f));
 }
 
 } // namespace mirrorball::preview

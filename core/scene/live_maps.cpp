@@ -1,6 +1,7 @@
 #include "live_maps.h"
 
 #include "../error.h"
+#include "../field_checks.h"
 #include "../filter/source_file.h"
 #include "../image/map_file.h"
 
@@ -255,7 +256,44 @@ MadeScene LiveMaps::update(const Scene& scene, const MapDetail& detail, const Jo
     return made;
 }
 
+namespace {
+
+/// The visible layers of a kind that only a newer version knows, or nothing.
+std::string unknownLayersOf(const SphereMapDocument& document)
+{
+    std::string unknown;
+    for (size_t i = 0; i < document.layers.size(); ++i) {
+        const Layer& layer = document.layers[i];
+        const auto isUnknown = [](const LayerContent& content) { return std::holds_alternative<UnknownLayer>(content); };
+        if (layer.visible && (isUnknown(layer.content) || (layer.mask && isUnknown(layer.mask->content))))
+            unknown += (unknown.empty() ? "" : ", ") + std::to_string(i + 1) + (layer.name.empty() ? "" : " " + inQuotes(layer.name));
+    }
+    return unknown.empty() ? "" : "the sphere map is shown without layer " + unknown + ", of a kind that this version does not know";
+}
+
+} // namespace
+
 // A map that cannot be read must not stop the picture: a texel of magenta stands in for it, and the problem is named.
+void LiveMaps::build(KeptSphereMap& map, const Scene& scene, const JobControl& job)
+{
+    try {
+        if (!map.plan.document) {
+            map.texels = std::make_shared<const SphereMapTexels>(buildSphereMap(scene, map.plan, job));
+            return;
+        }
+        const SphereMapDocument& document = *map.plan.document.document;
+        if (!map.cache || map.cache->size() != map.plan.size)
+            map.cache = std::make_shared<SphereMapCache>(EvaluateOptions{.size = map.plan.size, .unknownLayers = UnknownLayers::Skip});
+        map.texels = std::make_shared<const SphereMapTexels>(sphereMapTexels(*map.cache, document, map.plan.levels, job));
+        map.problem = unknownLayersOf(document);
+    } catch (const InvalidArgument& error) {
+        map.problem = error.what();
+        Image magenta(1, 1, 4);
+        magenta.texels = {1.0f, 0.0f, 1.0f, 1.0f};
+        map.texels = std::make_shared<const SphereMapTexels>(SphereMapTexels{.levels = {magenta}});
+    }
+}
+
 std::vector<SphereMapChain> LiveMaps::sphereMaps(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record)
 {
     std::vector<KeptSphereMap> kept;
@@ -267,20 +305,14 @@ std::vector<SphereMapChain> LiveMaps::sphereMaps(const Scene& scene, const Plan&
             map.path = resolved(scene, wanted.source);
             map.time = std::filesystem::last_write_time(map.path, ignored);
         }
-        for (const KeptSphereMap& old : m_sphereMaps)
+        for (const KeptSphereMap& old : m_sphereMaps) {
             if (old.plan == map.plan && old.path == map.path && old.time == map.time)
                 map = old;
+            else if (wanted.document && old.plan.field == wanted.field)
+                map.cache = old.cache;
+        }
         if (!map.texels)
-            map.texels = timedStage(record.stages, "sphere map " + wanted.source, [&] {
-                try {
-                    return std::make_shared<const SphereMapTexels>(buildSphereMap(scene, wanted, job));
-                } catch (const InvalidArgument& error) {
-                    map.problem = error.what();
-                    Image magenta(1, 1, 4);
-                    magenta.texels = {1.0f, 0.0f, 1.0f, 1.0f};
-                    return std::make_shared<const SphereMapTexels>(SphereMapTexels{.levels = {magenta}});
-                }
-            });
+            timedStage(record.stages, "sphere map " + wanted.source, [&] { build(map, scene, job); });
         maps.push_back(map.texels);
         kept.push_back(std::move(map));
     }

@@ -66,7 +66,8 @@ private:
         std::string path{};
         std::filesystem::file_time_type time{};
         SphereMapChain texels{};
-        std::string problem{}; ///< why the file could not be read
+        std::string problem{};                 ///< why the file could not be read, or what of it is left out
+        std::shared_ptr<SphereMapCache> cache{}; ///< of a document inside the scene, which may change with every movement of a slider
     };
 
     static ProbeKey probeKey(const Scene& scene);
@@ -78,6 +79,7 @@ private:
                      const JobControl& job, WorkRecord& record);
     void keepProbe(EnvironmentMap probe);
     bool isProbeItself(const MapPlan& plan, const SceneProbe& probe, const MapDetail& detail, double exposure) const;
+    static void build(KeptSphereMap& map, const Scene& scene, const JobControl& job);
     std::vector<SphereMapChain> sphereMaps(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record);
 
     std::optional<ProbeKey> m_key{};

@@ -64,6 +64,14 @@ SphereMapTexels sphereMapTexels(const SphereMapDocument& document, int size, Sph
     return {.levels = plainChain(evaluate(document, {.size = size}, job), job), .index = document.index};
 }
 
+SphereMapTexels sphereMapTexels(SphereMapCache& cache, const SphereMapDocument& document, SphereMapLevels levels, const JobControl& job)
+{
+    cache.update(document, job);
+    if (levels == SphereMapLevels::Authored && hasAuthoredLevels(document))
+        return {.levels = levelsFrom(cache.image(), document, cache.options(), job), .index = document.index, .hasAuthoredLevels = true};
+    return {.levels = plainChain(cache.image(), job), .index = document.index};
+}
+
 SphereMapTexels readSphereMap(const Scene& scene, const std::string& field, const std::string& source, int size, SphereMapLevels levels,
                               const JobControl& job)
 {

@@ -3,6 +3,7 @@
 #include "scene.h"
 
 #include "../job.h"
+#include "../spheremap/sphere_map_cache.h"
 #include "../spheremap/sphere_map_document.h"
 #include "../spheremap/sphere_map_texels.h"
 
@@ -26,6 +27,8 @@ SphereMapDocument readSphereMapDocument(const Scene& scene, const std::string& f
 
 /// The texels of a document. @throws as evaluateLevels()
 SphereMapTexels sphereMapTexels(const SphereMapDocument& document, int size, SphereMapLevels levels, const JobControl& job = {});
+/// The same while the document is edited: @param cache keeps what an edit does not reach, and says the size
+SphereMapTexels sphereMapTexels(SphereMapCache& cache, const SphereMapDocument& document, SphereMapLevels levels, const JobControl& job = {});
 
 /// The texels of a source: a document is evaluated at `size`; a square picture of a sphere map is taken as it is, looked up by normal.
 /// @param field for messages, "material.sphere_map.source"

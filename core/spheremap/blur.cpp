@@ -129,14 +129,13 @@ public:
     }
 
     /// Blurring moves light at most so far in the picture: an angle a on the ball is at most a radii, and half of that by mirror
-    /// directions, where however the whole rim is one direction.
+    /// directions, where however the whole rim is one direction. Behind the rim the ball has its nearest point's colour, which is no farther away.
     TexelRect widened(const TexelRect& rect) const
     {
         const TexelRect all{0, 0, m_size, m_size};
         if (m_mirror)
             return all;
-        // Two cells more, for the grid's interpolation; the same again because what lies outside the disc is the rim's.
-        const float reach = 2.0f * (reachInSigmas * m_sigma + 4.0f * m_grid.cell) * 0.5f * static_cast<float>(m_size);
+        const float reach = (reachInSigmas * m_sigma + 4.0f * m_grid.cell) * 0.5f * static_cast<float>(m_size); // cells: the grid's interpolation
         if (reach > static_cast<float>(m_size))
             return all;
         TexelRect grown = rect.grown(static_cast<int>(std::ceil(reach)) + 2, m_size);

@@ -19,6 +19,14 @@ DiscPicture::DiscPicture(Image rgb)
     }
 }
 
+size_t DiscPicture::bytes() const
+{
+    size_t sum = 0;
+    for (const Image& level : m_levels)
+        sum += level.texels.size() * sizeof(float);
+    return sum;
+}
+
 const Image& DiscPicture::levelFor(double texel) const
 {
     size_t level = 0;

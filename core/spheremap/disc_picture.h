@@ -19,6 +19,8 @@ public:
     const Image& levelFor(double texel) const;
     bool empty() const { return m_levels.empty(); }
     int size() const { return m_levels.front().width; }
+    /// That its texels hold.
+    size_t bytes() const;
 
 private:
     std::vector<Image> m_levels{};

@@ -302,7 +302,7 @@ public:
         TexelRect rect = region; // from the top down: what each pass must make
         for (auto pass = passes.rbegin(); pass != passes.rend(); ++pass) {
             if (pass->warpLayer)
-                rect = rect.united(pass->warp.needs(rect));
+                rect = rect.united(pass->warp.needs(inwards(rect, m_level.size)));
             pass->rect = rect;
         }
         Image picture = m_options.below ? cut(*m_options.below, {0, 0, m_level.size, m_level.size}, passes.front().rect) : Image();
@@ -315,9 +315,19 @@ public:
     }
 
 private:
-    SpanGenerator maskOf(const Layer& layer, const TexelRect& rect) const
+    const Image* rasterOf(size_t layer, PaintTarget target) const
     {
-        return layer.mask ? preparedGenerator(layer.mask->content, m_level, rect, nullptr, m_job) : SpanGenerator{};
+        const Image* raster = m_options.raster ? m_options.raster(layer, target) : nullptr;
+        if (raster && (raster->width != m_level.size || raster->height != m_level.size || raster->channels != 4))
+            throw InvalidArgument("layers[" + std::to_string(layer) + "]: its raster must be " + std::to_string(m_level.size) +
+                                  " texels square with four channels");
+        return raster;
+    }
+
+    SpanGenerator maskOf(size_t i, const TexelRect& rect) const
+    {
+        const Layer& layer = m_document.layers[i];
+        return layer.mask ? preparedGenerator(layer.mask->content, m_level, rect, rasterOf(i, PaintTarget::Mask), m_job) : SpanGenerator{};
     }
 
     /// The layers of a pass over the picture of the one before, which is empty at the bottom.
@@ -326,15 +336,11 @@ private:
         std::vector<Step> steps;
         for (const size_t i : pass.layers) {
             const Layer& layer = m_document.layers[i];
-            const Image* raster = m_options.raster ? m_options.raster(i) : nullptr;
-            if (raster && (raster->width != m_level.size || raster->height != m_level.size || raster->channels != 4))
-                throw InvalidArgument("layers[" + std::to_string(i) + "]: its raster must be " + std::to_string(m_level.size) +
-                                      " texels square with four channels");
-            steps.push_back({.layer = &layer, .mask = maskOf(layer, pass.rect)});
+            steps.push_back({.layer = &layer, .mask = maskOf(i, pass.rect)});
             if (kindOf(layer.content).role == LayerRole::Adjustment)
                 steps.back().adjust = preparedAdjustment(layer.content, m_level);
             else
-                steps.back().generate = preparedGenerator(layer.content, m_level, pass.rect, raster, m_job);
+                steps.back().generate = preparedGenerator(layer.content, m_level, pass.rect, rasterOf(i, PaintTarget::Layer), m_job);
         }
         if (steps.empty() && !below.empty())
             return below;
@@ -361,7 +367,7 @@ private:
         Image result = pass.warp.apply(below, pass.rect, wanted, m_job);
         if (!layer.mask && layer.opacity >= 1.0 && layer.blend == BlendMode::Normal)
             return result;
-        const SpanGenerator mask = maskOf(layer, wanted);
+        const SpanGenerator mask = maskOf(*pass.warpLayer, wanted);
         Image mixed = pass.rect == wanted ? std::move(below) : cut(below, pass.rect, wanted);
         forEachRun(wanted, m_level, m_job, [&](const DiscSpan& at) {
             ColorSpan colors, backdrop;
@@ -422,7 +428,7 @@ TexelRect touchedBy(const SphereMapDocument& document, size_t layer, const Texel
     TexelRect rect = outwards(touched.intersected({0, 0, options.size, options.size}), options.size);
     for (size_t i = layer + 1; i < document.layers.size() && !rect.empty(); ++i)
         if (takesPart(document.layers[i], options) && kindOf(document.layers[i].content).role == LayerRole::Warp)
-            rect = rect.united(preparedWarp(document.layers[i].content, level).reaches(rect));
+            rect = rect.united(outwards(preparedWarp(document.layers[i].content, level).reaches(rect), options.size));
     return rect;
 }
 

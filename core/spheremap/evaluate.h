@@ -22,6 +22,9 @@ inline constexpr int largestSphereMap = 8192;
 /// What becomes of visible layers of a kind that this version does not know.
 enum class UnknownLayers { Refuse, Skip };
 
+/// What of a layer is painted.
+enum class PaintTarget { Layer, Mask };
+
 struct EvaluateOptions {
     int size = 512;                      ///< texels along an edge, [1, 8192]
     int level = 0;                       ///< of a chain, [0, 16]: decides which layers take part
@@ -29,9 +32,9 @@ struct EvaluateOptions {
     std::optional<TexelRect> region{};   ///< what to evaluate; empty: the whole map
     UnknownLayers unknownLayers = UnknownLayers::Refuse;
     std::shared_ptr<SphereMapAssets> assets{}; ///< null: files are read again
-    /// The raster of a layer by its index, where it is at hand already (a StrokeCanvas): size x size, RGBA, multiplied by opacity. Null:
-    /// it is evaluated.
-    std::function<const Image*(size_t layer)> raster{};
+    /// The strokes of a layer or of its mask by the layer's index, where they are at hand already (a StrokeCanvas): size x size, RGBA,
+    /// multiplied by opacity. Null: they are evaluated.
+    std::function<const Image*(size_t layer, PaintTarget)> raster{};
     size_t firstLayer = 0;       ///< those below it are in `below`
     size_t endLayer = SIZE_MAX;  ///< this one and those above are left out
     const Image* below = nullptr; ///< the whole map with the layers below firstLayer, as evaluate() gave it; null: nothing
@@ -55,6 +58,8 @@ TexelRect touchedBy(const SphereMapDocument& document, size_t layer, const Texel
 std::vector<Image> evaluateLevels(const SphereMapDocument& document, int size, const JobControl& job = {});
 /// The same with options; `region`, `level` and `levelSize` are not used.
 std::vector<Image> evaluateLevels(const SphereMapDocument& document, const EvaluateOptions& options, const JobControl& job = {});
+/// The same where the largest level is at hand: @param base evaluate() of the document with these options, or a SphereMapCache's image
+std::vector<Image> levelsFrom(Image base, const SphereMapDocument& document, const EvaluateOptions& options, const JobControl& job = {});
 
 inline constexpr int levelOversampling = 2; ///< of levels above 64 texels; smaller ones are made from 128
 /// By how much finer a hand-made level of an edge of `size` texels is evaluated.

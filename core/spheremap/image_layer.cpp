@@ -65,7 +65,11 @@ SpanGenerator prepare(const ImageLayer& layer, const Level& level)
     if (layer.source.empty())
         throw InvalidArgument("an image layer's source: must be an image file; it is empty");
     const std::string path = assetPath(level, layer.source);
-    const auto passes = level.assets->get<Passes>("image|" + assetKey(path), [&] { return readPasses(path); });
+    const auto passes = level.assets->get<Passes>("image|" + assetKey(path), [&] {
+        Passes read = readPasses(path);
+        const size_t bytes = read.diffuse.bytes() + read.specular.bytes();
+        return SphereMapAssets::Made<Passes>{std::move(read), bytes};
+    });
     const double turn = layer.turnDeg * pi / 180.0;
     const DiscLookup lookup{static_cast<float>(1.0 - layer.inset), static_cast<float>(std::cos(turn)), static_cast<float>(std::sin(turn))};
     const glm::vec3 tint(layer.tint * std::exp2(layer.exposure));

@@ -74,11 +74,20 @@ std::vector<Image> evaluateLevels(const SphereMapDocument& document, const Evalu
     one.region.reset();
     one.level = 0;
     one.levelSize = 0;
-    Image base = evaluate(document, one, job);
+    return levelsFrom(evaluate(document, one, job), document, one, job);
+}
+
+std::vector<Image> levelsFrom(Image base, const SphereMapDocument& document, const EvaluateOptions& options, const JobControl& job)
+{
     if (!hasAuthoredLevels(document))
         return plainChain(std::move(base), job);
     std::vector<Image> levels;
     levels.push_back(std::move(base));
+    EvaluateOptions one = options;
+    if (!one.assets)
+        one.assets = std::make_shared<SphereMapAssets>();
+    one.region.reset();
+    one.level = 0;
     one.raster = {}; // those at hand are of the largest size
     for (int size = options.size / 2; size >= 1; size /= 2) {
         one.level = std::min(one.level + 1, deepestLevel);

@@ -65,7 +65,9 @@ DiscPicture bake(const ProbeLayer& layer, const std::string& path, SphereMapAsse
 {
     const auto probe = assets.get<std::shared_ptr<FilterSource>>("filter source|" + assetKey(path), [&] {
         std::vector<Stage> stages;
-        return std::make_shared<FilterSource>(readProbe(path, {}, {}, stages).map);
+        EnvironmentMap map = readProbe(path, {}, {}, stages).map;
+        const size_t bytes = 2 * map.image.texels.size() * sizeof(float); // and its spectrum, of about as many values
+        return SphereMapAssets::Made<std::shared_ptr<FilterSource>>{std::make_shared<FilterSource>(std::move(map)), bytes};
     });
     const Lobe lobe = lobeOf(layer);
     // The diffuse part is looked up by the normal, not by the mirror direction; what is tipped, through a map of all directions.
@@ -128,7 +130,11 @@ SpanGenerator prepare(const ProbeLayer& layer, const Level& level)
     const std::string path = assetPath(level, layer.source);
     const std::string key = "probe|" + assetKey(path) + "|" + describe(lobeOf(layer)) + "|" + numberText(layer.yawDeg) + "|" + numberText(layer.tiltDeg);
     SphereMapAssets* assets = level.assets;
-    const auto picture = assets->get<DiscPicture>(key, [&] { return bake(layer, path, *assets); });
+    const auto picture = assets->get<DiscPicture>(key, [&] {
+        DiscPicture baked = bake(layer, path, *assets);
+        const size_t bytes = baked.bytes();
+        return SphereMapAssets::Made<DiscPicture>{std::move(baked), bytes};
+    });
     const auto share = std::make_shared<const ShareTable>(fresnel, layer.share, layer.tint * std::exp2(layer.exposure));
     return [picture, share, texel = level.texel()](const DiscSpan& at, ColorSpan& out) {
         DiscLookup{}.read(picture->levelFor(texel), at, out);

@@ -6,20 +6,42 @@ namespace mirrorball {
 
 namespace {
 
-enum class Change { None, Strokes, Other };
-
 /// What of the picture is different between two states of a layer.
+struct Change {
+    bool isOther = false; ///< more than strokes
+    std::vector<PaintTarget> strokes{};
+    bool any() const { return isOther || !strokes.empty(); }
+};
+
+const PaintLayer* painted(const Layer& layer, PaintTarget target)
+{
+    if (target == PaintTarget::Layer)
+        return std::get_if<PaintLayer>(&layer.content);
+    return layer.mask ? std::get_if<PaintLayer>(&layer.mask->content) : nullptr;
+}
+
+bool sameMaskButContent(const Layer& a, const Layer& b)
+{
+    if (a.mask.has_value() != b.mask.has_value())
+        return false;
+    return !a.mask || (a.mask->channel == b.mask->channel && a.mask->invert == b.mask->invert && a.mask->unknown == b.mask->unknown);
+}
+
 Change changeOf(const Layer& a, const Layer& b)
 {
-    const auto* strokesA = std::get_if<PaintLayer>(&a.content);
-    const auto* strokesB = std::get_if<PaintLayer>(&b.content);
-    const bool frame = a.visible == b.visible && a.opacity == b.opacity && a.blend == b.blend && a.mask == b.mask &&
-                       a.firstLevel == b.firstLevel && a.lastLevel == b.lastLevel;
-    if (!frame)
-        return Change::Other;
-    if (strokesA && strokesB && sameButStrokes(*strokesA, *strokesB))
-        return strokesA->strokes == strokesB->strokes ? Change::None : Change::Strokes;
-    return a.content == b.content ? Change::None : Change::Other;
+    Change change{.isOther = a.visible != b.visible || a.opacity != b.opacity || a.blend != b.blend || a.firstLevel != b.firstLevel ||
+                             a.lastLevel != b.lastLevel || !sameMaskButContent(a, b)};
+    const auto compare = [&](PaintTarget target, const LayerContent& from, const LayerContent& to) {
+        const PaintLayer *strokesA = painted(a, target), *strokesB = painted(b, target);
+        if (!strokesA || !strokesB || !sameButStrokes(*strokesA, *strokesB))
+            change.isOther = change.isOther || from != to;
+        else if (strokesA->strokes != strokesB->strokes)
+            change.strokes.push_back(target);
+    };
+    compare(PaintTarget::Layer, a.content, b.content);
+    if (a.mask && b.mask)
+        compare(PaintTarget::Mask, a.mask->content, b.mask->content);
+    return change;
 }
 
 TexelRect whole(int size)
@@ -27,9 +49,10 @@ TexelRect whole(int size)
     return {0, 0, size, size};
 }
 
-bool holdsWarp(const SphereMapDocument& document, size_t end)
+/// Then a stroke reads or reaches more than it touches, and what lies below it is worth keeping.
+bool holdsWarp(const SphereMapDocument& document)
 {
-    return std::any_of(document.layers.begin(), document.layers.begin() + static_cast<std::ptrdiff_t>(end),
+    return std::any_of(document.layers.begin(), document.layers.end(),
                        [](const Layer& layer) { return layer.visible && kindOf(layer.content).role == LayerRole::Warp; });
 }
 
@@ -75,23 +98,21 @@ TexelRect SphereMapCache::advance(const SphereMapDocument& document, const JobCo
         return whole(m_options.size);
     }
     size_t lowest = SIZE_MAX;
-    std::vector<size_t> strokes;
+    std::vector<Painted> strokes;
     bool onlyStrokes = true;
     for (size_t i = 0; i < count; ++i) {
         const Change change = changeOf(m_document->layers[i], document.layers[i]);
-        if (change == Change::None)
-            continue;
-        lowest = std::min(lowest, i);
-        if (change == Change::Strokes)
-            strokes.push_back(i);
-        else
-            onlyStrokes = false;
+        if (change.any())
+            lowest = std::min(lowest, i);
+        for (const PaintTarget target : change.strokes)
+            strokes.emplace_back(i, target);
+        onlyStrokes = onlyStrokes && !change.isOther;
     }
     if (lowest == SIZE_MAX)
         return {};
     if (m_belowLayer > lowest)
         m_belowLayer = 0;
-    if (lowest > 0 && m_belowLayer != lowest && m_lastChanged == lowest && (!onlyStrokes || holdsWarp(document, lowest)))
+    if (lowest > 0 && m_belowLayer != lowest && m_lastChanged == lowest && (!onlyStrokes || holdsWarp(document)))
         keepBelow(document, lowest, job);
     m_lastChanged = lowest;
     if (!onlyStrokes) {
@@ -101,75 +122,73 @@ TexelRect SphereMapCache::advance(const SphereMapDocument& document, const JobCo
     }
 
     TexelRect dirty;
-    for (const size_t i : strokes) {
-        const auto canvas = m_canvases.find(i);
+    for (const Painted& which : strokes) {
+        const auto canvas = m_canvases.find(which);
         if (canvas == m_canvases.end())
             continue; // hidden
         const TexelRect touched = canvas->second.update(
-            strokesAt(std::get<PaintLayer>(document.layers[i].content),
-                      {.size = m_options.size, .levelSize = levelSize()}),
-            job);
-        dirty = dirty.united(touchedBy(document, i, touched, m_options));
+            strokesAt(*painted(document.layers[which.first], which.second), {.size = m_options.size, .levelSize = levelSize()}), job);
+        dirty = dirty.united(touchedBy(document, which.first, touched, m_options));
     }
-    for (auto& [layer, canvas] : m_canvases)
-        if (std::find(strokes.begin(), strokes.end(), layer) == strokes.end())
+    for (auto& [which, canvas] : m_canvases)
+        if (std::find(strokes.begin(), strokes.end(), which) == strokes.end())
             canvas.settle();
     if (!dirty.empty())
         evaluateInto(document, dirty, job);
     return dirty;
 }
 
-/// A canvas for every visible paint layer, taken over from whichever layer had the same strokes.
+/// A canvas for every visible paint layer and painted mask, taken over from whichever had the same strokes.
 void SphereMapCache::keepCanvases(const SphereMapDocument& document, const JobControl& job)
 {
-    std::map<size_t, StrokeCanvas> old = std::move(m_canvases);
+    std::map<Painted, StrokeCanvas> old = std::move(m_canvases);
     m_canvases.clear();
-    for (size_t i = 0; i < document.layers.size(); ++i) {
-        const auto* paint = std::get_if<PaintLayer>(&document.layers[i].content);
-        if (!paint || !document.layers[i].visible)
-            continue;
-        const std::vector<Stroke> strokes = strokesAt(
-            *paint, {.size = m_options.size, .levelSize = levelSize()});
-        auto found = std::find_if(old.begin(), old.end(), [&](const auto& entry) { return entry.second.strokes() == strokes; });
-        if (found == old.end())
-            found = old.find(i);
-        if (found == old.end()) {
-            m_canvases.emplace(i, StrokeCanvas(m_options.size)).first->second.update(strokes, job);
-        } else {
-            auto node = old.extract(found);
-            node.key() = i;
-            m_canvases.insert(std::move(node)).position->second.update(strokes, job);
+    for (size_t i = 0; i < document.layers.size(); ++i)
+        for (const PaintTarget target : {PaintTarget::Layer, PaintTarget::Mask}) {
+            const PaintLayer* paint = painted(document.layers[i], target);
+            if (!paint || !document.layers[i].visible)
+                continue;
+            const Painted which(i, target);
+            const std::vector<Stroke> strokes = strokesAt(*paint, {.size = m_options.size, .levelSize = levelSize()});
+            auto found = std::find_if(old.begin(), old.end(), [&](const auto& entry) { return entry.second.strokes() == strokes; });
+            if (found == old.end())
+                found = old.find(which);
+            if (found == old.end()) {
+                m_canvases.emplace(which, StrokeCanvas(m_options.size)).first->second.update(strokes, job);
+            } else {
+                auto node = old.extract(found);
+                node.key() = which;
+                m_canvases.insert(std::move(node)).position->second.update(strokes, job);
+            }
         }
-    }
 }
 
-void SphereMapCache::keepBelow(const SphereMapDocument& document, size_t layer, const JobControl& job)
+/// To evaluate with the canvases, and over the layers that are kept.
+EvaluateOptions SphereMapCache::withWhatIsKept() const
 {
     EvaluateOptions options = m_options;
-    options.endLayer = layer;
-    options.raster = [this](size_t i) -> const Image* {
-        const auto canvas = m_canvases.find(i);
+    options.raster = [this](size_t layer, PaintTarget target) -> const Image* {
+        const auto canvas = m_canvases.find({layer, target});
         return canvas == m_canvases.end() ? nullptr : &canvas->second.image();
     };
     if (m_belowLayer > 0) {
         options.firstLayer = m_belowLayer;
         options.below = &m_below;
     }
+    return options;
+}
+
+void SphereMapCache::keepBelow(const SphereMapDocument& document, size_t layer, const JobControl& job)
+{
+    EvaluateOptions options = withWhatIsKept();
+    options.endLayer = layer;
     m_below = evaluate(document, options, job);
     m_belowLayer = layer;
 }
 
 void SphereMapCache::evaluateInto(const SphereMapDocument& document, const TexelRect& rect, const JobControl& job)
 {
-    EvaluateOptions options = m_options;
-    options.raster = [this](size_t i) -> const Image* {
-        const auto canvas = m_canvases.find(i);
-        return canvas == m_canvases.end() ? nullptr : &canvas->second.image();
-    };
-    if (m_belowLayer > 0) {
-        options.firstLayer = m_belowLayer;
-        options.below = &m_below;
-    }
+    EvaluateOptions options = withWhatIsKept();
     if (rect == whole(m_options.size)) {
         m_image = evaluate(document, options, job);
         return;

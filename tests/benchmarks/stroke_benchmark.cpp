@@ -121,6 +121,40 @@ void penMovesOnTenLayers(benchmark::State& state)
 }
 BENCHMARK(penMovesOnTenLayers)->Arg(20)->Arg(80)->Arg(300)->UseRealTime()->Unit(benchmark::kMillisecond);
 
+/// The same under a layer that moves the picture, or on a mask; the argument is the index into what.
+void penMovesUnder(benchmark::State& state)
+{
+    struct Case {
+        const char* name;
+        Layer above;
+    };
+    static const std::vector<Case> cases{{"nothing", {.visible = false}},
+                                         {"blur of 2 degrees", {.content = BlurLayer{.sigmaDeg = 2.0}}},
+                                         {"blur of 8 degrees", {.content = BlurLayer{.sigmaDeg = 8.0}}},
+                                         {"twist", {.content = TwistLayer{}}},
+                                         {"rotation", {.content = RotateLayer{.angleDeg = 40.0, .rightDeg = 20.0}}},
+                                         {"a mask's owner", {.content = FillLayer{}, .mask = Mask{.content = PaintLayer{}}}}};
+    const Case& wanted = cases[static_cast<size_t>(state.range(0))];
+    state.SetLabel(wanted.name);
+    SphereMapDocument document = tenLayers();
+    document.layers.push_back(wanted.above);
+    const bool isMask = wanted.above.mask.has_value();
+    SphereMapCache cache({.size = 1024});
+    cache.update(document, twoThreads);
+    std::vector<Stroke>& strokes = std::get<PaintLayer>(isMask ? document.layers[10].mask->content : document.layers[8].content).strokes;
+    strokes.push_back(dab({-0.6, 0.0}, {.radius = 0.04}));
+    cache.update(document, twoThreads);
+    double t = 0.0;
+    for (auto _ : state) {
+        t += 0.02;
+        if (strokes.back().points.size() > 200)
+            strokes.back().points.resize(1);
+        strokes.back().points.push_back({{0.6 * std::cos(t), 0.6 * std::sin(t)}, 1.0});
+        benchmark::DoNotOptimize(cache.update(document, twoThreads));
+    }
+}
+BENCHMARK(penMovesUnder)->DenseRange(0, 5)->UseRealTime()->Unit(benchmark::kMillisecond);
+
 /// A slider of a layer in the middle.
 void opacityOfTheSeventhOfTenLayers(benchmark::State& state)
 {

@@ -2,15 +2,22 @@
 #include "app/studio/theme.h"
 #include "widgets/number_field.h"
 #include "widgets/options_form.h"
+#include "widgets/sphere_map_canvas.h"
+
+#include "core/spheremap/presets.h"
+#include "support/stroke_builders.h"
 
 #include <QApplication>
+#include <QDockWidget>
 #include <QEventLoop>
+#include <QMouseEvent>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTimer>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <vector>
@@ -19,7 +26,7 @@
 /// whose picture has 1280 x 720 pixels. A step lasts from the slider's move until the display has taken a picture with that exponent.
 /// While something is dragged the studio draws one sample a pixel; the same is measured with the four of a picture at rest. Prints the
 /// median and the slowest, the longest that any one event kept the GUI thread, and the time from the start of the process to the first
-/// picture.
+/// picture. Then a stroke on a sphere map, from pen to picture.
 ///
 ///   xvfb-run -a -s "-screen 0 1920x1200x24" build/ci/bin/studio_benchmark [PROBE [STEPS]]
 namespace mirrorball::studio {
@@ -117,6 +124,107 @@ bool dragExponent(MainWindow& window, WatchedApplication& application, int steps
     return true;
 }
 
+/// A stroke with the mouse on a sphere map of 1024 texels under 200 others in ten layers: from a movement, on the disc or on the model, until
+/// the display has taken a picture with it. @return false when a picture did not come
+bool paintStroke(MainWindow& window, WatchedApplication& application, QWidget& on, int steps)
+{
+    PreviewWidget& preview = window.preview();
+    SphereMapEditor& editor = window.workspace().sphereMap;
+    const bool isOnModel = &on == &preview;
+    editor.setPaintsOnModel(isOnModel);
+    const QPointF middle(0.5 * on.width(), 0.5 * on.height());
+    const double reach = 0.12 * std::min(on.width(), on.height());
+    const auto send = [&](QEvent::Type type, double t) {
+        const QPointF at = middle + reach * QPointF(std::cos(t), 0.8 * std::sin(t));
+        QMouseEvent event(type, at, on.mapToGlobal(at), type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton,
+                          type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&on, &event);
+    };
+    int changes = 0;
+    const auto connection = QObject::connect(&editor, &SphereMapEditor::pictureChanged, &editor, [&] { ++changes; });
+    send(QEvent::MouseButtonPress, 0.0);
+    std::vector<double> latencies;
+    for (int i = 0; i <= steps; ++i) {
+        const int before = changes;
+        const auto moved = Clock::now();
+        send(QEvent::MouseMove, 0.25 * (i + 1)); // far enough for new dabs
+        if (!waitUntil(preview, [&](const PreparedScene&) { return changes > before && preview.isUpToDate(); }))
+            return false;
+        if (i == 0) // it builds what a stroke needs
+            application.longest = 0.0;
+        else
+            latencies.push_back(millisecondsSince(moved));
+    }
+    const double longest = application.longest;
+    send(QEvent::MouseButtonRelease, 0.25 * (steps + 1));
+    QObject::disconnect(connection);
+    const auto released = Clock::now();
+    if (!waitUntil(preview, [&](const PreparedScene&) { return window.workspace().live.isUpToDate() && preview.isUpToDate(); }))
+        return false;
+    std::printf("a stroke on the %s, on a sphere map of %d texels\n", isOnModel ? "model" : "disc", editor.size());
+    std::printf("  pen to picture, median     %7.1f ms\n", percentile(latencies, 0.5));
+    std::printf("  pen to picture, 95 %%       %7.1f ms\n", percentile(latencies, 0.95));
+    std::printf("  pen to picture, slowest    %7.1f ms\n", percentile(latencies, 1.0));
+    std::printf("  GUI thread busy at a time  %7.1f ms at most\n", longest);
+    std::printf("  pen up to smooth edges     %7.1f ms\n", millisecondsSince(released));
+    return true;
+}
+
+/// The opacity of a layer in the middle of that map, dragged. @return false when a picture did not come
+bool dragOpacity(MainWindow& window, WatchedApplication& application, int steps)
+{
+    SphereMapEditor& editor = window.workspace().sphereMap;
+    editor.choose(5);
+    std::vector<double> latencies;
+    for (int i = 0; i <= steps; ++i) {
+        const auto moved = Clock::now();
+        editor.editLayer(QStringLiteral("opacity"), QStringLiteral("opacity"), [&](Layer& layer) { layer.opacity = 0.3 + 0.6 * i / steps; });
+        const double value = editor.chosenLayer()->opacity;
+        if (!waitUntil(window.preview(), [&](const PreparedScene& made) {
+                return made.scene.material.sphereMap.document.document->layers[5].opacity == value;
+            }))
+            return false;
+        if (i == 0)
+            application.longest = 0.0;
+        else
+            latencies.push_back(millisecondsSince(moved));
+    }
+    window.workspace().document.finishEdit();
+    std::printf("opacity of the sixth of ten layers\n");
+    std::printf("  slider to picture, median  %7.1f ms\n", percentile(latencies, 0.5));
+    std::printf("  slider to picture, 95 %%    %7.1f ms\n", percentile(latencies, 0.95));
+    std::printf("  GUI thread busy at a time  %7.1f ms at most\n", application.longest);
+    return true;
+}
+
+/// Ten layers, three of them painted, with 200 strokes.
+SphereMapDocument paintedMap()
+{
+    const std::vector<Stroke> strokes = handDrawnStrokes(200, 1);
+    SphereMapDocument map = findSphereMapPreset("jade")->document;
+    for (int i = 0; map.layers.size() < 7; ++i)
+        map.layers.push_back({.opacity = 0.2, .blend = BlendMode::SoftLight, .content = GradientLayer{.shape = GradientShape::Radial}});
+    for (ptrdiff_t first = 0; first < 200; first += 67)
+        map.layers.push_back({.name = "Paint", .content = PaintLayer{.strokes = {strokes.begin() + first, strokes.begin() + std::min<ptrdiff_t>(first + 67, 200)}}});
+    return map;
+}
+
+/// @return false when a picture did not come
+bool paint(MainWindow& window, WatchedApplication& application, int steps)
+{
+    window.preview().setSamplesWhileDragging(1);
+    SphereMapEditor& editor = window.workspace().sphereMap;
+    window.dock(QStringLiteral("sphere-map"))->raise();
+    editor.setMap(QStringLiteral("map"), paintedMap());
+    const auto isReady = [&](const PreparedScene& made) {
+        return made.scene == window.workspace().document.scene() && window.workspace().live.isUpToDate() && window.preview().isUpToDate();
+    };
+    if (!waitUntil(window.preview(), isReady))
+        return false;
+    return paintStroke(window, application, *window.findChild<SphereMapCanvas*>(), steps) &&
+           paintStroke(window, application, window.preview(), steps) && dragOpacity(window, application, steps);
+}
+
 int run(WatchedApplication& application, Clock::time_point start)
 {
     applyTheme(application);
@@ -138,7 +246,7 @@ int run(WatchedApplication& application, Clock::time_point start)
         return 1;
     std::printf("picture                      %d x %d\n", preview.width(), preview.height());
     const int steps = arguments.size() > 2 ? std::max(1, arguments[2].toInt()) : 200;
-    const bool isDone = dragExponent(window, application, steps, 1) && dragExponent(window, application, steps, 4);
+    const bool isDone = dragExponent(window, application, steps, 1) && dragExponent(window, application, steps, 4) && paint(window, application, steps);
     document.reset();
     return isDone ? 0 : 1;
 }

@@ -1,19 +1,13 @@
-// What a picture's pixels were computed from, for tests and pickers. HAS_EYE: 1 for what a picker needs besides.
+// What a picture's pixels were computed from, for tests and pickers. HAS_TEXCOORD: 1 for what a picker needs besides.
 #include "lib/surface_point.glsl"
-#if HAS_EYE
-#include "lib/eye_frame.glsl"
-uniform mat3 worldToCamera;
-layout(location = 3) out vec4 eyeNormal;    // in the frame about the view ray
-layout(location = 4) out vec4 eyeReflected; // in the camera's axes
-layout(location = 5) out vec4 surfaceTexCoord;
-layout(location = 6) out vec4 reflected;    // in the world
-#endif
 uniform vec4 viewer;
 uniform mat3 specularRotation;
 in vec3 worldPosition;
 in vec3 worldNormal;
 #if HAS_TEXCOORD
 in vec2 texCoord;
+layout(location = 3) out vec4 surfaceTexCoord;
+layout(location = 4) out vec4 reflected; // in the world
 #endif
 layout(location = 0) out vec4 position;
 layout(location = 1) out vec4 normal;
@@ -25,10 +19,7 @@ void main()
     position = vec4(worldPosition, 1.0);
     normal = vec4(p.n, 1.0);
     direction = vec4(specularRotation * p.r, 1.0);
-#if HAS_EYE
-    vec3 v = worldToCamera * normalize(viewer.xyz - viewer.w * worldPosition);
-    eyeNormal = vec4(aboutViewRay(v, worldToCamera * p.n), 1.0);
-    eyeReflected = vec4(worldToCamera * p.r, 1.0);
+#if HAS_TEXCOORD
     surfaceTexCoord = vec4(texCoord, 0.0, 1.0);
     reflected = vec4(p.r, 1.0);
 #endif

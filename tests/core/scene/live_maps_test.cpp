@@ -1,6 +1,7 @@
 #include "core/scene/live_maps.h"
 
 #include "core/error.h"
+#include "core/spheremap/presets.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,6 +20,15 @@ Scene glossyScene(double exponent)
     scene.map.size = 256;
     scene.material.specular = {.lobe = SurfaceLobe::Phong, .exponent = exponent};
     scene.material.diffuse.weight = 0.5;
+    return scene;
+}
+
+Scene paintedScene(const SphereMapDocument& map)
+{
+    Scene scene;
+    scene.material.sphereMap.use = SphereMapUse::Replace;
+    scene.material.sphereMap.size = 128;
+    scene.material.sphereMap.document.document = std::make_shared<const SphereMapDocument>(map);
     return scene;
 }
 
@@ -62,6 +72,47 @@ TEST(LiveMaps, KeepWhatAnEditDidNotTouch)
     EXPECT_NE(before.specular, after.specular);
     EXPECT_EQ(before.diffuse, after.diffuse);
     EXPECT_EQ(before.background, after.background);
+}
+
+// Whatever came before: a layer that changed, one that went, another size.
+TEST(LiveMaps, OfASphereMapThatIsEditedAreThoseOfTheCommandLine)
+{
+    LiveMaps live;
+    Scene scene = paintedScene(findSphereMapPreset("jade")->document);
+    const auto expectCommandLines = [&] {
+        WorkRecord record;
+        const std::vector<SphereMapChain> expected = buildSphereMaps(scene, makePlan(scene, probeLayout(scene)), {}, record);
+        const std::vector<SphereMapChain> made = live.update(scene, {}).maps.sphereMaps;
+        ASSERT_EQ(made.size(), 1u);
+        EXPECT_EQ(made[0]->levels, expected[0]->levels);
+        EXPECT_EQ(made[0]->hasAuthoredLevels, expected[0]->hasAuthoredLevels);
+    };
+    const auto edit = [&](auto&& change) {
+        SphereMapDocument map = *scene.material.sphereMap.document.document;
+        change(map);
+        scene.material.sphereMap.document.document = std::make_shared<const SphereMapDocument>(std::move(map));
+        expectCommandLines();
+    };
+    expectCommandLines();
+    edit([](SphereMapDocument& map) { map.layers.front().opacity = 0.5; });
+    edit([](SphereMapDocument& map) { map.layers.front().opacity = 0.6; });
+    edit([](SphereMapDocument& map) { map.layers.push_back({.content = SilhouetteLayer{.unit = WidthUnit::Pixels}}); });
+    edit([](SphereMapDocument& map) { map.layers.erase(map.layers.begin()); });
+    scene.material.sphereMap.size = 64;
+    expectCommandLines();
+}
+
+TEST(LiveMaps, ShowASphereMapWithoutLayersOfUnknownKindAndNameThem)
+{
+    LiveMaps live;
+    SphereMapDocument map;
+    map.layers = {{.content = FillLayer{.color = {0.25, 0.5, 0.75}}}, {.name = "Fur", .content = UnknownLayer{.name = "fur", .text = "{}"}}};
+    const MadeScene made = live.update(paintedScene(map), {});
+    EXPECT_THAT(made.problem, HasSubstr("without layer 2 \"Fur\""));
+    ASSERT_EQ(made.maps.sphereMaps.size(), 1u);
+    EXPECT_FLOAT_EQ(made.maps.sphereMaps[0]->levels[0].texel(7, 9)[2], 0.75f);
+    map.layers.pop_back();
+    EXPECT_EQ(live.update(paintedScene(map), {}).problem, "");
 }
 
 // From 1e6 on the lobe is narrower than 1.5 texels of a probe 1024 wide, and the map is the same lookup for all.

@@ -116,13 +116,32 @@ TEST(EvaluateSphereMap, RefusesVisibleUnknownLayersUnlessToldToSkipThem)
     EXPECT_EQ(evaluate(document, {.size = 4}), evaluate(stack({white}), {.size = 4}));
 }
 
+TEST(SphereMapAssets, ForgetWhatWasNotUsedTheLongestBeyondTheirBudget)
+{
+    SphereMapAssets assets(100);
+    int made = 0;
+    const auto get = [&](const char* key, size_t bytes) {
+        return *assets.get<int>(key, [&] { return SphereMapAssets::Made<int>{++made, bytes}; });
+    };
+    EXPECT_EQ(get("a", 40), 1);
+    EXPECT_EQ(get("b", 40), 2);
+    EXPECT_EQ(get("a", 40), 1);
+    EXPECT_EQ(get("c", 40), 3); // b goes
+    EXPECT_EQ(assets.bytes(), 80u);
+    EXPECT_EQ(get("a", 40), 1);
+    EXPECT_EQ(get("b", 40), 4); // c goes
+    EXPECT_EQ(get("huge", 1000), 5);
+    EXPECT_EQ(assets.bytes(), 1000u); // the newest stays
+    EXPECT_EQ(get("huge", 1000), 5);
+}
+
 TEST(EvaluateSphereMap, TakesTheRasterOfALayerThatIsAtHand)
 {
     Image raster(4, 4, 4);
     raster.texel(1, 2)[1] = 0.5f;
     raster.texel(1, 2)[3] = 0.5f;
     const SphereMapDocument document = stack({white, {.content = FillLayer{}}});
-    const Image map = evaluate(document, {.size = 4, .raster = [&](size_t layer) { return layer == 1 ? &raster : nullptr; }});
+    const Image map = evaluate(document, {.size = 4, .raster = [&](size_t layer, PaintTarget) { return layer == 1 ? &raster : nullptr; }});
     EXPECT_EQ(map.texel(0, 0)[0], 1.0f);
     EXPECT_EQ(map.texel(1, 2)[0], 0.5f); // half of white
     EXPECT_EQ(map.texel(1, 2)[1], 1.0f); // half of white and half of green

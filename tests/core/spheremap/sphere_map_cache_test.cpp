@@ -19,7 +19,7 @@ SphereMapDocument paintedDocument()
         {.opacity = 0.5, .content = InvertLayer{}},
         {.blend = BlendMode::Multiply, .content = PaintLayer{.strokes = handDrawnStrokes(5, 6, 0.1, 0.7)},
          .mask = Mask{.content = GradientLayer{.shape = GradientShape::Radial}}},
-        {.content = SilhouetteLayer{}},
+        {.content = SilhouetteLayer{}, .mask = Mask{.content = PaintLayer{.strokes = handDrawnStrokes(3, 7, 0.2, 0.7)}}},
     };
     return document;
 }
@@ -45,12 +45,15 @@ TEST(SphereMapCache, GivesTheBytesOfAFullEvaluationAfterEveryKindOfChange)
     cache.update(document);
     for (int step = 0; step < 60; ++step) {
         const Image before = cache.image();
-        const size_t painted = random() % 2u ? 1 : 3;
+        const auto painted = random();
         const auto choice = random() % 10u;
         std::vector<PaintLayer*> papers;
-        for (Layer& layer : document.layers)
+        for (Layer& layer : document.layers) {
             if (auto* paper = std::get_if<PaintLayer>(&layer.content))
                 papers.push_back(paper);
+            if (auto* paper = layer.mask ? std::get_if<PaintLayer>(&layer.mask->content) : nullptr)
+                papers.push_back(paper);
+        }
         std::vector<Stroke>& strokes = papers[painted % papers.size()]->strokes;
         if (choice < 3 || strokes.empty())
             strokes.push_back(pool[random() % pool.size()]);
@@ -85,6 +88,67 @@ TEST(SphereMapCache, AStrokeEvaluatesOnlyItsTilesAndWhatContinuesThemPastTheRim)
     EXPECT_EQ(rim.x1, 1024); // the corner outside takes the rim's colour
     EXPECT_EQ(rim.y0, 0);
     EXPECT_LE(rim.width(), 256);
+}
+
+/// Under what moves the picture a stroke reaches other places: whichever it does not is as before, and the rest is right.
+TEST(SphereMapCache, FollowsStrokesUnderEveryWarp)
+{
+    const std::vector<Layer> warps{{.content = BlurLayer{.sigmaDeg = 1.5}},
+                                   {.content = BlurLayer{.sigmaDeg = 6.0}},
+                                   {.content = TwistLayer{.angleDeg = 90.0}},
+                                   {.content = TwistLayer{.angleDeg = -500.0, .radius = 0.6}},
+                                   {.opacity = 0.5, .content = TwistLayer{.angleDeg = 30.0, .radius = 1.3}},
+                                   {.content = RotateLayer{.angleDeg = 40.0}},
+                                   {.content = RotateLayer{.rightDeg = 35.0, .upDeg = -20.0}},
+                                   {.blend = BlendMode::Screen, .content = RotateLayer{.angleDeg = 10.0, .rightDeg = -80.0, .upDeg = 70.0}},
+                                   {.content = RotateLayer{.upDeg = 180.0}}};
+    const std::vector<Stroke> pool = handDrawnStrokes(40, 9, 0.05, 0.3);
+    std::mt19937 random(12);
+    for (size_t w = 0; w < warps.size(); ++w) {
+        SphereMapDocument document;
+        document.layers = {{.content = GradientLayer{}}, {.content = PaintLayer{}}, warps[w], {.content = SilhouetteLayer{}}};
+        if (w == 0)
+            document.layers.push_back(warps[2]);
+        SphereMapCache cache({.size = 200});
+        cache.update(document);
+        std::vector<Stroke>& strokes = std::get<PaintLayer>(document.layers[1].content).strokes;
+        for (int step = 0; step < 12; ++step) {
+            const Image before = cache.image();
+            if (step % 4 == 3)
+                strokes.pop_back();
+            else if (step % 4 == 2)
+                strokes.back().points.push_back({strokes.back().points.back().q * 1.1 + 0.03, 1.0});
+            else
+                strokes.push_back(pool[random() % pool.size()]);
+            const TexelRect dirty = cache.update(document);
+            ASSERT_EQ(cache.image(), evaluate(document, {.size = 200})) << "warp " << w << " step " << step;
+            ASSERT_TRUE(equalOutside(dirty, before, cache.image())) << "warp " << w << " step " << step;
+        }
+    }
+}
+
+TEST(SphereMapCache, AStrokeUnderATwistOrABlurEvaluatesWhatItReachesAndNotTheWhole)
+{
+    for (const Layer& warp : {Layer{.content = TwistLayer{.angleDeg = 90.0}}, Layer{.content = RotateLayer{.angleDeg = 40.0, .rightDeg = 20.0}},
+                              Layer{.content = BlurLayer{.sigmaDeg = 2.0}}}) {
+        SphereMapDocument document;
+        document.layers = {{.content = GradientLayer{}}, {.content = PaintLayer{}}, warp};
+        SphereMapCache cache({.size = 1024});
+        cache.update(document);
+        std::get<PaintLayer>(document.layers[1].content).strokes.push_back(dab({0.3, 0.1}, {.radius = 0.02}));
+        const TexelRect dirty = cache.update(document);
+        EXPECT_LT(dirty.width(), 384) << kindOf(warp.content).name;
+        EXPECT_LT(dirty.height(), 384) << kindOf(warp.content).name;
+    }
+}
+
+TEST(SphereMapCache, AStrokeOnAMaskEvaluatesOnlyItsTiles)
+{
+    SphereMapDocument document = paintedDocument();
+    SphereMapCache cache({.size = 1024});
+    cache.update(document);
+    std::get<PaintLayer>(document.layers[4].mask->content).strokes.push_back(dab({0.1, 0.1}, {.radius = 0.02}));
+    EXPECT_EQ(cache.update(document), (TexelRect{512, 448, 576, 512}));
 }
 
 TEST(SphereMapCache, IsUnchangedByNamesAndStartsAfreshAfterItWasStopped)
