@@ -3,7 +3,9 @@
 #include "disconnect_children.h"
 #include "text.h"
 
+#include "core/image/image_io.h"
 #include "core/scene/export_command.h"
+#include "core/spheremap/evaluate.h"
 
 #include <QClipboard>
 #include <QDesktopServices>
@@ -18,11 +20,13 @@
 #include <QMenu>
 #include <QSettings>
 #include <QSignalBlocker>
+#include <QStandardItemModel>
 #include <QStandardPaths>
 #include <QUrl>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
 
 namespace mirrorball::studio {
 
@@ -37,9 +41,12 @@ QString kindText(ExportKind kind)
     case ExportKind::Specular: return ExportDialog::tr("Specular, the material's lobe");
     case ExportKind::Diffuse: return ExportDialog::tr("Diffuse irradiance");
     case ExportKind::Chain: return ExportDialog::tr("Roughness chain, ggx 0 to 1");
+    case ExportKind::Painted: return ExportDialog::tr("Sphere map, as it is painted");
     }
     return {};
 }
+
+constexpr std::array allKinds{ExportKind::Source, ExportKind::Specular, ExportKind::Diffuse, ExportKind::Chain, ExportKind::Painted};
 
 /// Sizes step by doubling and halving.
 class SizeBox : public QSpinBox {
@@ -143,6 +150,7 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent)
     connect(&document, &Document::changed, this, [this](Parts parts) {
         if (parts.testFlag(Part::Exports))
             listTargets();
+        offerKinds();
         if (parts & (Parts(Part::Exports) | Part::Probe | Part::Material | Part::Folder))
             estimate();
         showCommand();
@@ -160,6 +168,7 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent)
     resize(sizeHint());
     setMinimumSize(760, 520);
     m_folder->setText(QDir::toNativeSeparators(QSettings().value(QStringLiteral("export/folder"), beside).toString()));
+    offerKinds();
     listTargets();
     selectRow(0);
     estimate();
@@ -195,8 +204,9 @@ QWidget* ExportDialog::makeList()
     add->setObjectName(QStringLiteral("export.add"));
     add->setToolTip(tr("Adds a map to the list"));
     auto* menu = new QMenu(add);
-    for (const ExportKind kind : {ExportKind::Source, ExportKind::Specular, ExportKind::Diffuse, ExportKind::Chain})
-        menu->addAction(kindText(kind), this, [this, kind] { addTarget(kind); });
+    menu->setToolTipsVisible(true);
+    for (const ExportKind kind : allKinds)
+        m_addPainted = menu->addAction(kindText(kind), this, [this, kind] { addTarget(kind); }); // the last one
     add->setMenu(menu);
     m_duplicate = new QPushButton(tr("&Duplicate"));
     m_duplicate->setObjectName(QStringLiteral("export.duplicate"));
@@ -249,11 +259,12 @@ QWidget* ExportDialog::makeForm()
     m_border = new QSpinBox;
     m_format = new QComboBox;
     m_faces = new QCheckBox(tr("six files, one a face"));
-    m_mips = new QCheckBox(tr("halved levels in the file"));
+    m_mips = new QCheckBox(tr("coarser levels"));
+    m_levelFiles = new QCheckBox(tr("one file a level"));
     m_levels = new QSpinBox;
     m_file = new QLineEdit;
     m_files = quietLabel();
-    for (const ExportKind kind : {ExportKind::Source, ExportKind::Specular, ExportKind::Diffuse, ExportKind::Chain})
+    for (const ExportKind kind : allKinds)
         m_kind->addItem(kindText(kind), static_cast<int>(kind));
     for (const Parameterization kind : allParameterizations)
         m_parameterization->addItem(labelText(name(kind)), static_cast<int>(kind));
@@ -270,13 +281,15 @@ QWidget* ExportDialog::makeForm()
     add(tr("&Map"), m_kind, "export.kind", tr("What is written"));
     add(tr("&Parameterization"), m_parameterization, "export.parameterization", tr("How directions become texels"));
     add(tr("&Size"), m_size, "export.size", tr("Edge of a face, disc or octahedron, or height of a latlong; arrows double and halve"));
-    add(tr("&Border"), m_border, "export.border", tr("Paraboloid: texels kept free outside each disc"));
+    add(tr("&Border"), m_border, "export.border", tr("Texels between a disc and the edge of the picture; Blender shows a matcap's outline whole with 2 at 512"));
     add(tr("&Format"), m_format, "export.format", tr("File format and what a texel is stored as"));
     add({}, m_faces, "export.faces", tr("Cube: px, nx, py, ny, pz and nz instead of one stack"));
-    add({}, m_mips, "export.mips", tr("Mip levels, each the halving of the one before, across seams"));
+    add({}, m_mips, "export.mips", tr("Mip levels: each the halving of the one before, across seams; a painted map's as it makes them"));
+    add({}, m_levelFiles, "export.level-files", tr("Numbered files instead of one that holds all levels; %d in the file's name stands for the number"));
     add(tr("&Levels"), m_levels, "export.levels", tr("How many levels of roughness; each is filtered from the probe itself"));
-    add(tr("F&ile"), m_file, "export.file", tr("File name; %s in a cube's stands for the six faces"));
+    add(tr("F&ile"), m_file, "export.file", tr("File name; %s in a cube's stands for the six faces, %d for the number of a level"));
     m_faces->setAccessibleName(tr("Six files"));
+    m_levelFiles->setAccessibleName(tr("One file a level"));
     m_mips->setAccessibleName(tr("Halved levels"));
     m_rows->addRow(QString(), m_files);
 
@@ -285,13 +298,7 @@ QWidget* ExportDialog::makeForm()
         change(tr("Export name"), [&](ExportTarget& t) { t.name = text; });
     });
     connect(m_kind, &QComboBox::activated, this, [this] {
-        change(tr("Export map"), [this](ExportTarget& t) {
-            t.kind = static_cast<ExportKind>(m_kind->currentData().toInt());
-            if (t.kind == ExportKind::Chain)
-                t.mips = false;
-            else
-                t.levels = 0;
-        });
+        change(tr("Export map"), [this](ExportTarget& t) { t = withKind(t, static_cast<ExportKind>(m_kind->currentData().toInt())); });
     });
     connect(m_parameterization, &QComboBox::activated, this, [this] {
         change(tr("Export parameterization"), [this](ExportTarget& t) {
@@ -316,7 +323,10 @@ QWidget* ExportDialog::makeForm()
     connect(m_faces, &QCheckBox::clicked, this, [this](bool six) {
         change(tr("Export files"), [six](ExportTarget& t) { t = withCubeFiles(t, six ? CubeFiles::Six : CubeFiles::One); });
     });
-    connect(m_mips, &QCheckBox::clicked, this, [this](bool mips) { change(tr("Export levels"), [mips](ExportTarget& t) { t.mips = mips; }); });
+    connect(m_mips, &QCheckBox::clicked, this, [this](bool mips) { change(tr("Export levels"), [mips](ExportTarget& t) { t = withMips(t, mips ? Mips::All : Mips::None); }); });
+    connect(m_levelFiles, &QCheckBox::clicked, this, [this](bool each) {
+        change(tr("Export files"), [each](ExportTarget& t) { t = withLevelFiles(t, each ? LevelFiles::Each : LevelFiles::One); });
+    });
     connect(m_levels, &QSpinBox::valueChanged, this,
             [this](int levels) { change(tr("Export levels"), [levels](ExportTarget& t) { t.levels = levels; }); });
     connect(m_file, &QLineEdit::editingFinished, this, [this] {
@@ -324,6 +334,17 @@ QWidget* ExportDialog::makeForm()
         change(tr("Export file"), [&](ExportTarget& t) { t.file = file == t.name + ".exr" ? std::string() : file; });
     });
     return m_form;
+}
+
+/// A sphere map can be written where the scene has one.
+void ExportDialog::offerKinds()
+{
+    const bool hasMap = !m_workspace.document.scene().material.sphereMap.isNone();
+    m_addPainted->setEnabled(hasMap);
+    m_addPainted->setToolTip(hasMap ? tr("The material's sphere map, for programs that take matcaps") : tr("The material has no sphere map"));
+    const int item = m_kind->findData(static_cast<int>(ExportKind::Painted));
+    if (auto* model = qobject_cast<QStandardItemModel*>(m_kind->model()))
+        model->item(item)->setEnabled(hasMap);
 }
 
 QWidget* ExportDialog::makeFolderRow()
@@ -425,13 +446,7 @@ void ExportDialog::change(const QString& label, const std::function<void(ExportT
 
 void ExportDialog::addTarget(ExportKind kind)
 {
-    const std::vector<ExportTarget>& targets = m_workspace.document.scene().exports;
-    const MapSettings& map = m_workspace.document.scene().map;
-    ExportTarget target{.name = freeName(targets, std::string(words(kind)[static_cast<size_t>(kind)])), .kind = kind};
-    target.parameterization = map.parameterization;
-    target.border = map.border;
-    target.size = kind == ExportKind::Diffuse ? 64 : map.size;
-    target.border = std::min(target.border, (target.size - 1) / 2);
+    const ExportTarget target = newTarget(m_workspace.document.scene(), kind);
     m_workspace.document.edit(tr("Add export"), {}, [&](Scene& scene) { scene.exports.push_back(target); });
     selectRow(m_list->topLevelItemCount() - 1);
 }
@@ -444,7 +459,7 @@ void ExportDialog::duplicateTarget()
     ExportTarget copy = *target;
     copy.name = freeName(m_workspace.document.scene().exports, copy.name);
     if (!copy.file.empty()) // two maps in one file would be one too few
-        copy.file = copy.name + (hasFaceFiles(copy) ? "_%s" : "") + std::filesystem::path(copy.file).extension().string();
+        copy.file = copy.name + (hasFaceFiles(copy) ? "_%s" : "") + (hasLevelFiles(copy) ? "_%d" : "") + std::filesystem::path(copy.file).extension().string();
     m_workspace.document.edit(tr("Duplicate export"), {}, [&](Scene& scene) { scene.exports.push_back(copy); });
     selectRow(m_list->topLevelItemCount() - 1);
 }
@@ -489,21 +504,27 @@ void ExportDialog::showTarget()
     m_name->setText(target ? QString::fromStdString(shown.name) : QString());
     m_kind->setCurrentIndex(m_kind->findData(static_cast<int>(shown.kind)));
     m_parameterization->setCurrentIndex(m_parameterization->findData(static_cast<int>(shown.parameterization)));
+    m_size->setRange(1, shown.kind == ExportKind::Painted ? largestSphereMap : 16384);
     m_size->setValue(shown.size);
     m_border->setRange(0, std::max(0, (shown.size - 1) / 2));
     m_border->setValue(shown.border);
+    for (size_t i = 0; i < exportFormats().size(); ++i)
+        m_format->setItemText(static_cast<int>(i), formatText(exportFormats()[i], shown.kind));
     m_format->setCurrentIndex(formatOf(shown));
     m_faces->setChecked(hasFaceFiles(shown));
     m_mips->setChecked(shown.mips);
+    m_levelFiles->setChecked(hasLevelFiles(shown));
     m_levels->setValue(shown.levels);
     m_file->setPlaceholderText(QString::fromStdString(shown.name) + QStringLiteral(".exr"));
     m_file->setText(QString::fromStdString(shown.file));
-    const int format = formatOf(shown);
-    m_mips->setEnabled(format >= 0 && exportFormats()[static_cast<size_t>(format)].holdsLevels);
-    m_rows->setRowVisible(m_border, shown.parameterization == Parameterization::Paraboloid);
-    m_rows->setRowVisible(m_faces, shown.parameterization == Parameterization::Cube);
-    m_rows->setRowVisible(m_mips, shown.kind != ExportKind::Chain);
-    m_rows->setRowVisible(m_levels, shown.kind == ExportKind::Chain);
+    const bool isPainted = shown.kind == ExportKind::Painted, isChain = shown.kind == ExportKind::Chain;
+    m_mips->setEnabled(canHaveMips(shown));
+    m_rows->setRowVisible(m_parameterization, !isPainted);
+    m_rows->setRowVisible(m_border, isPainted ? !shown.mips : shown.parameterization == Parameterization::Paraboloid);
+    m_rows->setRowVisible(m_faces, !isPainted && shown.parameterization == Parameterization::Cube);
+    m_rows->setRowVisible(m_mips, !isChain);
+    m_rows->setRowVisible(m_levelFiles, (shown.mips || isChain) && (holdsMips(shown.fileName()) || hasLevelFiles(shown)));
+    m_rows->setRowVisible(m_levels, isChain);
     showEstimates(m_estimates);
 }
 
@@ -516,8 +537,9 @@ void ExportDialog::estimate()
     }
     m_estimator.start(
         [scene = m_workspace.document.scene()](const JobControl&) {
-            const MapLayout probe = probeLayout(scene);
-            return estimateExports(makePlan(scene, probe, {.picture = false, .exports = std::vector<std::string>{}}), probe);
+            const PlanRequest request{.picture = false, .exports = std::vector<std::string>{}};
+            const MapLayout probe = probeLayout(scene, request);
+            return estimateExports(makePlan(scene, probe, request), probe);
         },
         [this](const std::vector<ExportEstimate>& estimates) { showEstimates(estimates); });
 }
@@ -556,8 +578,8 @@ void ExportDialog::showEstimates(const std::vector<ExportEstimate>& estimates)
         m_total->setText(tr("%1, about %2 in all%3")
                              .arg(filesText(static_cast<size_t>(files)), toQString(byteText(bytes)),
                                   seconds == 0.0  ? QString()
-                                  : seconds < 0.1 ? tr("; filtered in less than 0.1 s")
-                                                  : tr("; filtered in about %1 s").arg(seconds, 0, 'f', 1)));
+                                  : seconds < 0.1 ? tr("; computed in less than 0.1 s")
+                                                  : tr("; computed in about %1 s").arg(seconds, 0, 'f', 1)));
     m_export->setEnabled(!m_isExporting && !checkedNames().empty());
 }
 

@@ -7,6 +7,7 @@
 #include "core/scene/export.h"
 #include "core/scene/export_estimate.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
@@ -61,6 +62,7 @@ private:
     QWidget* makeList();
     QWidget* makeForm();
     QWidget* makeFolderRow();
+    void offerKinds();
     void addCommandRow(QGridLayout& layout);
     const ExportTarget* selected() const;
     int selectedRow() const;
@@ -80,13 +82,14 @@ private:
     JobRunner m_estimator;
     bool m_isExporting = false;
     QTreeWidget* m_list;
+    QAction* m_addPainted;
     QPushButton *m_duplicate, *m_remove;
     QWidget* m_form;
     QFormLayout* m_rows;
     QLineEdit* m_name;
     QComboBox *m_kind, *m_parameterization, *m_format;
     QSpinBox *m_size, *m_border, *m_levels;
-    QCheckBox *m_faces, *m_mips;
+    QCheckBox *m_faces, *m_mips, *m_levelFiles;
     QLineEdit* m_file;
     QLabel* m_files;
     QLineEdit* m_folder;

@@ -1,6 +1,7 @@
 #include "sphere_map_panel.h"
 
 #include "form_labels.h"
+#include "painted_export.h"
 #include "sphere_map_source_field.h"
 #include "text.h"
 
@@ -397,6 +398,8 @@ QMenu* SphereMapPanel::makeMapMenu(QToolButton& button)
         if (!path.isEmpty())
             saveMapAs(path.endsWith(QStringLiteral(".spheremap")) ? path : path + QStringLiteral(".spheremap"));
     });
+    auto* picture = new PaintedExport(m_workspace, this);
+    connect(menu->addAction(tr("Export the picture...")), &QAction::triggered, picture, &PaintedExport::askAndWrite);
     menu->addSeparator();
     connect(menu->addAction(tr("Remove the sphere map")), &QAction::triggered, this, &SphereMapPanel::removeMap);
     return menu;

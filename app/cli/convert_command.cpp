@@ -43,7 +43,7 @@ void addConvertCommand(CLI::App& program)
     const auto o = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand("convert", "Resample a probe to another parameterization, size or yaw");
     command->add_option("PROBE", o->probe, "file or builtin:NAME")->required();
-    command->add_option("-o,--output", o->out, "output file; %s in the name of a cube makes six files")->required();
+    command->add_option("-o,--output", o->out, "output file; %s in the name of a cube makes six files, %d one file a level")->required();
     command->add_option("--to", o->to, "parameterization of the output (KIND)")->required();
     command->add_option("--size", o->size, "face edge, disc edge, latlong height or octahedral edge, in texels")->required();
     command->add_option("--from", o->from, "parameterization of the input, where it is not to be found out (KIND)");

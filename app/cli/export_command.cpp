@@ -22,7 +22,8 @@ void run(const Options& o)
 {
     const Scene scene = loadScene(o.scene);
     const JobControl job = jobWithProgress("export", o.threads);
-    const Plan plan = makePlan(scene, probeLayout(scene), {.picture = false, .exports = o.only});
+    const PlanRequest request{.picture = false, .exports = o.only};
+    const Plan plan = makePlan(scene, probeLayout(scene, request), request);
     if (o.explain)
         printStages(plan.stages);
     const ExportOutcome outcome = exportScene(scene, o.folder, {.only = o.only}, job);

@@ -237,7 +237,7 @@ void addFilterCommand(CLI::App& program)
     const auto o = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand("filter", "Prefilter a probe with a lobe");
     command->add_option("PROBE", o->probe, "file or builtin:NAME")->required();
-    command->add_option("-o,--output", o->out, "output file; %s in the name of a cube makes six files")->required();
+    command->add_option("-o,--output", o->out, "output file; %s in the name of a cube makes six files, %d one file a level")->required();
     command->add_option("--lobe", o->lobe, "phong, diffuse or ggx")->required();
     command->add_option("--exponent", o->exponent, "phong: exponent, at least 0");
     command->add_option("--roughness", o->roughness, "ggx: alpha is its square; phong: the exponent is its inverse");

@@ -1,15 +1,13 @@
 #include "command.h"
 
 #include "core/error.h"
-#include "core/image/color.h"
 #include "core/image/map_file.h"
 #include "core/image/image_io.h"
-#include "core/spheremap/evaluate.h"
 #include "core/spheremap/matcap_passes.h"
+#include "core/spheremap/painted_pictures.h"
 #include "core/spheremap/presets.h"
 #include "core/spheremap/sphere_map_file.h"
 
-#include <algorithm>
 #include <memory>
 
 namespace mirrorball::cli {
@@ -35,22 +33,6 @@ SphereMapDocument findDocument(const std::string& word)
     throw InvalidArgument("'" + word + "' is neither a sphere map file nor a preset (" + known + ")");
 }
 
-bool isOpaque(const Image& rgba)
-{
-    for (size_t i = 3; i < rgba.texels.size(); i += 4)
-        if (rgba.texels[i] < 1.0f - 1e-6f)
-            return false;
-    return true;
-}
-
-Image withoutOpacity(const Image& rgba)
-{
-    Image rgb(rgba.width, rgba.height, 3);
-    for (size_t i = 0; i < rgb.texels.size() / 3; ++i)
-        std::copy_n(&rgba.texels[4 * i], 3, &rgb.texels[3 * i]);
-    return rgb;
-}
-
 void run(const Options& o)
 {
     std::vector<Stage> stages;
@@ -59,10 +41,7 @@ void run(const Options& o)
     if (o.size <= 2 * o.border)
         throw InvalidArgument("--border: must leave room for the map between the borders of a picture of " + std::to_string(o.size) + " texels; it is " +
                               std::to_string(o.border));
-    const EvaluateOptions options{.size = o.size - 2 * o.border};
-    const std::string index(words(document.index)[static_cast<size_t>(document.index)]);
-    const WriteOptions writeOptions{.sampleType = o.half ? SampleType::Half : SampleType::Float,
-                                    .attributes = {{"mirrorball:parameterization", "sphere"}, {"mirrorball:index", index}}};
+    const WriteOptions writeOptions = paintedFileOptions(document, o.half ? SampleType::Half : SampleType::Float);
     const auto writeTheRest = [&] { // once all went well
         if (!o.saved.empty())
             saveSphereMap(document, o.saved);
@@ -70,18 +49,15 @@ void run(const Options& o)
             writeStats(o.stats, {.stages = stages, .method = "paint", .threads = job.threadCount()});
     };
     if (!o.specular.empty()) {
-        const MatcapPasses passes = timedStage(stages, "evaluate", [&] { return evaluatePasses(document, o.specular, options, job); });
+        const MatcapPasses passes = timedStage(stages, "evaluate", [&] { return evaluatePasses(document, o.specular, {.size = o.size - 2 * o.border}, job); });
         timedStage(stages, "write map", [&] {
             writePasses(o.out, {{"diffuse", bordered(passes.diffuse, o.border)}, {"specular", bordered(passes.specular, o.border)}}, writeOptions);
         });
         writeTheRest();
         return;
     }
-    std::vector<Image> levels = timedStage(stages, "evaluate", [&] {
-        return o.levels ? evaluateLevels(document, options, job) : std::vector<Image>{bordered(evaluate(document, options, job), o.border)};
-    });
-    if (std::all_of(levels.begin(), levels.end(), isOpaque))
-        std::transform(levels.begin(), levels.end(), levels.begin(), withoutOpacity);
+    const PaintedOptions options{.size = o.size, .border = o.border, .levels = o.levels ? PaintedLevels::Authored : PaintedLevels::One};
+    const std::vector<Image> levels = timedStage(stages, "evaluate", [&] { return paintedPictures(document, options, job); });
     timedStage(stages, "write map", [&] { writePictures(o.out, levels, writeOptions); });
     writeTheRest();
 }
@@ -93,9 +69,9 @@ void addPaintCommand(CLI::App& program)
     const auto o = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand("paint", "Evaluate a sphere map: a document, a preset, or recorded strokes");
     command->add_option("DOCUMENT", o->document, ".spheremap file or preset; `mirrorball presets` lists them")->required();
-    command->add_option("-o,--output", o->out, "output file: .exr and .tif keep linear light, .png shows it clipped")->required();
+    command->add_option("-o,--output", o->out, "output file: .exr and .tif keep linear light, .png shows it clipped; %d in the name: one file a level")->required();
     command->add_option("--size", o->size, "edge of the map, in texels")->required();
-    CLI::Option* levels = command->add_flag("--levels", o->levels, "the whole mip chain, as the document makes it: in one file, or NAME.LEVEL.EXT");
+    CLI::Option* levels = command->add_flag("--levels", o->levels, "the whole mip chain, as the document makes it: in one .exr or .tif, else NAME.LEVEL.EXT, or where the name has a %d");
     command
         ->add_option("--border", o->border,
                      "texels between the disc and the picture's edge, in the rim's colours; Blender looks 0.8 percent inside the edge, 2 at 512")

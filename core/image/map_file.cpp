@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <optional>
 
 namespace mirrorball {
 
@@ -16,10 +17,23 @@ namespace {
 
 constexpr std::string_view builtinPrefix = "builtin:";
 constexpr std::array<std::string_view, 6> faceNames{"px", "nx", "py", "ny", "pz", "nz"};
+constexpr std::string_view faceMark = "%s", levelMark = "%d";
 
-/// NAME.LEVEL.EXT
+/// The file with the first `mark` of its name replaced; nothing when it has none.
+std::optional<std::filesystem::path> withMarkReplaced(const std::filesystem::path& path, std::string_view mark, std::string_view word)
+{
+    std::string file = path.filename().string();
+    const size_t at = file.find(mark);
+    if (at == std::string::npos)
+        return {};
+    return path.parent_path() / file.replace(at, mark.size(), word);
+}
+
+/// NAME.LEVEL.EXT, or where the name has a `%d` the level in its place.
 std::filesystem::path withLevel(const std::filesystem::path& path, size_t level)
 {
+    if (auto named = withMarkReplaced(path, levelMark, std::to_string(level)))
+        return *named;
     std::filesystem::path result = path;
     result.replace_extension();
     result += '.';
@@ -44,7 +58,7 @@ bool halveExactly(const std::vector<Edges>& levels)
 /// The files of one chain of images: one where it holds them all, else one a level.
 std::vector<std::filesystem::path> levelFiles(const std::filesystem::path& out, const std::vector<Edges>& levels)
 {
-    if (levels.size() == 1 || (holdsMips(out) && halveExactly(levels)))
+    if (!namesLevels(out) && (levels.size() == 1 || (holdsMips(out) && halveExactly(levels))))
         return {out};
     std::vector<std::filesystem::path> files;
     for (size_t i = 0; i < levels.size(); ++i)
@@ -69,19 +83,14 @@ std::vector<std::filesystem::path> writeLevels(const std::filesystem::path& out,
 /// NAME with its `%s` replaced by the word of each face; empty when it has none.
 std::vector<std::filesystem::path> faceFiles(const std::filesystem::path& out, Parameterization kind)
 {
-    const std::string file = out.filename().string();
-    const size_t mark = file.find("%s");
-    if (mark == std::string::npos)
+    if (out.filename().string().find(faceMark) == std::string::npos)
         return {};
     if (kind != Parameterization::Cube)
         throw InvalidArgument("output: '%s' stands for the six faces of a cube, but this map is a " + std::string(name(kind)) +
-                              " map; give a plain name");
+                              " map; give a plain name, or '%d' for one file a level");
     std::vector<std::filesystem::path> files;
-    for (const std::string_view word : faceNames) {
-        std::string faceFile = file;
-        faceFile.replace(mark, 2, word);
-        files.push_back(out.parent_path() / faceFile);
-    }
+    for (const std::string_view word : faceNames)
+        files.push_back(*withMarkReplaced(out, faceMark, word));
     return files;
 }
 
@@ -111,6 +120,11 @@ Probe readProbe(const std::string& probe, const ReadProbeOptions& options, const
     result.certain = detection.certain;
     result.map = toEnvironmentMap(std::move(image), detection, job);
     return result;
+}
+
+bool namesLevels(const std::filesystem::path& out)
+{
+    return out.filename().string().find(levelMark) != std::string::npos;
 }
 
 std::vector<std::filesystem::path> mapFiles(const std::filesystem::path& out, const std::vector<MapLayout>& levels)
@@ -159,6 +173,7 @@ std::vector<std::filesystem::path> writeMap(const std::filesystem::path& out, co
 std::vector<std::filesystem::path> writePictures(const std::filesystem::path& out, const std::vector<Image>& levels,
                                                  const WriteOptions& options)
 {
+    faceFiles(out, Parameterization::Sphere); // says that a picture has no faces
     std::string extension = out.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     constexpr std::array floats{".exr", ".hdr", ".pic", ".rgbe", ".tif", ".tiff", ".tx", ".pfm"};

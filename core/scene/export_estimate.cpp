@@ -40,6 +40,9 @@ Storage storage(const ExportTarget& target, bool smooth)
 std::vector<MapLayout> levelLayouts(const ExportPlan& plan)
 {
     std::vector<MapLayout> layouts;
+    if (plan.painted)
+        for (int size = plan.target.size; size >= 1; size = plan.target.mips ? size / 2 : 0)
+            layouts.push_back({Parameterization::Sphere, size, 0});
     for (const PrefilterOptions& filter : plan.map.filters)
         layouts.push_back(filter.target);
     if (plan.map.pyramid)
@@ -69,6 +72,7 @@ std::vector<ExportEstimate> estimateExports(const Plan& plan, const MapLayout& p
             smooth |= prediction.filtered;
             estimate.seconds += prediction.filtered ? prediction.predictedSeconds : 0.0;
         }
+        estimate.seconds += planned.paintingSeconds;
         const Storage texel = storage(target, smooth);
         for (const MapLayout& layout : layouts)
             estimate.texelBytes += texel.texelBytes * layout.width() * layout.height();

@@ -5,11 +5,11 @@
 
 #include "../error.h"
 #include "../filter/source_file.h"
+#include "../image/map_file.h"
 #include "../image/mip_pyramid.h"
 #include "../spheremap/presets.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <sstream>
 
 namespace mirrorball {
@@ -40,22 +40,43 @@ std::string plural(int count, const std::string& thing)
     return text(count, ' ', thing, count == 1 ? "" : "s");
 }
 
+/// The document of a sphere map where it is known without opening a file, else null.
+const SphereMapDocument* documentAtHand(const SphereMapPlan& map)
+{
+    if (map.document)
+        return map.document.document.get();
+    const SphereMapPreset* preset = isSphereMapFile(map.source) ? nullptr : findSphereMapPreset(map.source);
+    return preset ? &preset->document : nullptr;
+}
+
+const char* levelsText(const SphereMapPlan& map)
+{
+    const SphereMapDocument* document = documentAtHand(map);
+    if (map.levels == SphereMapLevels::Plain || (!document && isSphereMapPicture(map.source)))
+        return "plain levels";
+    if (!document)
+        return "authored levels where the file has them";
+    return hasAuthoredLevels(*document) ? "authored levels" : "plain levels, for no layer is made for levels";
+}
+
+std::string sourceText(const SphereMapPlan& map)
+{
+    return map.document ? "the scene's own" : map.source;
+}
+
 /// Which sphere map it is and how its levels are made, as far as that is known without opening a file.
 std::string sphereMapText(const SphereMapPlan& map)
 {
-    const SphereMapPreset* preset = map.document || isSphereMapFile(map.source) ? nullptr : findSphereMapPreset(map.source);
-    const SphereMapDocument* document = map.document ? map.document.document.get() : preset ? &preset->document : nullptr;
-    const std::string size = text(map.size, " x ", map.size);
-    if (!document && isSphereMapFile(map.source) && std::filesystem::path(map.source).extension() != ".spheremap")
+    if (!map.document && isSphereMapPicture(map.source))
         return text(map.source, ", a picture of its own size, plain levels");
-    const auto levels = [&] {
-        if (map.levels == SphereMapLevels::Plain)
-            return "plain levels";
-        if (!document)
-            return "authored levels where the file has them";
-        return hasAuthoredLevels(*document) ? "authored levels" : "plain levels, for no layer is made for levels";
-    };
-    return text(map.document ? "the scene's own" : map.source, ", ", size, ", ", levels());
+    return text(sourceText(map), ", ", map.size, " x ", map.size, ", ", levelsText(map));
+}
+
+std::string paintedText(const SphereMapPlan& map, const ExportTarget& target)
+{
+    return text(sourceText(map), ", ", target.size, " x ", target.size,
+                target.border > 0 ? text(" with a border of ", target.border) : std::string(), ", ",
+                target.mips ? levelsText(map) : "one level");
 }
 
 bool isBlack(const glm::dvec3& color)
@@ -111,6 +132,11 @@ PlannedMaterial planMaterial(const Material& material, PlanExtent extent)
     if (planned.combine == Combine::Add && isBlack(planned.specular)) // F only scales what is not there
         planned.fresnel = {};
     return planned;
+}
+
+bool isAskedFor(const ExportTarget& target, const std::vector<std::string>& only)
+{
+    return only.empty() || std::find(only.begin(), only.end(), target.name) != only.end();
 }
 
 class Planner {
@@ -400,10 +426,27 @@ private:
                 throw InvalidArgument("--only: the scene has no export '" + name + "'; it has " + (known.empty() ? "none" : known));
             }
         for (const ExportTarget& target : m_scene.exports)
-            if (only.empty() || std::find(only.begin(), only.end(), target.name) != only.end())
-                planExport(target);
-            else
+            if (!isAskedFor(target, only))
                 leaveOut("export " + target.name, "not among those asked for");
+            else if (target.kind == ExportKind::Painted)
+                planPainted(target);
+            else
+                planExport(target);
+    }
+
+    void planPainted(const ExportTarget& target)
+    {
+        const SphereMapSettings& map = m_scene.material.sphereMap;
+        if (map.isNone())
+            throw InvalidArgument(text("exports[", &target - m_scene.exports.data(), "].kind: painted writes the scene's sphere map, and it has none; "
+                                       "give material.sphere_map.source a preset or a file, or choose another kind"));
+        const SphereMapPlan painted{"material.sphere_map.source", map.source, map.document, target.size - 2 * target.border, map.levels};
+        const SphereMapDocument* document = documentAtHand(painted);
+        const bool isAuthored = target.mips && document && map.levels == SphereMapLevels::Authored && hasAuthoredLevels(*document);
+        const StageCost cost = paintingCost(painted.size, document ? document->layers.size() : 1, isAuthored);
+        need("paint " + target.name, paintedText(painted, target), cost);
+        need("save " + target.name, target.fileName(), savingCost(target.layout()));
+        m_plan.exports.push_back({.map = {.name = target.name}, .target = target, .painted = painted, .paintingSeconds = cost.seconds});
     }
 
     void planExport(const ExportTarget& target)
@@ -414,7 +457,8 @@ private:
         case ExportKind::Source: filter.lobe = ggxLobe(0.0); break;
         case ExportKind::Specular: filter.lobe = lobe(m_scene.material.specular); break;
         case ExportKind::Diffuse: filter.lobe = diffuseLobe(); break;
-        case ExportKind::Chain: break;
+        case ExportKind::Chain:
+        case ExportKind::Painted: break;
         }
         if (target.kind == ExportKind::Chain) {
             const int all = levelCount(filter.target), levels = target.levels == 0 ? all : std::min(target.levels, all);
@@ -428,15 +472,15 @@ private:
         } else {
             const std::string note = target.kind == ExportKind::Specular ? chooseMethod(filter) : std::string();
             addLevel(map, filter, map.name, note, target.kind == ExportKind::Specular ? "the surface is a mirror" : "");
-            const bool held = holdsMips(target.fileName());
+            const bool held = holdsMips(target.fileName()) || namesLevels(target.fileName());
             map.pyramid = target.mips && held;
             if (map.pyramid)
                 need("mip levels of " + map.name, plural(levelCount(filter.target), "level"), pyramidCost(filter.target));
             else
-                leaveOut("mip levels of " + map.name, target.mips ? target.fileName() + " holds none; .exr and .tif do" : "not asked for");
+                leaveOut("mip levels of " + map.name, target.mips ? target.fileName() + " holds none; .exr and .tif do, and a %d in the name makes one file a level" : "not asked for");
         }
         need("save " + map.name, target.fileName(), savingCost(filter.target));
-        m_plan.exports.push_back({std::move(map), target});
+        m_plan.exports.push_back({.map = std::move(map), .target = target});
     }
 
     /// The stages before all others follow from what the maps need.
@@ -491,6 +535,12 @@ private:
 
 } // namespace
 
+bool Plan::needsProbe() const
+{
+    return specular || diffuse || background || !others.empty() ||
+           std::any_of(exports.begin(), exports.end(), [](const ExportPlan& planned) { return !planned.painted; });
+}
+
 std::vector<PrefilterOptions> Plan::filters() const
 {
     std::vector<PrefilterOptions> all;
@@ -522,6 +572,14 @@ std::optional<double> constantReflectance(const Fresnel& fresnel)
     if (fresnel.kind == FresnelKind::Dielectric && fresnel.index == 1.0)
         return 0.0;
     return std::nullopt;
+}
+
+bool mayNeedProbe(const Scene& scene, const PlanRequest& request)
+{
+    const auto readsProbe = [&](const ExportTarget& target) {
+        return target.kind != ExportKind::Painted && isAskedFor(target, *request.exports);
+    };
+    return request.picture || (request.exports && std::any_of(scene.exports.begin(), scene.exports.end(), readsProbe));
 }
 
 Plan makePlan(const Scene& scene, const MapLayout& probe, const PlanRequest& request)

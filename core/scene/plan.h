@@ -32,9 +32,21 @@ struct MapPlan {
     bool operator==(const MapPlan&) const = default;
 };
 
+/// One sphere map to evaluate.
+struct SphereMapPlan {
+    std::string field{};  ///< for messages: "material.sphere_map.source"
+    std::string source{};
+    EmbeddedSphereMap document{}; ///< in place of the source
+    int size = 512;
+    SphereMapLevels levels = SphereMapLevels::Authored;
+    bool operator==(const SphereMapPlan&) const = default;
+};
+
 struct ExportPlan {
     MapPlan map{};
     ExportTarget target{};
+    std::optional<SphereMapPlan> painted{}; ///< what is written in place of a map of the probe
+    double paintingSeconds = 0.0;           ///< about
 };
 
 /// How much a plan makes.
@@ -49,16 +61,6 @@ struct PlanRequest {
     PlanExtent extent = PlanExtent::Needed;
 };
 
-/// One sphere map to evaluate.
-struct SphereMapPlan {
-    std::string field{};  ///< for messages: "material.sphere_map.source"
-    std::string source{};
-    EmbeddedSphereMap document{}; ///< in place of the source
-    int size = 512;
-    SphereMapLevels levels = SphereMapLevels::Authored;
-    bool operator==(const SphereMapPlan&) const = default;
-};
-
 struct Plan {
     std::vector<Stage> stages{};        ///< in order; seconds are 0
     PlannedMaterial material{};
@@ -69,15 +71,18 @@ struct Plan {
     std::vector<MapPlan> others{};      ///< PlanExtent::Everything: the specular map in every other parameterization; not shown
     std::vector<ExportPlan> exports{};
 
-    bool needsProbe() const { return specular || diffuse || background || !others.empty() || !exports.empty(); }
+    bool needsProbe() const;
     /// Every filter of the plan, for openFilterSource.
     std::vector<PrefilterOptions> filters() const;
     /// Whether any map is filtered; otherwise the probe is only resampled and no spectrum is needed.
     bool filtersAny() const;
 };
 
-/// @param probe  layout of the probe as its file's header tells it (probeLayout() in scene_maps.h)
-/// @throws InvalidArgument naming the field; for unknown export names, naming the known ones
+/// Whether anything that is asked for could be made of the probe: a picture, or an export that is no painted map.
+bool mayNeedProbe(const Scene& scene, const PlanRequest& request);
+
+/// @param probe  layout of the probe as its file's header tells it (probeLayout() in scene_maps.h); anything where !mayNeedProbe()
+/// @throws InvalidArgument naming the field; for a painted export of a scene without a sphere map; for unknown export names, naming the known ones
 Plan makePlan(const Scene& scene, const MapLayout& probe, const PlanRequest& request = {});
 
 /// F where it is the same at every angle and in every channel: 1 without a Fresnel term, 0 for an index of 1.

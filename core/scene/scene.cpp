@@ -3,6 +3,7 @@
 #include "../error.h"
 #include "../field_checks.h"
 #include "../shading/conductor.h"
+#include "../spheremap/evaluate.h"
 
 #include <algorithm>
 #include <array>
@@ -21,7 +22,7 @@ constexpr std::array mapSpaceWords{"world"sv, "eye"sv};
 constexpr std::array projectionWords{"perspective"sv, "orthographic"sv};
 constexpr std::array backdropWords{"environment"sv, "blurred"sv, "color"sv, "none"sv};
 constexpr std::array shadingWords{"material"sv, "wireframe"sv, "normals"sv, "texcoords"sv, "seams"sv, "mips"sv};
-constexpr std::array exportKindWords{"source"sv, "specular"sv, "diffuse"sv, "chain"sv};
+constexpr std::array exportKindWords{"source"sv, "specular"sv, "diffuse"sv, "chain"sv, "painted"sv};
 constexpr std::array fresnelKindWords{"none"sv, "dielectric"sv, "conductor"sv};
 constexpr std::array combineWords{"add"sv, "coat"sv};
 
@@ -38,6 +39,16 @@ void checkBorder(const std::string& path, const MapLayout& layout)
     if (layout.border > 0 && (layout.kind != Parameterization::Paraboloid || 2 * layout.border >= layout.size))
         throw InvalidArgument(path + ".border: must be 0 but for a paraboloid, where it must be less than half the size; it is " +
                               std::to_string(layout.border));
+}
+
+void checkPainted(const std::string& path, const ExportTarget& target)
+{
+    if (target.size > largestSphereMap)
+        throw InvalidArgument(path + ".size: must be at most " + std::to_string(largestSphereMap) + " for a painted map; it is " +
+                              std::to_string(target.size));
+    if (target.border > 0 && (target.mips || 2 * target.border >= target.size))
+        throw InvalidArgument(path + ".border: must be less than half the size for a painted map, and 0 with mips; it is " +
+                              std::to_string(target.border));
 }
 
 void checkMaterial(const std::string& path, const Material& material)
@@ -67,7 +78,10 @@ void checkExports(const std::vector<ExportTarget>& exports)
     for (size_t i = 0; i < exports.size(); ++i) {
         const ExportTarget& target = exports[i];
         const std::string path = "exports[" + std::to_string(i) + "]";
-        checkBorder(path, target.layout());
+        if (target.kind == ExportKind::Painted)
+            checkPainted(path, target);
+        else
+            checkBorder(path, target.layout());
         if (!isPlainName(target.name, ""))
             throw InvalidArgument(path + ".name: must be 1 to 200 letters, digits, - and _; it is " + inQuotes(target.name));
         if (!names.insert(target.name).second)

@@ -30,7 +30,7 @@ enum class MapSpace { World, Eye };
 enum class Projection { Perspective, Orthographic };
 enum class Backdrop { Environment, Blurred, Color, None };
 enum class Shading { Material, Wireframe, Normals, TexCoords, Seams, Mips };
-enum class ExportKind { Source, Specular, Diffuse, Chain };
+enum class ExportKind { Source, Specular, Diffuse, Chain, Painted };
 
 /// The words of files and command line for an enum's values, in their order.
 std::span<const std::string_view> words(SurfaceLobe);      // mirror phong ggx
@@ -41,7 +41,7 @@ std::span<const std::string_view> words(MapSpace);         // world eye
 std::span<const std::string_view> words(Projection);       // perspective orthographic
 std::span<const std::string_view> words(Backdrop);         // environment blurred color none
 std::span<const std::string_view> words(Shading);          // material wireframe normals texcoords seams mips
-std::span<const std::string_view> words(ExportKind);       // source specular diffuse chain
+std::span<const std::string_view> words(ExportKind);       // source specular diffuse chain painted
 std::span<const std::string_view> words(Parameterization); // latlong cube sphere angular paraboloid octahedral
 std::span<const std::string_view> words(FresnelKind);      // none dielectric conductor
 std::span<const std::string_view> words(Combine);          // add coat
@@ -372,18 +372,25 @@ struct ExportTarget {
         visit(Field{"name", "letters, digits, - and _; names the files"}, self.name);
         visit(Field{"kind",
                     "source: the environment; specular: filtered with the material's lobe; diffuse: irradiance over pi; chain: ggx "
-                    "levels of roughness 0 to 1"},
+                    "levels of roughness 0 to 1; painted: the sphere map"},
               self.kind);
-        visit(Field{"parameterization", "kind of the map"}, self.parameterization);
+        visit(Field{"parameterization", "kind of the map; painted: always a sphere map's disc"}, self.parameterization);
         visit(Field{"size", "edge of a face, disc or octahedron, or height of a latlong", 1, 16384, "texels"}, self.size);
-        visit(Field{"border", "paraboloid: texels kept free outside each disc", 0, 4096, "texels"}, self.border);
-        visit(Field{"file", "file name, whose extension is the format; empty: NAME.exr; %s in a cube's makes six files"}, self.file);
+        visit(Field{"border", "paraboloid: texels kept free outside each disc; painted: texels between the disc and the picture's edge", 0, 4096,
+                    "texels"},
+              self.border);
+        visit(Field{"file", "file name, whose extension is the format; empty: NAME.exr; %s in a cube's makes six files, %d one file a level"},
+              self.file);
         visit(Field{"half", "16-bit floats where the format has them"}, self.half);
-        visit(Field{"mips", "halved levels inside the file"}, self.mips);
+        visit(Field{"mips", "coarser levels: halved, or as the painted map makes them"}, self.mips);
         visit(Field{"levels", "chain: how many levels; 0: down to one texel", 0, 16}, self.levels);
     }
 
-    MapLayout layout() const { return {parameterization, size, border}; }
+    /// Of the map; a painted picture's own border is no part of it.
+    MapLayout layout() const
+    {
+        return kind == ExportKind::Painted ? MapLayout{Parameterization::Sphere, size, 0} : MapLayout{parameterization, size, border};
+    }
     /// `file`, or NAME.exr where that is empty.
     std::string fileName() const { return file.empty() ? name + ".exr" : file; }
 };

@@ -61,6 +61,11 @@ MapLayout probeLayout(const Scene& scene)
     return detectLayout(openImage(path)->info(), scene.probe.parameterization).layout;
 }
 
+MapLayout probeLayout(const Scene& scene, const PlanRequest& request)
+{
+    return mayNeedProbe(scene, request) ? probeLayout(scene) : MapLayout{};
+}
+
 SceneProbe openProbe(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record)
 {
     if (!plan.needsProbe())
@@ -93,6 +98,11 @@ std::vector<EnvironmentMap> buildMap(const MapPlan& plan, SceneProbe& probe, dou
                             });
     expose(levels, exposure);
     return levels;
+}
+
+SphereMapDocument sphereMapDocument(const Scene& scene, const SphereMapPlan& plan)
+{
+    return plan.document ? *plan.document.document : readSphereMapDocument(scene, plan.field, plan.source);
 }
 
 SphereMapTexels buildSphereMap(const Scene& scene, const SphereMapPlan& plan, const JobControl& job)

@@ -18,6 +18,9 @@ namespace mirrorball {
 /// The layout of the scene's probe, from its file's header alone. @throws FileError, InvalidArgument
 MapLayout probeLayout(const Scene& scene);
 
+/// The same for a request: of one that makes nothing of the probe, its file is not opened and the layout says nothing.
+MapLayout probeLayout(const Scene& scene, const PlanRequest& request);
+
 /// What was done: for `--stats`.
 struct WorkRecord {
     std::vector<Stage> stages{};
@@ -53,6 +56,9 @@ struct SceneMaps {
     std::vector<SphereMapChain> sphereMaps{}; ///< those of the plan
     std::vector<MapLevels> others{}; ///< of PlanExtent::Everything
 };
+
+/// The document of a planned sphere map. @throws as readSphereMap()
+SphereMapDocument sphereMapDocument(const Scene& scene, const SphereMapPlan& plan);
 
 SphereMapTexels buildSphereMap(const Scene& scene, const SphereMapPlan& plan, const JobControl& job);
 

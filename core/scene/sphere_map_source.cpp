@@ -3,6 +3,7 @@
 #include "../error.h"
 #include "../image/image_io.h"
 #include "../spheremap/evaluate.h"
+#include "../spheremap/image_layer.h"
 #include "../spheremap/presets.h"
 #include "../spheremap/sphere_map_file.h"
 #include "../field_checks.h"
@@ -37,6 +38,25 @@ SphereMapTexels readPicture(const std::string& path, const JobControl& job)
 
 } // namespace
 
+bool isSphereMapPicture(std::string_view source)
+{
+    return isSphereMapFile(source) && std::filesystem::path(source).extension() != ".spheremap";
+}
+
+SphereMapDocument readSphereMapDocument(const Scene& scene, const std::string& field, const std::string& source)
+{
+    if (isSphereMapFile(source)) {
+        const std::string path = resolved(scene, source);
+        return isSphereMapPicture(source) ? SphereMapDocument{.layers = {{.content = ImageLayer{.source = path, .inset = 0.0}}}} : loadSphereMap(path);
+    }
+    if (const SphereMapPreset* preset = findSphereMapPreset(source))
+        return preset->document;
+    std::string known;
+    for (const SphereMapPreset& preset : sphereMapPresets())
+        known += (known.empty() ? "" : ", ") + preset.name;
+    throw InvalidArgument(field + ": " + inQuotes(source) + " is neither a preset (" + known + ") nor a file");
+}
+
 SphereMapTexels sphereMapTexels(const SphereMapDocument& document, int size, SphereMapLevels levels, const JobControl& job)
 {
     if (levels == SphereMapLevels::Authored && hasAuthoredLevels(document))
@@ -55,18 +75,9 @@ SphereMapTexels sphereMapTexels(SphereMapCache& cache, const SphereMapDocument& 
 SphereMapTexels readSphereMap(const Scene& scene, const std::string& field, const std::string& source, int size, SphereMapLevels levels,
                               const JobControl& job)
 {
-    if (!isSphereMapFile(source)) {
-        if (const SphereMapPreset* preset = findSphereMapPreset(source))
-            return sphereMapTexels(preset->document, size, levels, job);
-        std::string known;
-        for (const SphereMapPreset& preset : sphereMapPresets())
-            known += (known.empty() ? "" : ", ") + preset.name;
-        throw InvalidArgument(field + ": " + inQuotes(source) + " is neither a preset (" + known + ") nor a file");
-    }
-    const std::string path = resolved(scene, source);
-    if (std::filesystem::path(path).extension() == ".spheremap")
-        return sphereMapTexels(loadSphereMap(path), size, levels, job);
-    return readPicture(path, job);
+    if (isSphereMapPicture(source))
+        return readPicture(resolved(scene, source), job);
+    return sphereMapTexels(readSphereMapDocument(scene, field, source), size, levels, job);
 }
 
 } // namespace mirrorball

@@ -19,6 +19,12 @@ inline bool isSphereMapFile(std::string_view source)
     return source.find_first_of("./\\") != std::string_view::npos;
 }
 
+/// Whether a source is a picture of a sphere map.
+bool isSphereMapPicture(std::string_view source);
+
+/// The document of a source; a picture becomes a document of one image layer. @throws as readSphereMap()
+SphereMapDocument readSphereMapDocument(const Scene& scene, const std::string& field, const std::string& source);
+
 /// The texels of a document. @throws as evaluateLevels()
 SphereMapTexels sphereMapTexels(const SphereMapDocument& document, int size, SphereMapLevels levels, const JobControl& job = {});
 /// The same while the document is edited: @param cache keeps what an edit does not reach, and says the size

@@ -1,5 +1,7 @@
 #include "stage_cost.h"
 
+#include "../spheremap/evaluate.h"
+
 #include <algorithm>
 
 namespace mirrorball {
@@ -52,6 +54,13 @@ StageCost pyramidCost(const MapLayout& base)
 {
     const StageCost whole = mapCost(base, 2e-8);
     return {whole.seconds, whole.bytes / 3};
+}
+
+StageCost paintingCost(int size, size_t layers, bool isAuthored)
+{
+    const StageCost layer = mapCost({Parameterization::Sphere, size, 0}, 1.5e-8);
+    return {static_cast<double>(std::max<size_t>(layers, 1)) * layer.seconds * (isAuthored ? 1.0 + levelOversampling * levelOversampling / 3.0 : 1.0),
+            layer.bytes};
 }
 
 StageCost savingCost(const MapLayout& map)

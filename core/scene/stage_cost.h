@@ -17,6 +17,8 @@ StageCost filteringCost(const PrefilterOptions& filter, int probeWidth);
 StageCost resamplingCost(const MapLayout& target);
 /// The levels below the base.
 StageCost pyramidCost(const MapLayout& base);
+/// Evaluating a sphere map of so many layers, and where isAuthored each of its levels by itself, finer.
+StageCost paintingCost(int size, size_t layers, bool isAuthored);
 StageCost savingCost(const MapLayout& map);
 StageCost drawingCost(int width, int height);
 

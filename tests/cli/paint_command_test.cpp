@@ -129,6 +129,26 @@ TEST(PaintCommand, WritesHandMadeLevelsIntoOneFileOrOneFileEach)
         EXPECT_EQ(readImage(folder / ("s." + std::to_string(level) + ".png")).width, 8 >> level);
 }
 
+// What one file holds and what numbered files hold is the same chain.
+TEST(PaintCommand, WritesOneFileALevelOfAnyFormatWhereTheNameAsksForIt)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(mirrorballRuns("paint silhouette -o " + quoted(folder / "all.exr") + " --size 16 --levels").status, 0);
+    for (const char* extension : {".exr", ".tif"}) {
+        ASSERT_EQ(mirrorballRuns("paint silhouette -o " + quoted(folder / "s_%d") + extension + " --size 16 --levels").status, 0);
+        for (int level = 0; level < 5; ++level) {
+            const std::filesystem::path file = folder / ("s_" + std::to_string(level) + extension);
+            EXPECT_EQ(openImage(file)->info().levels, 1) << file;
+            EXPECT_EQ(readImage(file).texels, readLevel(folder / "all.exr", level).texels) << file;
+        }
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "s_%d.exr"));
+    ASSERT_EQ(mirrorballRuns("paint silhouette -o " + quoted(folder / "one_%d.png") + " --size 16").status, 0);
+    EXPECT_TRUE(std::filesystem::exists(folder / "one_0.png"));
+    EXPECT_FAILS(mirrorballRuns("paint silhouette -o " + quoted(folder / "f_%s.exr") + " --size 16 --levels"), 2, "'%d' for one file a level");
+    EXPECT_FALSE(std::filesystem::exists(folder / "f_%s.exr"));
+}
+
 TEST(PaintCommand, StartsADocumentFromAPreset)
 {
     const TemporaryFolder folder;

@@ -7,6 +7,7 @@
 
 #include <QClipboard>
 #include <QFileInfo>
+#include <QMenu>
 #include <QProcess>
 #include <QSettings>
 #include <QSignalSpy>
@@ -226,6 +227,102 @@ void ExportDialogTest::saysWhatIsWrong()
     QVERIFY(empty.isReady);
     QVERIFY(!empty.find<QPushButton>("export.start")->isEnabled());
     keepScreenshot(*empty.dialog, QStringLiteral("export-empty"));
+}
+
+void ExportDialogTest::offersThePaintedMapWhereThereIsOne()
+{
+    ShownDialog shown;
+    QVERIFY(shown.isReady);
+    QAction* painted = shown.find<QPushButton>("export.add")->menu()->actions().last();
+    QVERIFY(!painted->isEnabled());
+    shown.workspace.document.edit({}, {}, [](Scene& scene) { scene.material.sphereMap.source = "jade"; });
+    QVERIFY(painted->isEnabled());
+    painted->trigger();
+    QCOMPARE(shown.target(3).kind, ExportKind::Painted);
+    QCOMPARE(QString::fromStdString(shown.target(3).fileName()), QStringLiteral("matcap.png"));
+    QCOMPARE(shown.target(3).size, 512);
+    QVERIFY(!shown.target(3).mips);
+    for (const char* name : {"export.parameterization", "export.faces", "export.levels", "export.level-files"})
+        QVERIFY2(!shown.find<QWidget>(name)->isVisible(), name);
+    for (const char* name : {"export.size", "export.border", "export.format", "export.mips", "export.file"})
+        QVERIFY2(shown.find<QWidget>(name)->isVisible(), name);
+    QVERIFY(shown.find<QComboBox>("export.format")->currentText() == QStringLiteral("PNG, 8 bit"));
+    QTRY_VERIFY(shown.dialog->isEstimated());
+    QVERIFY2(shown.dialog->estimateText().contains(QStringLiteral("13 files")), qPrintable(shown.dialog->estimateText()));
+    keepScreenshot(*shown.dialog, QStringLiteral("export-painted"));
+    // Without the map, what is wrong is told when it is looked at.
+    shown.workspace.document.edit({}, {}, [](Scene& scene) { scene.material.sphereMap = {}; });
+    QTRY_VERIFY2(shown.dialog->statusText().contains(QStringLiteral("exports[3].kind")), qPrintable(shown.dialog->statusText()));
+    keepScreenshot(*shown.dialog, QStringLiteral("export-painted-gone"));
+}
+
+void ExportDialogTest::writesThePaintedMapAsPaintDoes()
+{
+    Scene scene;
+    scene.material.sphereMap.source = "silhouette"; // whose levels are painted by hand
+    scene.material.sphereMap.size = 128;
+    ShownDialog shown(scene);
+    QVERIFY(shown.isReady);
+    shown.find<QPushButton>("export.add")->menu()->actions().last()->trigger();
+    QVERIFY(shown.target(0).mips);
+    QCOMPARE(QString::fromStdString(shown.target(0).fileName()), QStringLiteral("matcap.exr"));
+    QVERIFY(!shown.find<QSpinBox>("export.border")->isVisible());
+    QVERIFY(shown.find<QCheckBox>("export.level-files")->isVisible());
+    QTRY_VERIFY(shown.dialog->isEstimated());
+    keepScreenshot(*shown.dialog, QStringLiteral("export-painted-levels"));
+    const auto isWhatPaintWrites = [&](const QStringList& options, const QString& painted, const std::string& first, const std::string& exported) {
+        QProcess paint;
+        paint.start(QStringLiteral(MIRRORBALL_PROGRAM),
+                    QStringList{QStringLiteral("paint"), QStringLiteral("silhouette"), QStringLiteral("--size"), QStringLiteral("128"), QStringLiteral("-o"),
+                                QString::fromStdString((shown.folder / painted.toStdString()).string())} + options);
+        const std::string bytes = paint.waitForFinished(patience) ? readBytes(shown.folder / first) : std::string();
+        return !bytes.empty() && bytes == readBytes(shown.folder / "out" / exported);
+    };
+    QCOMPARE(shown.exports().size(), 2);
+    QVERIFY(isWhatPaintWrites({QStringLiteral("--levels")}, QStringLiteral("chain.exr"), "chain.exr", "matcap.exr"));
+
+    QTest::mouseClick(shown.find<QCheckBox>("export.level-files"), Qt::LeftButton, {}, QPoint(8, shown.find<QCheckBox>("export.level-files")->height() / 2));
+    QCOMPARE(QString::fromStdString(shown.target(0).file), QStringLiteral("matcap_%d.exr"));
+    QCOMPARE(shown.exports().size(), 9);
+    QVERIFY(isWhatPaintWrites({QStringLiteral("--levels")}, QStringLiteral("l_%d.exr"), "l_3.exr", "matcap_3.exr"));
+
+    QTest::mouseClick(shown.find<QCheckBox>("export.mips"), Qt::LeftButton, {}, QPoint(8, shown.find<QCheckBox>("export.mips")->height() / 2));
+    QCOMPARE(QString::fromStdString(shown.target(0).fileName()), QStringLiteral("matcap.exr"));
+    shown.find<QSpinBox>("export.border")->setValue(2);
+    shown.choose("export.format", 5);
+    QCOMPARE(QString::fromStdString(shown.target(0).fileName()), QStringLiteral("matcap.png"));
+    QCOMPARE(shown.exports().size(), 2);
+    QVERIFY(isWhatPaintWrites({QStringLiteral("--border"), QStringLiteral("2")}, QStringLiteral("m.png"), "m.png", "matcap.png"));
+    QVERIFY(shown.find<QCheckBox>("export.mips")->isEnabled()); // numbered pictures
+}
+
+void ExportDialogTest::keepsWhatEachKindUnderstands()
+{
+    ExportTarget target{.name = "m", .kind = ExportKind::Specular, .size = 16384, .file = "m_%s.exr", .mips = true};
+    target = withKind(target, ExportKind::Painted);
+    QCOMPARE(target.size, 8192);
+    QCOMPARE(QString::fromStdString(target.fileName()), QStringLiteral("m.exr"));
+    QVERIFY(target.mips);
+    target = withMips(target, Mips::None);
+    target.border = 2;
+    QCOMPARE(withMips(target, Mips::All).border, 0);
+    QCOMPARE(withKind(target, ExportKind::Diffuse).border, 0);
+    const ExportTarget pictures = withMips(withFormat(target, exportFormats().back()), Mips::All);
+    QVERIFY(pictures.mips);
+    QVERIFY(!withKind(pictures, ExportKind::Source).mips); // a map of the probe has no numbered files unless its name says so
+    const ExportTarget numbered = withLevelFiles(pictures, LevelFiles::Each);
+    QCOMPARE(QString::fromStdString(numbered.fileName()), QStringLiteral("m_%d.png"));
+    QVERIFY(withKind(numbered, ExportKind::Source).mips);
+    QVERIFY(withLevelFiles(numbered, LevelFiles::One) == pictures);
+    QCOMPARE(QString::fromStdString(withMips(numbered, Mips::None).fileName()), QStringLiteral("m.png"));
+    for (const ExportKind kind : {ExportKind::Source, ExportKind::Specular, ExportKind::Diffuse, ExportKind::Chain, ExportKind::Painted}) {
+        Scene scene;
+        scene.material.sphereMap.source = "jade";
+        scene.exports = {withKind(numbered, kind), withKind(target, kind), newTarget(scene, kind)};
+        scene.exports[1].name = "other";
+        scene.exports[1].file = "other.exr";
+        validate(scene); // throws where something is left that the kind does not take
+    }
 }
 
 void ExportDialogTest::namesAllControls()

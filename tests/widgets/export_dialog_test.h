@@ -16,6 +16,9 @@ private slots:
     void writesOnlyWhatIsChecked();
     void stopsWhenCancelled();
     void saysWhatIsWrong();
+    void offersThePaintedMapWhereThereIsOne();
+    void writesThePaintedMapAsPaintDoes();
+    void keepsWhatEachKindUnderstands();
     void namesAllControls();
 };
 

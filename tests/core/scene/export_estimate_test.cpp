@@ -28,7 +28,13 @@ Scene manyTargets()
         {.name = "matt", .kind = ExportKind::Diffuse, .parameterization = Parameterization::Latlong, .size = 32, .file = "irradiance.hdr"},
         {.name = "picture", .kind = ExportKind::Source, .parameterization = Parameterization::Latlong, .size = 64, .file = "picture.png"},
         {.name = "chain", .kind = ExportKind::Chain, .size = 32, .levels = 3},
-        {.name = "odd", .kind = ExportKind::Chain, .parameterization = Parameterization::Sphere, .size = 26, .file = "odd.hdr", .levels = 3}};
+        {.name = "odd", .kind = ExportKind::Chain, .parameterization = Parameterization::Sphere, .size = 26, .file = "odd.hdr", .levels = 3},
+        {.name = "numbered", .kind = ExportKind::Chain, .size = 32, .file = "c_%s.%d.exr", .levels = 3},
+        {.name = "matcap", .kind = ExportKind::Painted, .size = 256, .border = 1, .file = "matcap.png"},
+        {.name = "levels", .kind = ExportKind::Painted, .size = 128, .half = true, .mips = true},
+        {.name = "tiff", .kind = ExportKind::Painted, .size = 128, .file = "tiff_%d.tif", .mips = true},
+        {.name = "pictures", .kind = ExportKind::Painted, .size = 128, .file = "pictures.png", .mips = true}};
+    scene.material.sphereMap.source = "jade";
     return scene;
 }
 
@@ -67,6 +73,10 @@ TEST(ExportEstimate, CountsTexelsOfAllLevels)
     EXPECT_EQ(all[1].texelBytes, 6 * 128 * 64);
     EXPECT_EQ(all[2].texelBytes, 4 * 6 * 64 * 64);
     EXPECT_EQ(all[5].texelBytes, 12 * 6 * (32 * 32 + 16 * 16 + 8 * 8));
+    EXPECT_EQ(all[9].levels, 8);
+    EXPECT_EQ(all[8].texelBytes, 3 * 256 * 256);
+    EXPECT_EQ(all[9].texelBytes, 6 * (4 * 128 * 128 - 1) / 3);
+    EXPECT_GT(all[9].seconds, 0.0);
     EXPECT_EQ(all[0].seconds, 0.0); // nothing is filtered
     EXPECT_GT(all[1].seconds, 0.0);
 }

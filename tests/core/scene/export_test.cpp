@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <memory>
 #include <fstream>
 
 namespace mirrorball {
@@ -179,6 +180,54 @@ TEST_F(Export, ReadsBackAnExportedMapAsTheProbeItIs)
     scene.exports[0].file = "again.exr";
     exportScene(scene, m_folder);
     EXPECT_EQ(readImage(m_folder / "again.exr"), readImage(m_folder / "cube.exr")) << "the same layout is not resampled";
+}
+
+/// Two fills, the upper one in all levels but the largest.
+EmbeddedSphereMap mapWithLevels()
+{
+    SphereMapDocument map;
+    map.title = "Two colours";
+    map.index = SphereMapIndex::Reflection;
+    map.layers = {{.name = "Fine", .content = FillLayer{.color = {1, 0, 0}}}, {.name = "Coarse", .content = FillLayer{.color = {0, 1, 0}}, .firstLevel = 1}};
+    return {std::make_shared<const SphereMapDocument>(map)};
+}
+
+TEST_F(Export, WritesTheLevelsOfAPaintedMapAsTheSceneShowsThem)
+{
+    Scene scene;
+    scene.probe.source = "gone.exr"; // it is not asked for
+    scene.material.sphereMap.document = mapWithLevels();
+    scene.exports = {{.name = "map", .kind = ExportKind::Painted, .size = 8, .mips = true}};
+    const ExportOutcome outcome = exportScene(scene, m_folder);
+    EXPECT_THAT(outcome.files, testing::ElementsAre(m_folder / "map.exr", m_folder / "map.json"));
+    EXPECT_EQ(outcome.record.method, "paint");
+    EXPECT_EQ(readLevel(m_folder / "map.exr", 0).texel(4, 4)[0], 1.0f);
+    EXPECT_EQ(readLevel(m_folder / "map.exr", 1).texel(2, 2)[1], 1.0f);
+    EXPECT_EQ(sidecar("map")["indexed_by"], "reflection");
+    EXPECT_EQ(sidecar("map")["levels"].size(), 4u);
+    EXPECT_EQ(sidecar("map")["sphere_map"]["title"], "Two colours");
+    EXPECT_THAT(sidecar("map")["level_rule"].get<std::string>(), testing::StartsWith("authored"));
+
+    scene.material.sphereMap.levels = SphereMapLevels::Plain;
+    exportScene(scene, m_folder);
+    EXPECT_EQ(readLevel(m_folder / "map.exr", 1).texel(2, 2)[0], 1.0f);
+    EXPECT_THAT(sidecar("map")["level_rule"].get<std::string>(), testing::StartsWith("averages"));
+}
+
+TEST_F(Export, WritesAChainAsOneFileALevelAndFaceWhereTheNameAsksForIt)
+{
+    Scene scene = exportingScene();
+    scene.exports = {{.name = "whole", .kind = ExportKind::Chain, .size = 8}, {.name = "parts", .kind = ExportKind::Chain, .size = 8, .file = "%s-%d.exr"},
+                     {.name = "mips", .kind = ExportKind::Source, .size = 4, .file = "mips.%d.hdr", .mips = true}};
+    exportScene(scene, m_folder);
+    for (int level = 0; level < 4; ++level) {
+        const Image whole = readLevel(m_folder / "whole.exr", level);
+        const Image top = readImage(m_folder / ("py-" + std::to_string(level) + ".exr"));
+        ASSERT_EQ(top.width, 8 >> level);
+        EXPECT_TRUE(std::equal(top.texels.begin(), top.texels.end(), whole.row(2 * whole.width))) << level;
+    }
+    EXPECT_EQ(sidecar("parts")["files"].size(), 24u);
+    EXPECT_EQ(sidecar("mips")["files"], nlohmann::json({"mips.0.hdr", "mips.1.hdr", "mips.2.hdr"}));
 }
 
 TEST(SceneMaps, AreBuiltOnlyWhereThePlanNeedsThem)

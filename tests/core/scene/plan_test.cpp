@@ -271,6 +271,38 @@ TEST(Plan, ExportsAreChosenByNameAndTheOthersLeftOut)
     EXPECT_THROW(makePlan(scene, probe, {.picture = false, .exports = std::vector<std::string>{"irradianse"}}), InvalidArgument);
 }
 
+TEST(Plan, APaintedMapAloneLeavesTheProbeAlone)
+{
+    Scene scene;
+    scene.material.sphereMap.source = "silhouette";
+    scene.exports = {{.name = "chain", .kind = ExportKind::Painted, .size = 64, .mips = true},
+                     {.name = "matcap", .kind = ExportKind::Painted, .size = 64, .border = 2, .file = "m.png"},
+                     {.name = "env", .kind = ExportKind::Source}};
+    const PlanRequest painted{.picture = false, .exports = std::vector<std::string>{"chain", "matcap"}};
+    const PlanRequest all{.picture = false, .exports = std::vector<std::string>{}};
+    EXPECT_FALSE(mayNeedProbe(scene, painted));
+    EXPECT_TRUE(mayNeedProbe(scene, all));
+    const Plan plan = makePlan(scene, {}, painted);
+    EXPECT_FALSE(plan.needsProbe());
+    EXPECT_TRUE(plan.filters().empty());
+    expectLeftOut(plan, "compute probe", "no map is needed");
+    expectLeftOut(plan, "export env", "not among those asked for");
+    expectNeeded(plan, "paint chain", "silhouette, 64 x 64, authored levels");
+    expectNeeded(plan, "paint matcap", "silhouette, 64 x 64 with a border of 2, one level");
+    expectNeeded(plan, "save matcap", "m.png");
+    EXPECT_TRUE(makePlan(scene, probe, all).needsProbe());
+
+    scene.material.sphereMap = {};
+    try {
+        makePlan(scene, {}, {.picture = false, .exports = std::vector<std::string>{"matcap"}});
+        ADD_FAILURE() << "there is nothing to paint";
+    } catch (const InvalidArgument& error) {
+        EXPECT_THAT(error.what(), HasSubstr("exports[1].kind: painted"));
+    }
+    EXPECT_NO_THROW(makePlan(scene, probe, {.picture = false, .exports = std::vector<std::string>{"env"}}));
+    EXPECT_NO_THROW(makePlan(scene, probe));
+}
+
 TEST(Plan, IsMadeForEveryPresetInEveryParameterization)
 {
     for (const MaterialPreset& preset : materialPresets())

@@ -1,0 +1,191 @@
+#include "sidecar.h"
+
+#include "../image/map_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace mirrorball {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Where the axes lie in a map of each kind, as parameterization.h draws it.
+const char* axesText(Parameterization kind)
+{
+    switch (kind) {
+    case Parameterization::Latlong:
+        return "the centre is +Z, the left quarter +X, the top +Y; d = (sin(lon) cos(lat), sin(lat), cos(lon) cos(lat)), lon = pi - 2 pi u, "
+               "lat = pi/2 - pi v; texel centres at (i + 1/2)/N";
+    case Parameterization::Cube: return "faces +X -X +Y -Y +Z -Z, each with OpenGL's face axes (OpenGL 4.5, table 8.19)";
+    case Parameterization::Sphere:
+        return "GL_SPHERE_MAP: (s, t) = r.xy / (2 sqrt(rx^2 + ry^2 + (rz + 1)^2)) + 1/2; the centre is +Z, right +X, top +Y";
+    case Parameterization::Angular:
+        return "the distance from the centre is the angle from +Z over pi, in radii of the disc; left is +X, top +Y";
+    case Parameterization::Paraboloid:
+        return "front half (z >= 0) on the left: (x, y) = r.xy / (1 + r.z); back half on the right: (x, y) = r.xy / (1 - r.z); right is +X "
+               "and top +Y in both";
+    case Parameterization::Octahedral: return "+Y at the centre, -Y at the corners; right is +X and down +Z";
+    }
+    return "";
+}
+
+std::string borderText(const MapLayout& layout)
+{
+    if (layout.kind == Parameterization::Paraboloid)
+        return "discs inscribed, with " + std::to_string(layout.border) +
+               " texels kept free around each; texels outside a disc continue the paraboloid";
+    if (layout.kind == Parameterization::Sphere || layout.kind == Parameterization::Angular)
+        return "disc inscribed; texels outside it continue the mapping through the rim";
+    return "none: texels beyond an edge are found across the seam";
+}
+
+Json lobeJson(const Lobe& lobe)
+{
+    switch (lobe.kind) {
+    case LobeKind::Phong: return {{"kind", "phong"}, {"exponent", lobe.exponent}};
+    case LobeKind::Diffuse: return {{"kind", "diffuse"}};
+    case LobeKind::Ggx:
+        if (lobe.isMirror())
+            return {{"kind", "mirror"}};
+        return {{"kind", "ggx"}, {"roughness", std::sqrt(lobe.alpha)}, {"alpha", lobe.alpha}};
+    case LobeKind::Tabulated: return {{"kind", "tabulated"}};
+    }
+    return {};
+}
+
+/// What the texels of a file are, as its format stores them.
+std::string sampleType(const ExportTarget& target)
+{
+    const std::filesystem::path file = target.fileName();
+    std::string extension = file.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (holdsMips(file))
+        return target.half ? "half" : "float";
+    return extension == ".hdr" || extension == ".pic" || extension == ".rgbe" ? "rgbe" : extension == ".pfm" ? "float" : "uint8";
+}
+
+Json levelsJson(const ExportPlan& planned, const std::vector<EnvironmentMap>& levels)
+{
+    Json list = Json::array();
+    for (size_t i = 0; i < levels.size(); ++i) {
+        const MapLayout& layout = levels[i].layout;
+        Json level = {{"level", i}, {"size", layout.size}, {"width", layout.width()}, {"height", layout.height()}};
+        if (layout.border > 0)
+            level["border"] = layout.border;
+        if (i < planned.map.filters.size())
+            level["lobe"] = lobeJson(planned.map.filters[i].lobe);
+        list.push_back(std::move(level));
+    }
+    return list;
+}
+
+/// What all kinds begin with.
+Json opened(const ExportTarget& target, const std::vector<std::filesystem::path>& files)
+{
+    Json json;
+    json["mirrorball_sidecar"] = 1;
+    json["name"] = target.name;
+    json["kind"] = words(target.kind)[static_cast<size_t>(target.kind)];
+    json["files"] = Json::array();
+    for (const std::filesystem::path& file : files)
+        json["files"].push_back(file.filename().string());
+    return json;
+}
+
+std::string closed(const Json& json)
+{
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string paintedAxesText(SphereMapIndex index, MapSpace space)
+{
+    const std::string where = space == MapSpace::World ? " in world space" : " in eye space";
+    return (index == SphereMapIndex::Normal
+                ? "(s, t) = n.xy / 2 + 1/2 in the disc's square, n the surface normal" + where
+                : "GL_SPHERE_MAP: (s, t) = r.xy / (2 sqrt(rx^2 + ry^2 + (rz + 1)^2)) + 1/2 in the disc's square, r the mirrored view ray" + where) +
+           "; the centre is +Z, right is +X and top +Y";
+}
+
+/// How the coarser levels came about.
+const char* paintedRuleText(const ExportPlan& planned, const SphereMapDocument& map)
+{
+    if (!planned.target.mips)
+        return "one level";
+    if (planned.painted->levels == SphereMapLevels::Authored && hasAuthoredLevels(map))
+        return "authored: each level is painted by itself, with widths in its own pixels; do not make them anew from the largest";
+    return "averages: each texel of a level is the mean of those that it covers in the level before";
+}
+
+} // namespace
+
+std::string sidecar(const Scene& scene, const ExportPlan& planned, const std::vector<EnvironmentMap>& levels,
+                    const std::vector<std::filesystem::path>& files, const WorkRecord& work)
+{
+    const ExportTarget& target = planned.target;
+    const std::string samples = sampleType(target);
+    const bool diffuse = target.kind == ExportKind::Diffuse;
+    const MapLayout& layout = levels.front().layout;
+    Json json = opened(target, files);
+    json["parameterization"] = name(layout.kind);
+    json["size"] = layout.size;
+    json["width"] = layout.width();
+    json["height"] = layout.height();
+    json["border"] = layout.border;
+    json["border_rule"] = borderText(layout);
+    json["handedness"] = "right";
+    json["up"] = "+Y";
+    json["axes"] = axesText(layout.kind);
+    json["value"] = diffuse ? "irradiance over pi for the surface normal d; a constant environment of 1 gives 1"
+                            : "radiance arriving from direction d, which points away from the object; filtered maps keep a constant 1";
+    json["indexed_by"] = diffuse ? "normal" : target.kind == ExportKind::Source ? "direction" : "reflection";
+    json["color_space"] = samples == "uint8" ? "sRGB, tone-mapped (filmic)" : "linear, Rec.709 primaries, D65";
+    json["sample_type"] = samples;
+    json["lobe"] = target.kind == ExportKind::Chain ? Json("chain") : lobeJson(planned.map.filters.front().lobe);
+    json["levels"] = levelsJson(planned, levels);
+    json["level_rule"] = target.kind == ExportKind::Chain ? "roughness = level / (levels - 1); alpha = roughness^2; each level is filtered "
+                                                            "from the probe itself"
+                         : planned.map.pyramid ? "each level is the halving of the one before, weighted by solid angle"
+                                               : "one level";
+    json["probe"] = {{"source", scene.probe.source}, {"yaw_degrees", scene.probe.yawDeg}, {"exposure", scene.probe.exposure}};
+    if (!work.method.empty())
+        json["filter"] = {{"method", work.method}, {"band_limit", work.bandLimit}, {"predicted_rel_rms", work.predictedError}};
+    return closed(json);
+}
+
+std::string paintedSidecar(const Scene& scene, const ExportPlan& planned, const SphereMapDocument& map, const std::vector<Image>& levels,
+                           const std::vector<std::filesystem::path>& files)
+{
+    const ExportTarget& target = planned.target;
+    const std::string samples = sampleType(target);
+    const Image& picture = levels.front();
+    Json json = opened(target, files);
+    json["parameterization"] = "sphere";
+    json["size"] = target.size;
+    json["width"] = picture.width;
+    json["height"] = picture.height;
+    json["border"] = target.border;
+    json["border_rule"] = "disc inscribed, with " + std::to_string(target.border) +
+                          " texels around its square; texels outside the disc have the colour of the nearest point of its rim";
+    json["handedness"] = "right";
+    json["up"] = "+Y";
+    json["axes"] = paintedAxesText(map.index, scene.material.sphereMap.space);
+    json["value"] = "the painted colour of the surface";
+    json["indexed_by"] = words(map.index)[static_cast<size_t>(map.index)];
+    json["color_space"] = samples == "uint8" ? "sRGB, clipped to 0..1" : "linear, Rec.709 primaries, D65";
+    json["sample_type"] = samples;
+    json["opacity"] = picture.channels == 4 ? "in a fourth channel, where the format has one" : "opaque everywhere";
+    json["levels"] = Json::array();
+    for (size_t i = 0; i < levels.size(); ++i)
+        json["levels"].push_back({{"level", i}, {"size", levels[i].width}, {"width", levels[i].width}, {"height", levels[i].height}});
+    json["level_rule"] = paintedRuleText(planned, map);
+    const SphereMapSettings& settings = scene.material.sphereMap;
+    json["sphere_map"] = {{"source", settings.document ? Json("embedded in the scene") : Json(settings.source)}, {"title", map.title}};
+    return closed(json);
+}
+
+} // namespace mirrorball

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "scene_maps.h"
+
+#include "../spheremap/sphere_map_document.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// The NAME.json beside an exported map: what a reader of the map must know, as the text of one JSON object.
+namespace mirrorball {
+
+std::string sidecar(const Scene& scene, const ExportPlan& planned, const std::vector<EnvironmentMap>& levels,
+                    const std::vector<std::filesystem::path>& files, const WorkRecord& work);
+
+/// Of a painted map: what looks it up, and whether its levels are painted or averages.
+std::string paintedSidecar(const Scene& scene, const ExportPlan& planned, const SphereMapDocument& map, const std::vector<Image>& levels,
+                           const std::vector<std::filesystem::path>& files);
+
+} // namespace mirrorball
