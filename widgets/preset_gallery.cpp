@@ -76,7 +76,6 @@ PresetGallery::PresetGallery(PresetLibrary& library, QWidget* parent)
     m_find->setAccessibleName(tr("Find a preset"));
     m_find->setPlaceholderText(tr("Find a preset"));
     m_find->setToolTip(tr("Shows only presets whose names or descriptions hold these letters; Enter takes the one at hand"));
-    m_find->setClearButtonEnabled(true);
     m_find->installEventFilter(this);
     m_list->setObjectName(QStringLiteral("presets.list"));
     m_list->setAccessibleName(tr("Presets"));

@@ -118,7 +118,8 @@ preview::RenderSettings PreviewWidget::settings(const PreparedScene& made) const
     settings.pixelRatio = static_cast<float>(devicePixelRatioF());
     if (m_workspace.document.isDragging() || m_workspace.sphereMap.isPainting()) {
         settings.samples = m_dragSamples;
-        settings.material.paint.anisotropy = 1; // on a software renderer a third of the time
+        if (m_dragSamples == 1)
+            settings.material.paint.anisotropy = 1; // on a software renderer a third of the time
     }
     if (const auto& direction = m_workspace.cursor.direction(); direction && !m_isPointing)
         settings.marker = glm::vec3(*direction);

@@ -40,7 +40,8 @@ public:
     /// until all places have been looked up; until it moves again they are known.
     std::optional<glm::dvec2> discPlaceAt(const QPointF& position, SphereMapIndex index);
 
-    /// Samples a pixel while something is dragged; smooth edges follow when the drag ends. 1 at first.
+    /// Samples a pixel while something is dragged or painted; smooth edges follow when that ends. 1 at first: then a painted map is read without
+    /// anisotropy, too.
     void setSamplesWhileDragging(int samples) { m_dragSamples = samples; }
     TurnGesture turnGesture() const { return m_turnGesture; }
     void setTurnGesture(TurnGesture gesture) { m_turnGesture = gesture; }

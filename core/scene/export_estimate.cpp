@@ -19,22 +19,24 @@ struct Storage {
     double ratio = 1.0;
 };
 
-/// Ratios of files to texels: means over four 1k probes (studio, sky, night, interior) as cube and latlong of 256; `smooth`: filtered with phong 50.
+/// Ratios of files to texels: means over four 1k probes (studio, sky, night, interior) as cube and latlong of 256; `smooth`: filtered with phong
+/// 50. Of painted maps: means over the built-in ones at 256.
 Storage storage(const ExportTarget& target, bool smooth)
 {
     const std::filesystem::path file = target.fileName();
     std::string extension = file.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const bool painted = target.kind == ExportKind::Painted;
     if (holdsMips(file)) {
         if (target.half)
-            return {6, smooth ? 0.27 : 0.6};
+            return {6, painted ? 0.31 : smooth ? 0.27 : 0.6};
         return {12, extension == ".exr" ? 1.0 : smooth ? 0.56 : 0.72};
     }
     if (extension == ".hdr" || extension == ".pic" || extension == ".rgbe")
         return {4, smooth ? 0.55 : 0.78};
     if (extension == ".pfm")
         return {12, 1.0};
-    return {3, smooth ? 0.12 : 0.38};
+    return {3, painted ? 0.19 : smooth ? 0.12 : 0.38};
 }
 
 std::vector<MapLayout> levelLayouts(const ExportPlan& plan)

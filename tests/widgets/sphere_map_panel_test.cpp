@@ -296,6 +296,7 @@ void SphereMapPanelTest::theModelShowsAStrokeWhileItIsDrawn()
 {
     Painting painting;
     PreviewWidget& preview = painting.window().preview();
+    preview.setSamplesWhileDragging(4); // as at rest, so that the two can be compared
     const auto shown = [&preview] {
         QImage picture = preview.picture().convertToFormat(QImage::Format_RGB888);
         picture.setDevicePixelRatio(1.0);

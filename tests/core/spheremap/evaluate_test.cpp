@@ -285,9 +285,9 @@ TEST(EvaluateSphereMap, SaysWhichLayerIsWrong)
         }
         return std::string();
     };
-    EXPECT_EQ(messageOf({.name = "Matcap", .content = ImageLayer{}}), "layers[1] 'Matcap': source: must be an image file; it is empty");
-    EXPECT_EQ(messageOf({.content = ProbeLayer{.source = ""}}).find("layers[1] 'Light probe': source"), 0u);
-    EXPECT_EQ(messageOf({.name = "Glow", .mask = Mask{.content = ImageLayer{.source = "gone.png"}}}).find("layers[1].mask 'Glow': gone.png"), 0u);
+    EXPECT_EQ(messageOf({.name = "Matcap", .content = ImageLayer{}}), "layers[1] \"Matcap\": source: must be an image file; it is empty");
+    EXPECT_EQ(messageOf({.content = ProbeLayer{.source = ""}}).find("layers[1] \"Light probe\": source"), 0u);
+    EXPECT_EQ(messageOf({.name = "Glow", .mask = Mask{.content = ImageLayer{.source = "gone.png"}}}).find("layers[1].mask \"Glow\": gone.png"), 0u);
 }
 
 TEST(SphereMapLevels, LayersTakePartInTheLevelsTheyName)
