@@ -63,7 +63,24 @@ in vec3 worldNormal;
 layout(location = 0) out vec4 color;
 
 #if SPHERE_USE
-// Flecks that are smaller than a pixel show their mean: for those, the map averaged over all the places that they look up.
+#if FLECKS
+// The mean of what flecks show: over the disc of their offsets, evenly, lookups on a spiral (Vogel 1979) and on the same turned half around, so
+// that they have no side in common. Each is half as wide as its part of the disc: wider, and those along its edge would see what lies beyond.
+vec4 meanOfFlecks(vec2 place, vec2 dx, vec2 dy)
+{
+    const int lookups = 16;
+    float wide = 0.5 * flecks.z * sqrt(3.14159265 / float(lookups));
+    vec2 wx = vec2(max(length(dx), wide), 0.0), wy = vec2(0.0, max(length(dy), wide));
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < lookups; ++i) {
+        float turn = float(i / 2), radius = flecks.z * sqrt((2.0 * turn + 1.0) / float(lookups));
+        float angle = 2.39996323 * turn + 3.14159265 * float(i & 1);
+        sum += painted(place + radius * vec2(cos(angle), sin(angle)), wx, wy);
+    }
+    return sum / float(lookups);
+}
+#endif
+// Flecks that are smaller than a pixel show their mean.
 vec4 paintedColor(vec2 place)
 {
 #if FLECKS
@@ -71,12 +88,14 @@ vec4 paintedColor(vec2 place)
     vec3 qx = dFdx(worldPosition) / flecks.y, qy = dFdy(worldPosition) / flecks.y;
     float pixel = sqrt(max(dot(qx, qx), dot(qy, qy))); // in cells
     float far = smoothstep(0.4, 1.2, pixel);
-    FleckPlace cells = fleckPlace(worldPosition);
-    vec4 own = painted(place + cells.own.xy, dx, dy), neighbour = painted(place + cells.neighbour.xy, dx, dy);
-    vec4 near = mix(neighbour, own, clamp(0.5 + cells.border / pixel, 0.5, 1.0));
-    float spread = 1.6 * flecks.z; // a square as large as the disc of their offsets, about
-    vec4 all = painted(place, vec2(max(length(dx), spread), 0.0), vec2(0.0, max(length(dy), spread)));
-    vec4 mean = mix(painted(place, dx, dy), all, flecks.x);
+    vec4 near = vec4(0.0), mean = vec4(0.0);
+    if (far < 1.0) {
+        FleckPlace cells = fleckPlace(worldPosition);
+        vec4 own = painted(place + cells.own.xy, dx, dy), neighbour = painted(place + cells.neighbour.xy, dx, dy);
+        near = mix(neighbour, own, clamp(0.5 + cells.border / pixel, 0.5, 1.0));
+    }
+    if (far > 0.0)
+        mean = mix(painted(place, dx, dy), meanOfFlecks(place, dx, dy), flecks.x);
     return mix(near, mean, far);
 #else
     return painted(place);
