@@ -8,22 +8,23 @@ namespace mirrorball::field_json {
 
 namespace {
 
-constexpr size_t largestFile = size_t{16} << 20;
+constexpr size_t largestFile = size_t{128} << 20; // a list of strokes at its limits (stroke.h) takes about 100 MiB
+constexpr size_t mostValues = size_t{1} << 23;    // such a list as lists of numbers, [x, y, pressure], is 6 million
 constexpr size_t deepest = 64;
 
-/// Refuses what nlohmann's parser lets through: deep nesting and keys that occur twice. A pass of its own, because the parser's callback
+/// Refuses what nlohmann's parser lets through: deep nesting, keys that occur twice, and more values than memory should be spent on. A pass of its own, because the parser's callback
 /// takes time that grows with the square of a list's length.
 class Checker : public Json::json_sax_t {
 public:
     explicit Checker(std::string_view what) : m_what(what) {}
 
-    bool null() override { return true; }
-    bool boolean(bool) override { return true; }
-    bool number_integer(number_integer_t) override { return true; }
-    bool number_unsigned(number_unsigned_t) override { return true; }
-    bool number_float(number_float_t, const string_t&) override { return true; }
-    bool string(string_t&) override { return true; }
-    bool binary(binary_t&) override { return true; }
+    bool null() override { return count(); }
+    bool boolean(bool) override { return count(); }
+    bool number_integer(number_integer_t) override { return count(); }
+    bool number_unsigned(number_unsigned_t) override { return count(); }
+    bool number_float(number_float_t, const string_t&) override { return count(); }
+    bool string(string_t&) override { return count(); }
+    bool binary(binary_t&) override { return count(); }
     bool start_object(std::size_t) override { return open(); }
     bool start_array(std::size_t) override { return open(); }
     bool end_object() override { return close(); }
@@ -37,12 +38,18 @@ public:
     bool parse_error(std::size_t, const std::string&, const Json::exception&) override { return false; } // told by the parser itself
 
 private:
+    bool count()
+    {
+        if (++m_values > mostValues)
+            throw InvalidArgument("holds more than " + std::to_string(mostValues) + " values; this is no " + std::string(m_what));
+        return true;
+    }
     bool open()
     {
         m_keys.emplace_back();
         if (m_keys.size() > deepest)
             throw InvalidArgument("is nested more than " + std::to_string(deepest) + " deep; this is no " + std::string(m_what));
-        return true;
+        return count();
     }
     bool close()
     {
@@ -51,6 +58,7 @@ private:
     }
 
     std::string_view m_what;
+    size_t m_values = 0;
     std::vector<std::set<std::string>> m_keys; ///< of the objects and lists that are open
 };
 
@@ -144,22 +152,58 @@ Json parse(const std::string& text, std::string_view what)
     }
 }
 
+namespace {
+
+[[noreturn]] void refuseSize(std::string_view what)
+{
+    throw InvalidArgument("holds more than " + std::to_string(largestFile >> 20) + " MiB; this is no " + std::string(what));
+}
+
+/// What reading the text again would refuse, before it takes the place of a good file.
+void checkReadable(const std::string& text, const std::filesystem::path& path, std::string_view what)
+{
+    const auto refuse = [&](const std::string& why) {
+        throw InvalidArgument(shownPath(path.string()) + ": was not saved, because nobody could read it again: the " + std::string(what) + " " + why);
+    };
+    if (text.size() > largestFile)
+        refuse("would take " + std::to_string(text.size() >> 20) + " MiB, and " + std::to_string(largestFile >> 20) +
+               " MiB are the most; take something out of it");
+    try {
+        Checker checker(what);
+        Json::sax_parse(text, &checker);
+    } catch (const InvalidArgument& error) {
+        refuse(error.what());
+    }
+}
+
+} // namespace
+
 std::string readText(const std::filesystem::path& path, std::string_view what)
 {
     std::error_code error;
-    if (std::filesystem::is_directory(path, error))
+    const auto type = std::filesystem::status(path, error).type();
+    if (type == std::filesystem::file_type::directory)
         throw InvalidArgument("is a folder; give a file");
+    if (type != std::filesystem::file_type::regular && type != std::filesystem::file_type::not_found) // reading could block
+        throw InvalidArgument("is not a regular file; save the " + std::string(what) + " to one first");
+    if (const auto size = std::filesystem::file_size(path, error); !error && size > largestFile)
+        refuseSize(what);
     std::ifstream file(path, std::ios::binary);
     if (!file)
         throw InvalidArgument(std::filesystem::exists(path, error) ? "cannot be opened; check its permissions"
                                                                    : "does not exist; check the path");
-    std::string text(largestFile + 1, '\0');
-    file.read(text.data(), static_cast<std::streamsize>(text.size()));
+    std::string text;
+    for (size_t read = 1; read > 0 && text.size() <= largestFile;) { // files of /proc say that they are empty
+        const size_t before = text.size(), block = std::max(size_t{1} << 16, before);
+        text.resize(before + block);
+        file.read(text.data() + before, static_cast<std::streamsize>(block));
+        read = static_cast<size_t>(file.gcount());
+        text.resize(before + read);
+    }
     if (file.bad())
         throw InvalidArgument("cannot be read; check the disk");
-    text.resize(static_cast<size_t>(file.gcount()));
     if (text.size() > largestFile)
-        throw InvalidArgument("holds more than 16 MiB; this is no " + std::string(what));
+        refuseSize(what);
     if (text.find_first_not_of(" \t\r\n") == std::string::npos)
         throw InvalidArgument("is empty; write a " + std::string(what) + " into it or load another file");
     return text;
@@ -195,6 +239,7 @@ void save(const OrderedJson& json, const std::filesystem::path& path, std::strin
         throw InvalidArgument(path.string() + ": a text of the " + std::string(what) +
                               " is not UTF-8 and cannot be saved; rename the file it names");
     }
+    checkReadable(text, path, what);
     AtomicFile file(path);
     file.write(text.data(), text.size());
     file.commit();

@@ -17,7 +17,7 @@
 
 /// Settings structs (fields.h) as JSON: what the files of scenes, materials and sphere maps share.
 ///
-/// Files are not trusted: they may hold at most 16 MiB, nested at most 64 deep, no key twice in an object. Whatever is wrong gives one
+/// Files are not trusted: they may hold at most 128 MiB, nested at most 64 deep, no key twice in an object. Whatever is wrong gives one
 /// line with the field, what it must be and what it is. A type with a form of its own has overloads of
 ///   void readJson(const std::string& path, const nlohmann::json&, T&)   and   nlohmann::ordered_json writeJson(const T&)
 namespace mirrorball::field_json {
@@ -191,7 +191,7 @@ auto namingFile(const std::filesystem::path& path, Load&& load)
     }
 }
 
-/// Writes a file, whole or not at all. @throws InvalidArgument, WorkError
+/// Writes a file, whole or not at all. @throws InvalidArgument where it could not be read again: then what was there stays; WorkError
 void save(const OrderedJson& json, const std::filesystem::path& path, std::string_view what);
 
 /// The folder that a file lies in, absolute.

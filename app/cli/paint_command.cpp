@@ -37,14 +37,14 @@ void run(const Options& o)
 {
     std::vector<Stage> stages;
     const SphereMapDocument document = timedStage(stages, "read document", [&] { return findDocument(o.document); });
-    if (!o.saved.empty())
-        saveSphereMap(document, o.saved);
     const JobControl job = jobWithProgress("paint", o.threads);
     if (o.size <= 2 * o.border)
         throw InvalidArgument("--border: must leave room for the map between the borders of a picture of " + std::to_string(o.size) + " texels; it is " +
                               std::to_string(o.border));
     const WriteOptions writeOptions = paintedFileOptions(document, o.half ? SampleType::Half : SampleType::Float);
-    const auto writeStatsFile = [&] {
+    const auto writeTheRest = [&] { // once all went well
+        if (!o.saved.empty())
+            saveSphereMap(document, o.saved);
         if (!o.stats.empty())
             writeStats(o.stats, {.stages = stages, .method = "paint", .threads = job.threadCount()});
     };
@@ -53,13 +53,13 @@ void run(const Options& o)
         timedStage(stages, "write map", [&] {
             writePasses(o.out, {{"diffuse", bordered(passes.diffuse, o.border)}, {"specular", bordered(passes.specular, o.border)}}, writeOptions);
         });
-        writeStatsFile();
+        writeTheRest();
         return;
     }
     const PaintedOptions options{.size = o.size, .border = o.border, .levels = o.levels ? PaintedLevels::Authored : PaintedLevels::One};
     const std::vector<Image> levels = timedStage(stages, "evaluate", [&] { return paintedPictures(document, options, job); });
     timedStage(stages, "write map", [&] { writePictures(o.out, levels, writeOptions); });
-    writeStatsFile();
+    writeTheRest();
 }
 
 } // namespace

@@ -105,7 +105,8 @@ void addPresetsCommand(CLI::App& program)
     CLI::App* command = program.add_subcommand("presets", "List the built-in probes, materials and sphere maps");
     command->add_flag("--json", o->json, "as JSON");
     command->add_option("--sheet", o->sheet, "instead of the list, write a picture of all sphere maps to this file");
-    command->add_option("--geometry", o->geometry, "sheet: show them on a teapot, torus, sphere or box in place of balls");
+    command->add_option("--geometry", o->geometry, "sheet: show them on a teapot, torus, sphere or box in place of balls")
+        ->check(CLI::IsMember({"teapot", "torus", "sphere", "box"}));
     command->add_option("--size", o->size, "sheet: width of one picture, in pixels")->check(CLI::Range(16, 2048));
     command->callback([o] { run(*o); });
 }

@@ -58,8 +58,10 @@ Image toDisplay(const Image& linear, double exposureEv, ToneCurve curve)
     parallelRows(linear.height, {}, [&](int first, int last) {
         for (size_t i = linear.index(0, first); i < linear.index(0, last); ++i) {
             const bool isOpacity = linear.channels == 4 && i % 4 == 3;
-            display.texels[i] = isOpacity ? toneMapped(linear.texels[i], ToneCurve::None)
-                                          : encodeSrgb(toneMapped(static_cast<float>(scale * linear.texels[i]), curve));
+            const float opacity = linear.channels == 4 ? linear.texels[i - i % 4 + 3] : 1.0f;
+            const double light = opacity > 0.0f && opacity < 1.0f ? linear.texels[i] / static_cast<double>(opacity) : linear.texels[i];
+            display.texels[i] = isOpacity ? toneMapped(opacity, ToneCurve::None)
+                                          : encodeSrgb(toneMapped(static_cast<float>(scale * light), curve));
         }
     });
     return display;

@@ -56,8 +56,8 @@ std::optional<Image> readImagePass(const std::filesystem::path& path, const std:
 
 enum class SampleType { Float, Half };
 
-/// What the texels to be written are: linear radiance, or a picture already encoded for a display (color.h), in [0, 1], which only 8-bit
-/// formats take and which goes into them as it is.
+/// What the texels to be written are: linear radiance, multiplied by opacity where there is a fourth channel, or a picture already encoded for a
+/// display (color.h), in [0, 1] and not multiplied, which only 8-bit formats take and which goes into them as it is.
 enum class Encoding { Linear, Display };
 
 struct WriteOptions {

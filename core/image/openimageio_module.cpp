@@ -192,6 +192,8 @@ OIIO::ImageSpec makeSpec(const RawLevel& level, const WriteOptions& options, boo
     const OIIO::TypeDesc floats = options.sampleType == SampleType::Half ? OIIO::TypeHalf : OIIO::TypeFloat;
     OIIO::ImageSpec spec(level.width, level.height, level.channels, level.bytes ? OIIO::TypeUInt8 : floats);
     spec.attribute("oiio:ColorSpace", level.bytes ? "sRGB" : "Linear");
+    if (level.bytes)
+        spec.attribute("oiio:UnassociatedAlpha", 1); // else the writer divides by the opacity, as if sRGB were linear
     spec.attribute("compression", "zip");
     spec.attribute("tiff:half", 1); // without it OpenImageIO writes floats where half is asked for
     spec.attribute("DateTime", ""); // else the TIFF writer puts the clock's time in, and no two files are alike

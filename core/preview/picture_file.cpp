@@ -37,6 +37,14 @@ Image withoutOpacity(const Image& rgba)
     return rgb;
 }
 
+/// Colours that are multiplied by their opacity to such that are not, as 8-bit files have them.
+void divideByOpacity(Image& rgba)
+{
+    for (size_t i = 0; i < rgba.texels.size(); i += 4)
+        for (size_t c = 0; c < 3 && rgba.texels[i + 3] > 0.0f; ++c)
+            rgba.texels[i + c] = std::min(rgba.texels[i + c] / rgba.texels[i + 3], 1.0f);
+}
+
 } // namespace
 
 void savePicture(const Scene& scene, const Plan& plan, const std::filesystem::path& path, const JobControl& job, WorkRecord& record)
@@ -59,6 +67,8 @@ void savePicture(const Scene& scene, const Plan& plan, const std::filesystem::pa
     });
     if (scene.view.background.kind != Backdrop::None)
         picture = withoutOpacity(picture);
+    else if (!radiance)
+        divideByOpacity(picture);
     job.checkStop();
     timedStage(record.stages, "save picture", [&] { writeImage(path, picture, {.encoding = radiance ? Encoding::Linear : Encoding::Display}); });
 }

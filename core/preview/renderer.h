@@ -58,7 +58,7 @@ public:
     ///         OpenGL 4.5, as all that draw do
     Image renderRadiance(const RenderSettings& settings, const RenderMaps& maps);
 
-    /// RGBA in [0, 1], exposed, tone-mapped and sRGB-encoded; colour is premultiplied by alpha. Quantised to 8 bits.
+    /// RGBA in [0, 1], exposed, tone-mapped and sRGB-encoded; then the colour is multiplied by alpha. Quantised to 8 bits.
     Image renderDisplay(const RenderSettings& settings, const RenderMaps& maps);
 
     /// The same picture into a framebuffer of the current context: what a window's paint function calls. Sizes are in device pixels.

@@ -10,7 +10,7 @@
 /// Scenes and materials as files: JSON, UTF-8. A scene file (`*.mirrorball`) holds "version": 1 and the fields of Scene; a material file
 /// holds the fields of Material. Fields that are missing take their defaults; keys that are not known are kept.
 ///
-/// Files are not trusted: they may hold at most 16 MiB, nested at most 64 deep, no key twice in an object. Whatever is wrong gives one
+/// Files are not trusted: they may hold at most 128 MiB, nested at most 64 deep, no key twice in an object. Whatever is wrong gives one
 /// line with the file, the field, what it must be and what it is.
 namespace mirrorball {
 

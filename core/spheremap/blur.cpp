@@ -16,25 +16,35 @@ namespace {
 
 /// What is blurred varies over sigma, so it is computed on a grid of cells about half a sigma wide and read smoothly from there. The grid
 /// is azimuthal equidistant, p = theta (cos phi, sin phi) with theta the angle from +Z: the picture's own grid would do badly at the rim,
-/// where it shows a wide angle in a narrow ring.
+/// where it shows a wide angle in a narrow ring. Mirror directions go all around, and near -Z such a grid is stretched without bound: what lies
+/// behind has a grid of its own, about -Z. So no grid is stretched by more than pi/2, and a kernel never reaches more than that many cells.
 constexpr float cellsPerSigma = 2.0f;
 constexpr float reachInSigmas = 3.5f;
 
 struct Grid {
-    float farthest; ///< theta at the disc's rim: pi/2 for normals, pi for mirror directions
-    float cell;     ///< edge, radians
-    int size;       ///< cells along an edge
+    float cell;   ///< edge, radians
+    float border; ///< radians past its hemisphere's edge that have a value: what the spline reads there
+    int size;     ///< cells along an edge
 
-    /// @param sphere  2 for mirror directions: theta is twice the normal's angle
-    Grid(float sphere, float sigma, int mapSize) : farthest(sphere * 1.57079637f)
+    static constexpr float farthest = 1.57079637f; ///< theta at its hemisphere's edge
+
+    Grid(float sigma, const Level& level)
     {
+        const bool mirror = level.index == SphereMapIndex::Reflection; // theta is twice the normal's angle
         // Never finer than the map's texels at its centre.
-        cell = std::max(sigma / cellsPerSigma, sphere * 2.0f / static_cast<float>(mapSize));
-        size = 2 * static_cast<int>(std::ceil(farthest / cell)) + 3; // a border for the spline
+        cell = std::max(sigma / cellsPerSigma, (mirror ? 4.0f : 2.0f) / static_cast<float>(level.size));
+        const int cells = mirror ? 5 : 3; // the spline reads 2 sqrt 2 further than what is asked for, which may be fade() past the edge
+        border = static_cast<float>(cells) * cell;
+        size = 2 * (static_cast<int>(std::ceil(farthest / cell)) + cells) + 1;
     }
     float coordinate(int i) const { return (static_cast<float>(i) - 0.5f * static_cast<float>(size - 1)) * cell; }
     float index(float p) const { return p / cell + 0.5f * static_cast<float>(size); } // image position
+    /// Half of the ring about the edge in which one hemisphere's values go over into the other's.
+    float fade() const { return 2.0f * cell; }
 };
+
+/// The hemisphere about +Z or about -Z.
+enum class Side { Front, Back };
 
 /// Halvings of a picture, so that a cell averages what it stands for.
 std::vector<Image> halvings(const Image& picture, int levels, const JobControl& job)
@@ -77,11 +87,12 @@ void sampleLinearly(const Image& image, float x, float y, int left, int top, flo
 /// The cells' directions, solid angles and colours; a channel an array, a row of the grid after the other. Cells outside the disc have no
 /// weight. Padded by a border of zeros so that a kernel's window never leaves them.
 struct Cells {
+    Side side;
     int stride = 0;
     int pad = 0;
     std::vector<float> x, y, z, weight, r, g, b, a;
 
-    Cells(const Grid& grid, int padding) : stride(grid.size + 2 * padding), pad(padding)
+    Cells(Side hemisphere, const Grid& grid, int padding) : side(hemisphere), stride(grid.size + 2 * padding), pad(padding)
     {
         const size_t count = static_cast<size_t>(stride) * static_cast<size_t>(stride);
         for (std::vector<float>* channel : {&x, &y, &z, &weight, &r, &g, &b, &a})
@@ -123,8 +134,7 @@ MIRRORBALL_VECTOR_CLONES void addRow(const Cells& cells, size_t first, int count
 class Blur {
 public:
     Blur(float sigma, const Level& level)
-        : m_mirror(level.index == SphereMapIndex::Reflection), m_size(level.size), m_sigma(sigma),
-          m_grid(m_mirror ? 2.0f : 1.0f, sigma, level.size)
+        : m_mirror(level.index == SphereMapIndex::Reflection), m_size(level.size), m_sigma(sigma), m_grid(sigma, level)
     {
     }
 
@@ -147,10 +157,15 @@ public:
 
     Image apply(const Image& below, const TexelRect& given, const TexelRect& wanted, const JobControl& job) const
     {
-        const int window = static_cast<int>(std::ceil(reachInSigmas * m_sigma / m_grid.cell)); // cells
-        Cells cells(m_grid, window + 8);
-        fillCells(below, given, cells, job);
-        const Image blurred = blurCells(cells, window, wanted, job);
+        const std::vector<Image> coarse = halvings(below, coarsest(), job);
+        std::vector<Cells> cells;
+        for (const Side side : m_mirror ? std::vector{Side::Front, Side::Back} : std::vector{Side::Front}) {
+            cells.emplace_back(side, m_grid, 8);
+            fillCells(below, coarse, given, cells.back(), job);
+        }
+        std::vector<Image> blurred;
+        for (const Cells& hemisphere : cells)
+            blurred.push_back(blurCells(cells, hemisphere.side, wanted, job));
         return read(blurred, wanted, job);
     }
 
@@ -164,9 +179,8 @@ private:
     /// sin(theta/2) for mirror directions, sin(theta) for normals: the radius on the disc.
     float discRadius(float theta) const { return std::sin(m_mirror ? 0.5f * theta : theta); }
 
-    void fillCells(const Image& below, const TexelRect& given, Cells& cells, const JobControl& job) const
+    void fillCells(const Image& below, const std::vector<Image>& coarse, const TexelRect& given, Cells& cells, const JobControl& job) const
     {
-        const std::vector<Image> coarse = halvings(below, coarsest(), job);
         parallelRows(m_grid.size, job, [&](int first, int last) {
             for (int j = first; j < last; ++j)
                 for (int i = 0; i < m_grid.size; ++i)
@@ -178,31 +192,41 @@ private:
     {
         const float px = m_grid.coordinate(i), py = m_grid.coordinate(j); // y up
         const float theta = std::sqrt(px * px + py * py);
-        // A cell that the rim cuts counts in part.
-        const float inside = std::min(std::max((m_grid.farthest - theta) / m_grid.cell + 0.5f, 0.0f), 1.0f);
+        // A cell that the edge cuts counts in part, and stands in the middle of that part.
+        const float inside = std::min(std::max((Grid::farthest - theta) / m_grid.cell + 0.5f, 0.0f), 1.0f);
         if (inside <= 0.0f)
             return;
         const size_t at = cells.at(i, j);
-        const float held = std::min(theta, m_grid.farthest), sine = std::sin(held), inverse = theta > 0.0f ? 1.0f / theta : 0.0f;
-        const glm::vec2 phi(px * inverse, py * inverse);
+        const float held = std::min(theta, Grid::farthest - 0.5f * inside * m_grid.cell);
+        const float sine = std::sin(held), inverse = theta > 0.0f ? 1.0f / theta : 0.0f;
+        const glm::vec2 phi = theta > 0.0f ? glm::vec2(px, py) * inverse : glm::vec2(1.0f, 0.0f);
         cells.x[at] = sine * phi.x;
         cells.y[at] = sine * phi.y;
-        cells.z[at] = std::cos(held);
+        cells.z[at] = cells.side == Side::Front ? std::cos(held) : -std::cos(held);
         cells.weight[at] = inside * (theta > 1e-3f ? std::max(sine, 0.0f) * inverse : 1.0f); // sin theta / theta, the cell's solid angle
-        const float radius = discRadius(held);
-        const float half = 0.5f * static_cast<float>(m_size);
-        const float x = half * (1.0f + radius * phi.x), y = half * (1.0f - radius * phi.y);
+        const float fromFront = cells.side == Side::Front ? held : 2.0f * Grid::farthest - held;
+        const float radius = discRadius(fromFront), half = 0.5f * static_cast<float>(m_size);
         // The copy whose texels are as large as the cell's shorter side in the picture, which towards the rim is the radial one.
-        const float radial = m_grid.cell * half * (m_mirror ? 0.5f * std::cos(0.5f * held) : std::cos(held));
+        const float radial = m_grid.cell * half * (m_mirror ? 0.5f * std::cos(0.5f * fromFront) : std::cos(held));
         const int level = std::clamp(static_cast<int>(std::floor(std::log2(std::max(radial, 1.0f)))), 0, static_cast<int>(coarse.size()));
-        float rgba[4];
         const Image& source = level == 0 ? below : coarse[static_cast<size_t>(level) - 1];
         const float scale = 1.0f / static_cast<float>(1 << level);
-        sampleLinearly(source, x * scale, y * scale, given.x0 >> level, given.y0 >> level, rgba);
-        cells.r[at] = rgba[0];
-        cells.g[at] = rgba[1];
-        cells.b[at] = rgba[2];
-        cells.a[at] = rgba[3];
+        // Behind, a cell is a long arc of the picture: near -Z all around the rim.
+        const float arc = cells.side == Side::Front ? 0.0f : theta > 0.0f ? std::min(m_grid.cell * inverse, 6.28318531f) : 6.28318531f;
+        const int samples = cells.side == Side::Front ? 1 : std::max(1, static_cast<int>(std::lround(arc * half * radius * scale)));
+        glm::vec4 sum(0.0f);
+        for (int k = 0; k < samples; ++k) {
+            const float turn = arc * ((static_cast<float>(k) + 0.5f) / static_cast<float>(samples) - 0.5f), c = std::cos(turn), sn = std::sin(turn);
+            const glm::vec2 q = radius * (samples > 1 ? glm::vec2(c * phi.x - sn * phi.y, sn * phi.x + c * phi.y) : phi);
+            glm::vec4 rgba;
+            sampleLinearly(source, half * (1.0f + q.x) * scale, half * (1.0f - q.y) * scale, given.x0 >> level, given.y0 >> level, &rgba.x);
+            sum += rgba;
+        }
+        sum /= static_cast<float>(samples);
+        cells.r[at] = sum.r;
+        cells.g[at] = sum.g;
+        cells.b[at] = sum.b;
+        cells.a[at] = sum.a;
     }
 
     /// The part of the grid that `wanted` reads.
@@ -232,20 +256,27 @@ private:
             .intersected({0, 0, m_grid.size, m_grid.size});
     }
 
-    /// Where on the grid's image (its row 0 at the lowest p.y) a texel of the map lies.
-    glm::vec2 position(int x, int y) const
+    /// The direction that a texel of the map stands for.
+    struct Place {
+        float theta; ///< from +Z
+        glm::vec2 phi;
+    };
+    Place place(int x, int y) const
     {
         const float texel = 2.0f / static_cast<float>(m_size);
-        const float qx = (static_cast<float>(x) + 0.5f) * texel - 1.0f, qy = 1.0f - (static_cast<float>(y) + 0.5f) * texel;
-        const float length = std::sqrt(qx * qx + qy * qy), rho = std::min(length, 1.0f);
-        const float theta = (m_mirror ? 2.0f : 1.0f) * std::asin(rho);
-        const float scale = length > 1e-6f ? theta / length : (m_mirror ? 2.0f : 1.0f);
-        return {m_grid.index(qx * scale), m_grid.index(qy * scale)};
+        const glm::vec2 q((static_cast<float>(x) + 0.5f) * texel - 1.0f, 1.0f - (static_cast<float>(y) + 0.5f) * texel);
+        const float length = std::sqrt(q.x * q.x + q.y * q.y);
+        return {(m_mirror ? 2.0f : 1.0f) * std::asin(std::min(length, 1.0f)), length > 0.0f ? q / length : q};
+    }
+    /// Where on the front grid's image (its row 0 at the lowest p.y) a texel of the map lies.
+    glm::vec2 position(int x, int y) const
+    {
+        const Place at = place(x, y);
+        return {m_grid.index(at.theta * at.phi.x), m_grid.index(at.theta * at.phi.y)};
     }
 
-    Image blurCells(const Cells& cells, int window, const TexelRect& wanted, const JobControl& job) const
+    Image blurCells(const std::vector<Cells>& cells, Side side, const TexelRect& wanted, const JobControl& job) const
     {
-        const float kappa = 1.44269504f / (m_sigma * m_sigma); // for 2^x
         const TexelRect part = gridPart(wanted);
         Image blurred(m_grid.size, m_grid.size, 4);
         parallelRows(
@@ -253,34 +284,25 @@ private:
             [&](int first, int last) {
                 for (int j = part.y0 + first; j < part.y0 + last; ++j)
                     for (int i = part.x0; i < part.x1; ++i)
-                        blurCell(cells, window, kappa, i, j, blurred.texel(i, j));
+                        blurCell(cells, side, i, j, blurred.texel(i, j));
             },
             1);
         return blurred;
     }
 
-    void blurCell(const Cells& cells, int window, float kappa, int i, int j, float* out) const
+    void blurCell(const std::vector<Cells>& cells, Side side, int i, int j, float* out) const
     {
         const float px = m_grid.coordinate(i), py = m_grid.coordinate(j), theta = std::sqrt(px * px + py * py);
-        const float held = std::min(theta, m_grid.farthest), inverse = theta > 0.0f ? 1.0f / theta : 0.0f;
-        const glm::vec3 n(std::sin(held) * px * inverse, std::sin(held) * py * inverse, std::cos(held));
+        if (theta > Grid::farthest + m_grid.border)
+            return;
+        // Normals end at the rim: cells that lie beyond it stand for it.
+        const float held = m_mirror ? theta : std::min(theta, Grid::farthest), inverse = theta > 0.0f ? 1.0f / theta : 0.0f;
+        const glm::vec2 phi(px * inverse, py * inverse);
+        const float z = std::cos(held);
+        const glm::vec3 n(std::sin(held) * phi, side == Side::Front ? z : -z);
         Sums sums;
-        // Along the rim of a mirror-direction map the grid is stretched without bound: there the kernel reaches all around.
-        const float stretch = theta > 1e-3f ? held / std::max(std::sin(held), 1e-3f) : 1.0f;
-        const float around = reachInSigmas * m_sigma * stretch;
-        const bool everywhere = m_mirror && held + reachInSigmas * m_sigma > 2.6f;
-        const int wide =
-            everywhere ? m_grid.size : std::min(m_grid.size, m_mirror ? static_cast<int>(std::ceil(around / m_grid.cell)) : 2 * window);
-        // For normals the stretch is at most pi/2, and cells beyond the rim are held to it.
-        const int reach = m_mirror ? std::max(wide, window) : static_cast<int>(std::ceil(1.6f * static_cast<float>(window)));
-        // Cells that lie beyond the rim stand for the rim.
-        const float pull = theta > 0.0f ? held * inverse : 1.0f;
-        const int ci = static_cast<int>(std::lround((px * pull) / m_grid.cell + 0.5f * static_cast<float>(m_grid.size - 1)));
-        const int cj = static_cast<int>(std::lround((py * pull) / m_grid.cell + 0.5f * static_cast<float>(m_grid.size - 1)));
-        const int i0 = std::max(ci - reach, 0), i1 = std::min(ci + reach, m_grid.size - 1);
-        const int count = (i1 - i0 + 8) / 8 * 8; // the padding holds zeros
-        for (int row = std::max(cj - reach, 0); row <= std::min(cj + reach, m_grid.size - 1); ++row)
-            addRow(cells, cells.at(i0, row), count, n, kappa, sums);
+        for (const Cells& hemisphere : cells)
+            addCells(hemisphere, hemisphere.side == side ? held : 2.0f * Grid::farthest - held, phi, n, sums);
         const float share = 1.0f / std::max(sums.weight, 1e-30f);
         out[0] = sums.r * share;
         out[1] = sums.g * share;
@@ -288,16 +310,45 @@ private:
         out[3] = sums.a * share;
     }
 
-    Image read(const Image& blurred, const TexelRect& wanted, const JobControl& job) const
+    /// Adds the cells of a hemisphere that the kernel about n reaches. Those within an angle of n are within that angle of the point of the
+    /// hemisphere that is nearest to n, and the grid is stretched by at most pi/2.
+    /// @param theta  of n, from the hemisphere's pole
+    void addCells(const Cells& cells, float theta, const glm::vec2& phi, const glm::vec3& n, Sums& sums) const
+    {
+        const float angle = reachInSigmas * m_sigma;
+        if (theta - angle > Grid::farthest)
+            return;
+        const float kappa = 1.44269504f / (m_sigma * m_sigma); // for 2^x
+        const int reach = static_cast<int>(std::ceil(1.6f * std::ceil(angle / m_grid.cell)));
+        const float nearest = std::min(theta, Grid::farthest) / m_grid.cell, middle = 0.5f * static_cast<float>(m_grid.size - 1);
+        const int ci = static_cast<int>(std::lround(nearest * phi.x + middle)), cj = static_cast<int>(std::lround(nearest * phi.y + middle));
+        const int i0 = std::max(ci - reach, 0), i1 = std::min(ci + reach, m_grid.size - 1);
+        const int count = (i1 - i0 + 8) / 8 * 8; // the padding holds zeros
+        for (int row = std::max(cj - reach, 0); row <= std::min(cj + reach, m_grid.size - 1); ++row)
+            addRow(cells, cells.at(i0, row), count, n, kappa, sums);
+    }
+
+    /// @param blurred  of the front, and of the back where there is one
+    Image read(const std::vector<Image>& blurred, const TexelRect& wanted, const JobControl& job) const
     {
         Image result(wanted.width(), wanted.height(), 4);
         parallelRows(result.height, job, [&](int first, int last) {
             for (int y = first; y < last; ++y)
                 for (int x = 0; x < result.width; ++x) {
-                    const glm::vec2 p = position(wanted.x0 + x, wanted.y0 + y);
-                    sampleSmoothly<4>(blurred, p.x, p.y, result.texel(x, y));
-                    float& opacity = result.texel(x, y)[3];
-                    opacity = std::min(opacity, 1.0f);
+                    const Place at = place(wanted.x0 + x, wanted.y0 + y);
+                    const float behind = m_mirror ? smooth(0.5f + 0.5f * (at.theta - Grid::farthest) / m_grid.fade()) : 0.0f;
+                    const auto sampled = [&](size_t side, float theta) {
+                        glm::vec4 rgba;
+                        sampleSmoothly<4>(blurred[side], m_grid.index(theta * at.phi.x), m_grid.index(theta * at.phi.y), &rgba.x);
+                        return rgba;
+                    };
+                    glm::vec4 rgba(0.0f);
+                    if (behind < 1.0f)
+                        rgba += (1.0f - behind) * sampled(0, at.theta);
+                    if (behind > 0.0f)
+                        rgba += behind * sampled(1, 2.0f * Grid::farthest - at.theta);
+                    rgba.a = std::min(rgba.a, 1.0f);
+                    std::copy_n(&rgba.x, 4, result.texel(x, y));
                 }
         });
         return result;

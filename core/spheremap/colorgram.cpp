@@ -49,7 +49,7 @@ public:
     }
     glm::vec3 at(float s) const
     {
-        const float x = std::min(s * m_scale, static_cast<float>(entries));
+        const float scaled = s * m_scale, x = scaled < static_cast<float>(entries) ? scaled : static_cast<float>(entries); // the last for NaN
         const int i = static_cast<int>(x);
         return glm::mix(m_entries[static_cast<size_t>(i)], m_entries[static_cast<size_t>(i) + 1], x - static_cast<float>(i));
     }
@@ -82,10 +82,9 @@ SpanGenerator gratingColorgram(const ColorgramLayer& layer)
                 s = glm::length(p);
             } else {
                 // g: across the grooves, in the picture; t: its unit tangent
-                const float inverse = 1.0f / std::max(at.rho[i], 1e-6f);
                 glm::vec2 g(gx, gy);
-                if (grooves == Grooves::Rings)
-                    g = glm::vec2(n.x, n.y) * inverse;
+                if (grooves == Grooves::Rings && at.rho[i] > 1e-6f) // rings have no direction at their centre: any will do
+                    g = glm::vec2(n.x, n.y) / at.rho[i];
                 const float turn = twist * at.rho[i], c = std::cos(turn), sn = std::sin(turn);
                 g = glm::vec2(c * g.x - sn * g.y, sn * g.x + c * g.y);
                 const float gn = g.x * n.x + g.y * n.y;

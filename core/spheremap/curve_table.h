@@ -33,7 +33,7 @@ public:
     /// @param x  not negative
     float at(float x) const
     {
-        if (x >= 1.0f)
+        if (!(x < 1.0f)) // NaN too
             return x * m_entries[intervals];
         const float p = x * static_cast<float>(intervals);
         const int i = static_cast<int>(p);

@@ -241,6 +241,32 @@ MIRRORBALL_VECTOR_CLONES float weigh(int count, const float* __restrict share, f
     return *std::max_element(most, most + lanes);
 }
 
+/// The brightest light that a layer gives, or that layers make together: what would be brighter is this bright. Even the product of two such,
+/// through the strongest adjustment, stays far below the largest float, so that nothing overflows to infinity, whose products with 0 are no
+/// numbers; and a probe's sun does not come near it.
+constexpr float brightest = 1e10f;
+
+/// Colours that are not multiplied by their opacity.
+MIRRORBALL_VECTOR_CLONES void bound(int count, ColorSpan& colors)
+{
+    for (int i = 0; i < count; ++i) {
+        colors.r[i] = std::min(brightest, colors.r[i]);
+        colors.g[i] = std::min(brightest, colors.g[i]);
+        colors.b[i] = std::min(brightest, colors.b[i]);
+    }
+}
+
+/// Colours that are.
+MIRRORBALL_VECTOR_CLONES void boundMultiplied(int count, ColorSpan& colors)
+{
+    for (int i = 0; i < count; ++i) {
+        const float most = brightest * colors.a[i];
+        colors.r[i] = std::min(most, colors.r[i]);
+        colors.g[i] = std::min(most, colors.g[i]);
+        colors.b[i] = std::min(most, colors.b[i]);
+    }
+}
+
 void run(const Step& step, const DiscSpan& at, ColorSpan& result)
 {
     ColorSpan colors;
@@ -250,13 +276,16 @@ void run(const Step& step, const DiscSpan& at, ColorSpan& result)
         colors = result;
         unmultiply(at.count, colors);
         step.adjust(at, colors);
+        bound(at.count, colors);
         blendAdjusted(step.layer->blend, at.count, colors, share, result);
-        return;
+    } else {
+        step.generate(at, colors);
+        if (weigh(at.count, share, colors.a) == 0.0f) // nothing of it here: most of a painted layer, the inside of a ring
+            return;
+        bound(at.count, colors);
+        blend(step.layer->blend, at.count, colors, result);
     }
-    step.generate(at, colors);
-    if (weigh(at.count, share, colors.a) == 0.0f) // nothing of it here: most of a painted layer, the inside of a ring
-        return;
-    blend(step.layer->blend, at.count, colors, result);
+    boundMultiplied(at.count, result);
 }
 
 /// Calls body(span) for the runs of a rectangle's rows, in parallel.
@@ -350,10 +379,12 @@ private:
         forEachRun(pass.rect, m_level, m_job, [&](const DiscSpan& at) {
             ColorSpan colors;
             float* texels = below.texel(at.column - pass.rect.x0, at.row - pass.rect.y0);
-            if (fresh)
+            if (fresh) {
                 clear(colors, at.count);
-            else
+            } else {
                 read(texels, at.count, colors);
+                boundMultiplied(at.count, colors); // between texels a warp's spline overshoots
+            }
             for (const Step& step : steps)
                 mirrorball::run(step, at, colors);
             write(colors, at.count, texels);
@@ -375,9 +406,11 @@ private:
             setShare(layer, mask, at, colors, share);
             read(result.texel(at.column - wanted.x0, at.row - wanted.y0), at.count, colors);
             unmultiply(at.count, colors);
+            bound(at.count, colors);
             float* texels = mixed.texel(at.column - wanted.x0, at.row - wanted.y0);
             read(texels, at.count, backdrop);
             blendAdjusted(layer.blend, at.count, colors, share, backdrop);
+            boundMultiplied(at.count, backdrop);
             write(backdrop, at.count, texels);
         });
         return mixed;

@@ -52,7 +52,7 @@ MIRRORBALL_VECTOR_CLONES void GradientTable::look(int count, const float* t, Col
     alignas(64) float part[spanLength];
     alignas(64) int entry[spanLength];
     for (int i = 0; i < count; ++i) {
-        const float x = std::min(std::max(t[i], 0.0f), 1.0f) * static_cast<float>(intervals);
+        const float x = std::min(1.0f, std::max(0.0f, t[i])) * static_cast<float>(intervals);
         entry[i] = std::min(static_cast<int>(x), intervals - 1);
         part[i] = x - static_cast<float>(entry[i]);
     }

@@ -47,7 +47,7 @@ public:
     /// The colour at t, which is clamped to [0, 1].
     Entry at(float t) const
     {
-        const float x = std::min(std::max(t, 0.0f), 1.0f) * static_cast<float>(intervals);
+        const float x = std::min(1.0f, std::max(0.0f, t)) * static_cast<float>(intervals);
         const int i = std::min(static_cast<int>(x), intervals - 1);
         const float f = x - static_cast<float>(i);
         const Entry &p = m_entries[static_cast<size_t>(i)], &q = m_entries[static_cast<size_t>(i) + 1];

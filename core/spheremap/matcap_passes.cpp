@@ -4,8 +4,6 @@
 #include "../field_checks.h"
 
 #include <algorithm>
-#include <functional>
-#include <vector>
 
 namespace mirrorball {
 
@@ -19,31 +17,6 @@ Image overBlack(const Image& rgba)
     return rgb;
 }
 
-/// Light that is added below a layer passes through it when what the layer does is linear in what lies below.
-bool letsLightThrough(const Layer& layer)
-{
-    const LayerRole role = kindOf(layer.content).role;
-    return role == LayerRole::Warp || (role == LayerRole::Generator && layer.blend == BlendMode::Multiply);
-}
-
-/// The layers that shine, over black, and what lies above the lowest of them and dims or moves its light.
-std::vector<Layer> shineOf(const std::vector<Layer>& layers, const std::function<bool(const Layer&)>& shines)
-{
-    std::vector<Layer> shine{{.name = "Black", .content = FillLayer{.color = glm::dvec3(0.0)}}};
-    for (const Layer& layer : layers) {
-        const bool isLowest = shine.size() == 1;
-        if (shines(layer))
-            shine.push_back(layer);
-        else if (!isLowest && letsLightThrough(layer))
-            shine.push_back(layer);
-        else
-            continue;
-        if (isLowest)
-            shine.back().blend = BlendMode::Normal; // black takes neither overlay nor multiply
-    }
-    return shine;
-}
-
 } // namespace
 
 MatcapPasses evaluatePasses(const SphereMapDocument& document, std::span<const std::string> specularLayers, const EvaluateOptions& options,
@@ -52,13 +25,17 @@ MatcapPasses evaluatePasses(const SphereMapDocument& document, std::span<const s
     for (const std::string& name : specularLayers)
         if (std::none_of(document.layers.begin(), document.layers.end(), [&](const Layer& layer) { return layer.name == name; }))
             throw InvalidArgument("specular: no layer is called " + inQuotes(name));
-    SphereMapDocument diffuse = document, specular = document;
-    const auto shines = [&](const Layer& layer) {
+    SphereMapDocument body = document;
+    std::erase_if(body.layers, [&](const Layer& layer) {
         return std::find(specularLayers.begin(), specularLayers.end(), layer.name) != specularLayers.end();
-    };
-    std::erase_if(diffuse.layers, shines);
-    specular.layers = shineOf(document.layers, shines);
-    return {overBlack(evaluate(diffuse, options, job)), overBlack(evaluate(specular, options, job))};
+    });
+    MatcapPasses passes{.diffuse = overBlack(evaluate(body, options, job)), .specular = overBlack(evaluate(document, options, job))};
+    for (size_t i = 0; i < passes.diffuse.texels.size(); ++i) {
+        float &matt = passes.diffuse.texels[i], &shine = passes.specular.texels[i]; // of which the second is the whole still
+        matt = std::min(matt, shine);
+        shine -= matt;
+    }
+    return passes;
 }
 
 Image bordered(const Image& picture, int texels)

@@ -13,9 +13,9 @@ struct MatcapPasses {
     Image specular{}; ///< RGB, black where nothing shines
 };
 
-/// Splits a document: the layers of the given names, by themselves over black, and the rest. Blurs, twists, rotations and multiplied layers above
-/// the shine act on it too, so that the passes add up to the map where the shine is added; shine that was screened or laid over becomes
-/// brighter than it was over a bright body, for it must not fade on an object that is dark.
+/// Splits a document: diffuse is what it shows without the layers of the given names, specular what these add to it, whatever their blend modes
+/// and the layers above them. The passes always add up to the map. Where the named layers take light away, as the bars of a window do, there is
+/// no shine: the matt part is as dark as the map.
 /// @throws InvalidArgument where no layer has a name; as evaluate()
 /// Source: Blender's studio lights, which read passes named "diffuse" and "specular" from an EXR file of any size, half or float, and look
 /// 0.8 percent inside the rim

@@ -62,9 +62,10 @@ SpanGenerator prepare(const PhongLightsLayer& layer, const Level&)
     std::vector<ReadyLight> lights;
     for (const PhongLight& light : layer.lights) {
         const glm::dvec3 l = lightDirection(light.azimuthDeg, light.polarDeg), half = l + glm::dvec3(0, 0, 1);
-        const glm::dvec3 axis = mirror ? l : glm::length(half) > 1e-6 ? glm::normalize(half) : glm::dvec3(1, 0, 0);
+        const bool isBehind = glm::length(half) < 1e-6; // has no half vector, and no point of the ball mirrors it
+        const glm::dvec3 axis = mirror || isBehind ? l : glm::normalize(half);
         const double exponent = !mirror && layer.match == ExponentMatch::Matched ? matchedExponent(light.exponent) : light.exponent;
-        lights.push_back({glm::vec3(axis), glm::vec3(l), glm::vec3(light.color * light.intensity), glm::vec3(light.color * light.diffuse),
+        lights.push_back({glm::vec3(axis), glm::vec3(l), glm::vec3(light.color * (isBehind ? 0.0 : light.intensity)), glm::vec3(light.color * light.diffuse),
                           static_cast<float>(exponent)});
     }
     return [lights, mirror, ambient = glm::vec3(layer.ambient)](const DiscSpan& at, ColorSpan& out) {

@@ -22,8 +22,8 @@ struct CatmullRom {
 template <int channels>
 void sampleSmoothly(const Image& image, float x, float y, float* out)
 {
-    x = std::min(std::max(x - 0.5f, -2.0f), static_cast<float>(image.width) + 1.0f);
-    y = std::min(std::max(y - 0.5f, -2.0f), static_cast<float>(image.height) + 1.0f);
+    x = std::min(static_cast<float>(image.width) + 1.0f, std::max(-2.0f, x - 0.5f)); // in this order NaN lands at the edge
+    y = std::min(static_cast<float>(image.height) + 1.0f, std::max(-2.0f, y - 0.5f));
     const float fx = std::floor(x), fy = std::floor(y);
     const int ix = static_cast<int>(fx) - 1, iy = static_cast<int>(fy) - 1;
     const CatmullRom u(x - fx), v(y - fy);

@@ -79,6 +79,20 @@ std::string pointsToText(const std::vector<StrokePoint>& points)
     return text;
 }
 
+/// The members in which a struct differs from a fresh one, which is what reading fills in for missing ones: strokes are many.
+template <typename T>
+OrderedJson changedMembers(const T& value)
+{
+    static const OrderedJson fresh = Writer::toJson(T{});
+    const OrderedJson all = Writer::toJson(value);
+    OrderedJson changed = OrderedJson::object();
+    auto& members = changed.get_ref<OrderedJson::object_t&>();
+    for (const auto& [name, member] : all.get_ref<const OrderedJson::object_t&>())
+        if (const auto same = fresh.find(name); same == fresh.end() || *same != member)
+            members.push_back({name, member});
+    return changed;
+}
+
 } // namespace
 
 void readJson(const std::string& path, const nlohmann::json& json, Stroke& stroke)
@@ -104,8 +118,10 @@ nlohmann::ordered_json writeJson(const Stroke& stroke)
 {
     OrderedJson json;
     Writer writer(json);
-    json["brush"] = Writer::toJson(stroke.brush);
-    json["symmetry"] = Writer::toJson(stroke.symmetry);
+    if (OrderedJson brush = changedMembers(stroke.brush); !brush.empty())
+        json["brush"] = std::move(brush);
+    if (OrderedJson symmetry = changedMembers(stroke.symmetry); !symmetry.empty())
+        json["symmetry"] = std::move(symmetry);
     json["points"] = pointsToText(stroke.points);
     writer.writeUnknown(stroke.unknown);
     return json;

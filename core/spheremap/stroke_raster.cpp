@@ -45,9 +45,11 @@ MIRRORBALL_VECTOR_CLONES void stampRows(float* values, const TexelRect& rows, fl
             Lanes u = base - dx * dx * dab.slope;
             u = u > none ? u : none;
             u = u < one ? u : one;
-            Lanes* at = reinterpret_cast<Lanes*>(row + x);
-            const Lanes t = *at * (1.0f - dab.strength * (u * u * (3.0f - 2.0f * u)));
-            *at = t > least ? t : least;
+            Lanes t;
+            std::memcpy(&t, row + x, sizeof t);
+            t = t * (1.0f - dab.strength * (u * u * (3.0f - 2.0f * u)));
+            t = t > least ? t : least;
+            std::memcpy(row + x, &t, sizeof t);
         }
     }
 }

@@ -61,10 +61,12 @@ SpanGenerator prepare(const ToonLayer& layer, const Level&)
 {
     const glm::dvec3 l = lightDirection(layer.azimuthDeg, layer.polarDeg);
     const glm::dvec3 half = l + glm::dvec3(0, 0, 1);
-    const glm::vec3 h(glm::length(half) > 1e-6 ? glm::normalize(half) : glm::dvec3(1, 0, 0));
+    const bool isBehind = glm::length(half) < 1e-6; // no point of the ball mirrors it
+    const glm::vec3 h(isBehind ? half : glm::normalize(half));
+    const double highlightDeg = isBehind ? 0.0 : layer.highlightDeg;
     const double turn = (layer.azimuthDeg + layer.rimTurnDeg) * pi / 180.0;
     const glm::vec2 rimSide(std::cos(turn), std::sin(turn));
-    return [layer, bands = bandsOf(layer), light = glm::vec3(l), h, rimSide](const DiscSpan& at, ColorSpan& out) {
+    return [layer, bands = bandsOf(layer), light = glm::vec3(l), h, highlightDeg, rimSide](const DiscSpan& at, ColorSpan& out) {
         alignas(64) float share[spanLength];
         const glm::vec3 base(bands.front().color);
         fill(out, at.count, base.r, base.g, base.b);
@@ -76,9 +78,9 @@ SpanGenerator prepare(const ToonLayer& layer, const Level&)
             facingPart(facing, at, 2.0f * static_cast<float>(bands[k].from) - 1.0f, 2.0f * softness, share); // t = (n.l + 1)/2
             mix(at.count, share, glm::vec3(bands[k].color), out);
         }
-        if (layer.highlightDeg > 0.0) {
+        if (highlightDeg > 0.0) {
             face(h, at, facing);
-            const auto edge = static_cast<float>(std::cos(layer.highlightDeg * pi / 180.0));
+            const auto edge = static_cast<float>(std::cos(highlightDeg * pi / 180.0));
             facingPart(facing, at, edge, softness * (1.0f - edge), share);
             mix(at.count, share, glm::vec3(layer.highlightColor), out);
         }

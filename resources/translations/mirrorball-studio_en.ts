@@ -33,6 +33,13 @@
     </message>
 </context>
 <context>
+    <name>ExportFormat</name>
+    <message>
+        <source>PNG, 8 bit</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Fields</name>
     <message>
         <source>0: straight bars; 1: bent as in a mirror ball</source>
@@ -723,10 +730,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>file name, whose extension is the format; empty: NAME.exr; %s in a cube&apos;s makes six files</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>filmic</source>
         <translation type="unfinished"></translation>
     </message>
@@ -899,10 +902,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>halved levels inside the file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>height</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1044,10 +1043,6 @@
     </message>
     <message>
         <source>kind</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>kind of the map</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1879,10 +1874,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>source: the environment; specular: filtered with the material&apos;s lobe; diffuse: irradiance over pi; chain: ggx levels of roughness 0 to 1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>space</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2302,6 +2293,30 @@
         <source>then tips it about +X: what is above moves towards the eye</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>coarser levels: halved, or as the painted map makes them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>file name, whose extension is the format; empty: NAME.exr; %s in a cube&apos;s makes six files, %d one file a level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kind of the map; painted: always a sphere map&apos;s disc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>painted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paraboloid: texels kept free outside each disc; painted: texels between the disc and the picture&apos;s edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>source: the environment; specular: filtered with the material&apos;s lobe; diffuse: irradiance over pi; chain: ggx levels of roughness 0 to 1; painted: the sphere map</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -2605,10 +2620,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>halved levels in the file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source> texels</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2653,10 +2664,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Paraboloid: texels kept free outside each disc</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Format</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2669,10 +2676,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Mip levels, each the halving of the one before, across seams</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Levels</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2682,10 +2685,6 @@
     </message>
     <message>
         <source>F&amp;ile</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>File name; %s in a cube&apos;s stands for the six faces</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2825,14 +2824,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>; filtered in less than 0.1 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>; filtered in about %1 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Writes the same bytes as Export.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2854,6 +2845,54 @@
     </message>
     <message>
         <source>%1, %2: about %3; %4 of texels before compression</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sphere map, as it is painted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coarser levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one file a level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Texels between a disc and the edge of the picture; Blender shows a matcap&apos;s outline whole with 2 at 512</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mip levels: each the halving of the one before, across seams; a painted map&apos;s as it makes them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Numbered files instead of one that holds all levels; %d in the file&apos;s name stands for the number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File name; %s in a cube&apos;s stands for the six faces, %d for the number of a level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One file a level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The material&apos;s sphere map, for programs that take matcaps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The material has no sphere map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; computed in less than 0.1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; computed in about %1 s</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3754,6 +3793,37 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
     </message>
 </context>
 <context>
+    <name>mirrorball::studio::PaintedExport</name>
+    <message>
+        <source>PNG, 8 bit (*.png)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>OpenEXR, linear light (*.exr)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>OpenEXR with all mip levels (*.exr)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TIFF, linear light (*.tif)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TIFF with all mip levels (*.tif)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the picture of the sphere map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>mirrorball::studio::PlanView</name>
     <message>
         <source>Stages of the plan</source>
@@ -4510,6 +4580,10 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
     </message>
     <message>
         <source>Right drag changes radius and hardness, [ and ] step the radius, Alt picks a colour on the disc.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the picture...</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

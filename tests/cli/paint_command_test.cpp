@@ -7,7 +7,12 @@
 
 #include <gtest/gtest.h>
 
+#include <png.h>
+
+#include <array>
 #include <fstream>
+
+#include <sys/stat.h>
 
 namespace mirrorball {
 namespace {
@@ -17,6 +22,78 @@ using test::ProgramRun;
 using test::TemporaryFolder;
 
 std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
+
+/// A PNG as any program reads it: red, green, blue, opacity in bytes, colours not multiplied.
+struct PngPicture {
+    int width = 0, height = 0;
+    std::vector<std::array<std::uint8_t, 4>> pixels{};
+
+    explicit PngPicture(const std::filesystem::path& path)
+    {
+        png_image file{};
+        file.version = PNG_IMAGE_VERSION;
+        EXPECT_TRUE(png_image_begin_read_from_file(&file, path.c_str())) << path;
+        file.format = PNG_FORMAT_RGBA;
+        width = static_cast<int>(file.width);
+        height = static_cast<int>(file.height);
+        pixels.resize(static_cast<size_t>(width) * static_cast<size_t>(height));
+        EXPECT_TRUE(png_image_finish_read(&file, nullptr, pixels.data(), 0, nullptr)) << path;
+    }
+};
+
+// IEC 61966-2-1: light of 0.2, 0.05, 0.6 is 124, 63, 203 of 255.
+TEST(PaintCommand, APngHasTheSameColoursHoweverTransparent)
+{
+    const TemporaryFolder folder;
+    for (const auto& [opacity, alpha] : {std::pair{"1", 255}, {"0.5", 128}, {"0.1", 26}}) {
+        std::ofstream(folder / "fill.spheremap") << R"({"version": 1, "layers": [{"opacity": )" << opacity
+                                                 << R"(, "content": {"kind": "fill", "color": [0.2, 0.05, 0.6]}}]})";
+        ASSERT_EQ(mirrorballRuns("paint " + quoted(folder / "fill.spheremap") + " -o " + quoted(folder / "fill.png") + " --size 8").status, 0);
+        const PngPicture picture(folder / "fill.png");
+        ASSERT_EQ(picture.width, 8);
+        for (const auto& pixel : picture.pixels)
+            ASSERT_EQ(pixel, (std::array<std::uint8_t, 4>{124, 63, 203, static_cast<std::uint8_t>(alpha)}));
+    }
+}
+
+// Along an outline a ball of one colour keeps that colour, as far as 8 bits that were multiplied by the opacity can say.
+TEST(RenderCommand, APngWithoutBackgroundKeepsItsColoursAtTheOutline)
+{
+    const TemporaryFolder folder;
+    std::ofstream(folder / "fill.spheremap") << R"({"version": 1, "layers": [{"content": {"kind": "fill", "color": [0.2, 0.05, 0.6]}}]})";
+    const ProgramRun run = mirrorballRuns("render --geometry sphere --size 64x64 --background none --sphere-map " + quoted(folder / "fill.spheremap") +
+                                          " --tone none -o " + quoted(folder / "ball.png"));
+    ASSERT_EQ(run.status, 0) << run.err;
+    const PngPicture picture(folder / "ball.png");
+    int atTheOutline = 0;
+    for (const auto& pixel : picture.pixels)
+        if (pixel[3] > 0) {
+            atTheOutline += pixel[3] < 255;
+            const std::array<int, 3> expected{124, 63, 203};
+            for (size_t c = 0; c < 3; ++c)
+                ASSERT_NEAR(pixel[c], expected[c], 0.5 + 0.5 * 255.0 / pixel[3]) << int(pixel[3]);
+        }
+    EXPECT_GT(atTheOutline, 50);
+}
+
+TEST(PaintCommand, IsRefusedAPipeAndLeavesNoDocumentWhenItFails)
+{
+    const TemporaryFolder folder;
+    const std::string pipe = (folder / "pipe.spheremap").string();
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_FAILS(mirrorballRuns("paint " + pipe + " -o " + quoted(folder / "a.png") + " --size 8"), 2, "not a regular file");
+    std::ofstream(folder / "bad.spheremap") << R"({"version": 1, "layers": [{"content": {"kind": "image", "source": "missing.png"}}]})";
+    EXPECT_FAILS(mirrorballRuns("paint " + quoted(folder / "bad.spheremap") + " -o " + quoted(folder / "a.png") + " --size 8 --save-document " +
+                                quoted(folder / "saved.spheremap")),
+                 2, "missing.png");
+    EXPECT_FALSE(std::filesystem::exists(folder / "saved.spheremap"));
+}
+
+TEST(PresetsCommand, NamesTheGeometriesThatASheetCanShow)
+{
+    const TemporaryFolder folder;
+    EXPECT_FAILS(mirrorballRuns("presets --sheet " + quoted(folder / "s.png") + " --geometry foo"), 2, "torus");
+}
 
 TEST(PaintCommand, PaintsAPresetAsCoreEvaluatesIt)
 {

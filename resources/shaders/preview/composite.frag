@@ -41,5 +41,11 @@ void main()
     object /= float(OBJECT_SAMPLES);
     behind = object + (1.0 - object.a) * behind;
 #endif
+#if BACKGROUND == 0
+    // Multiplied by opacity, light cannot be encoded: that comes between.
+    float opacity = max(behind.a, 1e-6);
+    color = vec4(opacity * encodeOutput(behind.rgb / opacity), behind.a);
+#else
     color = vec4(encodeOutput(behind.rgb), behind.a);
+#endif
 }

@@ -102,10 +102,11 @@ TEST(Color, DisplayAppliesExposureThenCurveThenEncoding)
 
 TEST(Color, DisplayKeepsOpacityLinear)
 {
-    Image linear(1, 2, 4, 0.5f);
-    const Image display = toDisplay(linear, 3.0, ToneCurve::Reinhard);
+    Image linear(1, 2, 4, 0.25f); // a white of which a quarter covers
+    const Image display = toDisplay(linear, 2.0, ToneCurve::Reinhard);
     EXPECT_FLOAT_EQ(display.texel(0, 1)[0], encodeSrgb(0.8f));
-    EXPECT_EQ(display.texel(0, 1)[3], 0.5f);
+    EXPECT_EQ(display.texel(0, 1)[3], 0.25f);
+    EXPECT_EQ(toDisplay(Image(1, 1, 4, 0.0f), 0.0, ToneCurve::None), Image(1, 1, 4, 0.0f));
 }
 
 TEST(Color, Rec709NeedsNoConversion) { EXPECT_EQ(toRec709({}), glm::dmat3(1.0)); }

@@ -138,6 +138,21 @@ TEST(Blur, AConstantStaysConstant)
         }
 }
 
+/// A change of brightness half way to the rim, where a map of mirror directions turns from the front to the back.
+TEST(Blur, HasNoSeamWhereMirrorDirectionsTurnBackwards)
+{
+    constexpr int size = 400;
+    const Image map = picture({ramp, {.content = BlurLayer{.sigmaDeg = 6.0}}}, size, SphereMapIndex::Reflection);
+    float steepest = 0.0f; // of second differences along the middle row: a seam would be the largest of all
+    float atTheTurn = 0.0f;
+    for (int x = size / 2; x < size - 12; ++x) {
+        const float bend = std::fabs(map.texel(x - 1, 200)[0] - 2.0f * map.texel(x, 200)[0] + map.texel(x + 1, 200)[0]);
+        float& largest = std::fabs(x - size / 2 * (1.0 + std::sqrt(0.5))) < 8.0 ? atTheTurn : steepest;
+        largest = std::max(largest, bend);
+    }
+    EXPECT_LE(atTheTurn, 2.0f * steepest);
+}
+
 /// The sum that BlurLayer defines, over the texels of the map itself. The solid angle of a texel of the disc is proportional to 1/z for
 /// normals; for mirror directions all are alike.
 glm::dvec3 blurredByDefinition(const Image& map, const glm::dvec2& at, double sigma, bool mirror)
@@ -164,19 +179,24 @@ glm::dvec3 blurredByDefinition(const Image& map, const glm::dvec2& at, double si
 TEST(Blur, IsTheGaussianOnTheSphereEvenAtTheRim)
 {
     const std::vector<Layer> scene{ramp, {.content = ToonLayer{}}, {.blend = BlendMode::Add, .content = PhongLightsLayer{}}};
-    constexpr int size = 240;
-    for (const SphereMapIndex index : {SphereMapIndex::Normal, SphereMapIndex::Reflection}) {
-        const Image sharp = picture(scene, size, index);
-        for (const double sigmaDeg : {4.0, 15.0}) {
-            std::vector<Layer> layers = scene;
-            layers.push_back({.content = BlurLayer{.sigmaDeg = sigmaDeg}});
-            const Image blurred = picture(layers, size, index);
-            for (const auto& [x, y] : {std::pair{120, 120}, {72, 54}, {180, 156}, {36, 120}, {120, 12}, {198, 192}}) {
-                const glm::dvec2 q((x + 0.5) * 2.0 / size - 1.0, 1.0 - (y + 0.5) * 2.0 / size);
-                const glm::dvec3 expected = blurredByDefinition(sharp, q, sigmaDeg * pi / 180.0, index == SphereMapIndex::Reflection);
-                for (int c = 0; c < 3; ++c) // cells of half a sigma: 2 % of the map's range, 1
-                    EXPECT_NEAR(blurred.texel(x, y)[c], expected[c], 0.02) << sigmaDeg << ": " << x << ' ' << y;
-            }
+    for (const auto& [index, size, sigmaDeg] : {std::tuple{SphereMapIndex::Normal, 240, 4.0},
+                                                {SphereMapIndex::Normal, 240, 15.0},
+                                                {SphereMapIndex::Normal, 600, 2.0},
+                                                {SphereMapIndex::Reflection, 240, 4.0},
+                                                {SphereMapIndex::Reflection, 240, 15.0},
+                                                {SphereMapIndex::Reflection, 240, 60.0},
+                                                {SphereMapIndex::Reflection, 480, 3.0},
+                                                {SphereMapIndex::Reflection, 720, 2.0}}) {
+        std::vector<Layer> layers = scene;
+        layers.push_back({.content = BlurLayer{.sigmaDeg = sigmaDeg}});
+        const Image sharp = picture(scene, size, index), blurred = picture(layers, size, index);
+        // In 240ths of the map: the centre, half way, where mirror directions turn backwards, the rim.
+        for (const auto& [u, v] : {std::pair{120, 120}, {72, 54}, {180, 156}, {36, 120}, {120, 12}, {198, 192}, {205, 120}, {60, 180}, {120, 2}, {236, 122}}) {
+            const int x = u * size / 240, y = v * size / 240;
+            const glm::dvec2 q((x + 0.5) * 2.0 / size - 1.0, 1.0 - (y + 0.5) * 2.0 / size);
+            const glm::dvec3 expected = blurredByDefinition(sharp, q, sigmaDeg * pi / 180.0, index == SphereMapIndex::Reflection);
+            for (int c = 0; c < 3; ++c) // cells of half a sigma: 2 % of the map's range, 1
+                EXPECT_NEAR(blurred.texel(x, y)[c], expected[c], 0.02) << sigmaDeg << ": " << x << ' ' << y;
         }
     }
 }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 namespace mirrorball {
 namespace {
@@ -17,6 +18,98 @@ SphereMapDocument stack(std::vector<Layer> layers)
     SphereMapDocument document;
     document.layers = std::move(layers);
     return document;
+}
+
+/// Sets each parameter to the least or the largest of its range, or leaves it, and each choice to any of its words.
+struct Extremes {
+    std::mt19937& random;
+
+    template <typename T>
+    void operator()(const Field& field, T& value) const
+    {
+        if constexpr (std::is_same_v<T, bool>)
+            value = random() % 2 == 0;
+        else if constexpr (std::is_same_v<T, double> || std::is_same_v<T, int>)
+            value = random() % 3 == 0 ? value : static_cast<T>(random() % 2 == 0 ? field.low : field.high);
+        else if constexpr (std::is_same_v<T, glm::dvec3>)
+            for (int c = 0; c < 3; ++c)
+                (*this)(field, value[c]);
+        else if constexpr (std::is_enum_v<T>)
+            value = static_cast<T>(random() % words(T{}).size());
+    }
+    template <typename T>
+    void operator()(const Field&, std::vector<T>& list) const
+    {
+        if constexpr (requires { T::visitFields(list.front(), Extremes{random}); })
+            for (T& entry : list)
+                T::visitFields(entry, Extremes{random});
+    }
+};
+
+LayerContent extreme(std::string_view kind, std::mt19937& random)
+{
+    LayerContent content = makeContent(kind);
+    std::visit(
+        [&](auto& layer) {
+            using L = std::decay_t<decltype(layer)>;
+            if constexpr (std::is_same_v<L, ProbeLayer>) // its picture comes from one probe, which need not be filtered anew
+                layer.exposure = random() % 2 == 0 ? 64.0 : -64.0, layer.tint = glm::dvec3(1000.0);
+            else if constexpr (requires { L::visitFields(layer, Extremes{random}); })
+                L::visitFields(layer, Extremes{random});
+        },
+        content);
+    return content;
+}
+
+bool isFinite(const Image& map)
+{
+    return std::all_of(map.texels.begin(), map.texels.end(), [](float x) { return std::isfinite(x); });
+}
+
+std::vector<std::string_view> drawableKinds()
+{
+    std::vector<std::string_view> kinds;
+    for (const LayerKind& kind : layerKinds())
+        if (kind.name != "image") // it has no file here
+            kinds.push_back(kind.name);
+    return kinds;
+}
+
+/// At an odd size a texel's centre is the disc's, where x, y and rho are 0.
+TEST(EvaluateSphereMap, EveryKindIsFiniteEvenAtTheVeryCentre)
+{
+    std::mt19937 random(7);
+    const auto assets = std::make_shared<SphereMapAssets>();
+    for (const std::string_view kind : drawableKinds())
+        for (int draw = 0; draw < 60; ++draw) {
+            const SphereMapDocument document = stack({white, {.content = extreme(kind, random)}});
+            for (const int size : {1, 33})
+                ASSERT_TRUE(isFinite(evaluate(document, {.size = size, .assets = assets}))) << kind << ' ' << draw << ' ' << size;
+        }
+}
+
+TEST(EvaluateSphereMap, NoParametersInTheirRangesOverflow)
+{
+    const ProbeLayer glare{.exposure = 64.0, .tint = glm::dvec3(1000.0)};
+    const Image covered = evaluate(stack({{.content = glare}, {.blend = BlendMode::Multiply, .content = glare}, white, {.content = CurvesLayer{}}}),
+                                   {.size = 33});
+    EXPECT_EQ(covered, evaluate(stack({white, {.content = CurvesLayer{}}}), {.size = 33}));
+    std::vector<Layer> brighter(20, {.content = HueSaturationLayer{.value = 1000.0}});
+    brighter.front() = white;
+    brighter.push_back({.blend = BlendMode::Multiply, .content = FillLayer{glm::dvec3(0.0)}});
+    EXPECT_EQ(evaluate(stack(brighter), {.size = 1}).texels, (std::vector<float>{0.0f, 0.0f, 0.0f, 1.0f}));
+
+    std::mt19937 random(11);
+    const auto assets = std::make_shared<SphereMapAssets>();
+    const std::vector<std::string_view> kinds = drawableKinds();
+    for (int draw = 0; draw < 400; ++draw) {
+        std::vector<Layer> layers;
+        for (int i = 0; i < 12; ++i)
+            layers.push_back({.opacity = random() % 2 == 0 ? 1.0 : 1e-6,
+                              .blend = static_cast<BlendMode>(random() % words(BlendMode{}).size()),
+                              .content = extreme(kinds[random() % kinds.size()], random)});
+        ASSERT_TRUE(isFinite(evaluate(stack(layers), {.size = 9, .assets = assets}))) << draw;
+    }
 }
 
 TEST(EvaluateSphereMap, WithoutLayersIsTransparent)

@@ -239,6 +239,17 @@ TEST(PhongLights, MatchedExponentsMakeBothModelsAlike)
         ASSERT_NEAR(rv.texels[i], nh.texels[i], 0.01f);
 }
 
+TEST(PhongLights, ALightRightBehindHasNoHighlight)
+{
+    const PhongLightsLayer behind{.lights = {{.polarDeg = 180.0, .exponent = 20.0}}, .model = PhongModel::NH, .ambient = glm::dvec3(0.0)};
+    const ToonLayer toon{.polarDeg = 180.0, .highlightDeg = 20.0, .highlightColor = glm::dvec3(0.0, 90.0, 0.0)};
+    const Image phongMap = picture({{.content = behind}}, 64), toonMap = picture({{.content = toon}}, 64);
+    for (size_t i = 0; i < phongMap.texels.size(); i += 4) {
+        ASSERT_EQ(phongMap.texels[i], 0.0f);
+        ASSERT_LT(toonMap.texels[i + 1], 10.0f);
+    }
+}
+
 TEST(PhongLights, AMinersHatShinesInTheMiddle)
 {
     const PhongLightsLayer layer{.lights = {{.polarDeg = 0.0, .exponent = 20.0}}};

@@ -1,5 +1,6 @@
 #include "core/error.h"
 #include "core/spheremap/matcap_passes.h"
+#include "core/spheremap/presets.h"
 
 #include <gtest/gtest.h>
 
@@ -49,16 +50,40 @@ TEST(MatcapPasses, AddUpToTheMapUnderLayersThatDimOrMoveLight)
     EXPECT_LT(difference(stack({edge, body, shine, turned}), shineName), 1e-5);
 }
 
-TEST(MatcapPasses, ShineIsWhatItIsByItselfWhateverLiesBelow)
+TEST(MatcapPasses, AddUpToTheMapWhateverTheBlendModes)
 {
-    Layer screened = shine;
-    for (const BlendMode mode : {BlendMode::Normal, BlendMode::Screen, BlendMode::Overlay, BlendMode::Multiply, BlendMode::Lighten}) {
-        screened.blend = mode;
-        const Image over = evaluatePasses(stack({{.content = FillLayer{.color = glm::dvec3(1.0)}}, screened}), shineName, {.size = 24}).specular;
-        const Image alone = evaluatePasses(stack({shine}), shineName, {.size = 24}).specular;
-        EXPECT_EQ(over, alone);
-        EXPECT_GT(*std::max_element(alone.texels.begin(), alone.texels.end()), 0.5f);
+    for (size_t mode = 0; mode < words(BlendMode{}).size(); ++mode) {
+        Layer blended = shine;
+        blended.blend = static_cast<BlendMode>(mode);
+        const SphereMapDocument document = stack({body, blended, {.opacity = 0.5, .content = CurvesLayer{}}});
+        EXPECT_LT(difference(document, shineName), 1e-6) << words(BlendMode{})[mode];
+        const MatcapPasses passes = evaluatePasses(document, shineName, {.size = 48});
+        EXPECT_GE(*std::min_element(passes.diffuse.texels.begin(), passes.diffuse.texels.end()), 0.0f);
+        EXPECT_GE(*std::min_element(passes.specular.texels.begin(), passes.specular.texels.end()), 0.0f);
     }
+}
+
+TEST(MatcapPasses, OfPresetsAddUpToWhatTheyShow)
+{
+    for (const auto& [name, layers] : {std::pair<const char*, std::vector<std::string>>{"porcelain", {"Glaze", "Window", "Strip light"}},
+                                       {"car-paint", {}},
+                                       {"jade", {}},
+                                       {"studio-clay", {}}}) {
+        const SphereMapPreset* preset = findSphereMapPreset(name);
+        ASSERT_TRUE(preset) << name;
+        // Where no layers are named here: the topmost, whatever it is.
+        const std::vector<std::string> specular = layers.empty() ? std::vector{preset->document.layers.back().name} : layers;
+        EXPECT_LT(difference(preset->document, specular), 1e-5) << name; // light of some tens, in float
+    }
+}
+
+TEST(MatcapPasses, ShadeWhatANamedLayerDarkens)
+{
+    const Layer shade{.name = "Shine", .blend = BlendMode::Multiply, .content = FillLayer{.color = glm::dvec3(0.25)}};
+    const MatcapPasses passes = evaluatePasses(stack({{.content = FillLayer{.color = glm::dvec3(0.8)}}, shade}), shineName, {.size = 8});
+    EXPECT_EQ(passes.specular, Image(8, 8, 3));
+    for (const float matt : passes.diffuse.texels)
+        EXPECT_NEAR(matt, 0.2f, 1e-6f);
 }
 
 TEST(Bordered, ContinuesTheEdgeAndKeepsThePicture)

@@ -9,6 +9,8 @@
 
 #include <fstream>
 
+#include <sys/stat.h>
+
 namespace mirrorball {
 namespace {
 
@@ -48,6 +50,37 @@ TEST_F(StrokeFile, SurvivesARoundTripToTheLastBit)
     EXPECT_EQ(loadStrokes(m_folder / "a.strokes"), strokes);
 }
 
+TEST_F(StrokeFile, HoldsManyStrokesInLittleRoom)
+{
+    std::vector<Stroke> strokes(40000);
+    for (size_t i = 0; i < strokes.size(); ++i) {
+        strokes[i].points = {{{0.001 * static_cast<double>(i % 900), 0.3}, 0.5}};
+        strokes[i].brush.color.g = 0.001 * static_cast<double>(i % 1000);
+        strokes[i].symmetry.radial = 1 + static_cast<int>(i % 3);
+    }
+    saveStrokes(strokes, m_folder / "many.strokes");
+    EXPECT_LT(std::filesystem::file_size(m_folder / "many.strokes"), strokes.size() * 300u);
+    EXPECT_EQ(loadStrokes(m_folder / "many.strokes"), strokes);
+}
+
+/// Three layers with a million points each, 17 digits a number: every layer within its limits, the file beyond.
+TEST_F(StrokeFile, IsNotSavedWhereItCouldNotBeReadAgain)
+{
+    SphereMapDocument document;
+    saveSphereMap(document, m_folder / "a.spheremap");
+    Stroke stroke;
+    for (size_t i = 0; i < mostStrokePoints; ++i)
+        stroke.points.push_back({{1e-3 / static_cast<double>(i + 3), 0.1 / 3.0}, 1.0 / 3.0});
+    document.layers.assign(3, {.content = PaintLayer{.strokes = {stroke}}});
+    try {
+        saveSphereMap(document, m_folder / "a.spheremap");
+        FAIL();
+    } catch (const InvalidArgument& error) {
+        EXPECT_NE(std::string(error.what()).find("MiB are the most"), std::string::npos) << error.what();
+    }
+    EXPECT_EQ(loadSphereMap(m_folder / "a.spheremap").layers.size(), 0u);
+}
+
 TEST_F(StrokeFile, KeepsKeysThatThisVersionDoesNotKnow)
 {
     const std::vector<Stroke> strokes =
@@ -75,6 +108,13 @@ TEST_F(StrokeFile, IsASphereMapOfOnePaintLayer)
     const SphereMapDocument document = loadSphereMap(m_folder / "a.strokes");
     ASSERT_EQ(document.layers.size(), 1u);
     EXPECT_EQ(std::get<PaintLayer>(document.layers[0].content).strokes, strokes);
+}
+
+TEST_F(StrokeFile, IsNoPipe)
+{
+    const std::string pipe = (m_folder / "pipe.strokes").string();
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_THROW(loadStrokes(pipe), FileError); // and does not wait for somebody to write
 }
 
 TEST_F(StrokeFile, WhatIsWrongIsNamedInOneLine)
