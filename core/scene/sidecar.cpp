@@ -111,6 +111,15 @@ std::string paintedAxesText(SphereMapIndex index, MapSpace space)
            "; the centre is +Z, right is +X and top +Y";
 }
 
+const char* opacityText(const Image& picture, const std::string& samples)
+{
+    if (picture.channels != 4)
+        return "opaque everywhere";
+    if (samples == "rgbe")
+        return "none, for the format has no alpha channel: what is transparent is over black";
+    return samples == "uint8" ? "in the alpha channel; colours are not multiplied by it" : "in the alpha channel; colours are multiplied by it";
+}
+
 /// How the coarser levels came about.
 const char* paintedRuleText(const ExportPlan& planned, const SphereMapDocument& map)
 {
@@ -178,7 +187,7 @@ std::string paintedSidecar(const Scene& scene, const ExportPlan& planned, const 
     json["indexed_by"] = words(map.index)[static_cast<size_t>(map.index)];
     json["color_space"] = samples == "uint8" ? "sRGB, clipped to 0..1" : "linear, Rec.709 primaries, D65";
     json["sample_type"] = samples;
-    json["opacity"] = picture.channels == 4 ? "in a fourth channel, where the format has one" : "opaque everywhere";
+    json["opacity"] = opacityText(picture, samples);
     json["levels"] = Json::array();
     for (size_t i = 0; i < levels.size(); ++i)
         json["levels"].push_back({{"level", i}, {"size", levels[i].width}, {"width", levels[i].width}, {"height", levels[i].height}});
