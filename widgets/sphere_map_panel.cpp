@@ -261,7 +261,7 @@ QWidget* SphereMapPanel::makeWork()
 void SphereMapPanel::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    divideLayers();
+    QMetaObject::invokeMethod(this, &SphereMapPanel::divideLayers, Qt::QueuedConnection); // when what is inside has its new size
     if (m_splitIsChosen)
         return;
     const int canvas = std::min(width(), 36 * height() / 100);
