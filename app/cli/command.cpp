@@ -1,7 +1,7 @@
 #include "command.h"
 
-#include "core/atomic_file.h"
-#include "core/error.h"
+#include "core/base/atomic_file.h"
+#include "core/base/error.h"
 #include "core/scene/export_estimate.h"
 
 #include <nlohmann/json.hpp>

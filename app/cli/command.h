@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/job.h"
+#include "core/base/job.h"
 #include "core/sphere/parameterization.h"
-#include "core/stage.h"
+#include "core/base/stage.h"
 
 #include <CLI/CLI.hpp>
 

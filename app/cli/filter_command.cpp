@@ -1,6 +1,6 @@
 #include "command.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/filter/source_file.h"
 #include "core/image/map_file.h"
 #include "core/image/mip_pyramid.h"

@@ -1,6 +1,6 @@
 #include "command.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 #include <cstdio>
 #include <exception>

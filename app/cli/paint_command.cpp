@@ -1,12 +1,12 @@
 #include "command.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/image/map_file.h"
 #include "core/image/image_io.h"
-#include "core/spheremap/matcap_passes.h"
-#include "core/spheremap/painted_pictures.h"
-#include "core/spheremap/presets.h"
-#include "core/spheremap/sphere_map_file.h"
+#include "core/spheremap/evaluation/matcap_passes.h"
+#include "core/spheremap/evaluation/painted_pictures.h"
+#include "core/spheremap/document/presets.h"
+#include "core/spheremap/document/sphere_map_file.h"
 
 #include <memory>
 

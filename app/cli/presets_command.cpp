@@ -1,6 +1,6 @@
 #include "command.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/image/builtin_probes.h"
 #include "core/image/map_file.h"
 #include "core/preview/offscreen_context.h"
@@ -8,9 +8,9 @@
 #include "core/preview/scene_settings.h"
 #include "core/scene/material_presets.h"
 #include "core/scene/scene_maps.h"
-#include "core/spheremap/contact_sheet.h"
-#include "core/spheremap/evaluate.h"
-#include "core/spheremap/presets.h"
+#include "core/spheremap/evaluation/contact_sheet.h"
+#include "core/spheremap/evaluation/evaluate.h"
+#include "core/spheremap/document/presets.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #include "command.h"
 #include "scene_stats.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/preview/picture_file.h"
 #include "core/scene/material_presets.h"
 #include "core/scene/scene_file.h"

@@ -1,12 +1,12 @@
 #include "command.h"
 #include "interrupt.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/preview/paraboloid_blur.h"
 #include "core/report/lobe_words.h"
 #include "core/report/make_report.h"
 #include "core/report/report_files.h"
-#include "core/shell_word.h"
+#include "core/base/shell_word.h"
 
 #include <algorithm>
 #include <cstdio>

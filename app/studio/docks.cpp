@@ -1,12 +1,12 @@
 #include "docks.h"
 
-#include "widgets/map_panel.h"
-#include "widgets/material_panel.h"
-#include "widgets/plan_view.h"
-#include "widgets/probes_panel.h"
-#include "widgets/report_panel.h"
-#include "widgets/sphere_map_panel.h"
-#include "widgets/view_panel.h"
+#include "widgets/panels/map_panel.h"
+#include "widgets/panels/material_panel.h"
+#include "widgets/panels/plan_view.h"
+#include "widgets/panels/probes_panel.h"
+#include "widgets/panels/report_panel.h"
+#include "widgets/spheremap/sphere_map_panel.h"
+#include "widgets/panels/view_panel.h"
 
 namespace mirrorball::studio {
 

@@ -1,4 +1,4 @@
-#include "widgets/field_texts.h"
+#include "widgets/controls/field_texts.h"
 
 #include <cstdio>
 

@@ -2,7 +2,7 @@
 
 #include "theme.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 #include <QFileDialog>
 #include <QFileInfo>

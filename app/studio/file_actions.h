@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/workspace.h"
+#include "widgets/workspace/workspace.h"
 
 #include <QMenu>
 #include <QObject>

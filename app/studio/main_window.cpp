@@ -5,12 +5,12 @@
 #include "panel_rest.h"
 #include "theme.h"
 
-#include "widgets/export_dialog.h"
-#include "widgets/model_painter.h"
-#include "widgets/notice_panel.h"
-#include "widgets/plan_view.h"
-#include "widgets/text.h"
-#include "widgets/view_panel.h"
+#include "widgets/exports/export_dialog.h"
+#include "widgets/picture/model_painter.h"
+#include "widgets/controls/notice_panel.h"
+#include "widgets/panels/plan_view.h"
+#include "widgets/controls/text.h"
+#include "widgets/panels/view_panel.h"
 
 #include "core/preview/mesh_file.h"
 #include "core/preview/picture_file.h"

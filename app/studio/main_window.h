@@ -4,9 +4,9 @@
 #include "recovery.h"
 #include "view_actions.h"
 
-#include "widgets/drop_target.h"
-#include "widgets/preview_widget.h"
-#include "widgets/workspace.h"
+#include "widgets/controls/drop_target.h"
+#include "widgets/picture/preview_widget.h"
+#include "widgets/workspace/workspace.h"
 
 #include <QDockWidget>
 #include <QLabel>

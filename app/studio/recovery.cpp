@@ -1,8 +1,8 @@
 #include "recovery.h"
 
-#include "widgets/text.h"
+#include "widgets/controls/text.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/scene/scene_file.h"
 
 #include <QDir>

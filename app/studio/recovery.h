@@ -1,7 +1,7 @@
 #pragma once
 
-#include "widgets/document.h"
-#include "widgets/job_runner.h"
+#include "widgets/workspace/document.h"
+#include "widgets/workspace/job_runner.h"
 
 #include <QDateTime>
 #include <QLockFile>

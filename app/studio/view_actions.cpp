@@ -1,8 +1,8 @@
 #include "view_actions.h"
 
 #include "theme.h"
-#include "widgets/text.h"
-#include "widgets/view_panel.h"
+#include "widgets/controls/text.h"
+#include "widgets/panels/view_panel.h"
 
 #include <QSettings>
 #include <QToolButton>

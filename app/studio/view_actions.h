@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/preview_widget.h"
+#include "widgets/picture/preview_widget.h"
 
 #include <QActionGroup>
 #include <QMenu>

@@ -4,7 +4,7 @@
 #include "lobe.h"
 #include "spectral.h"
 
-#include "../job.h"
+#include "core/base/job.h"
 
 #include <vector>
 

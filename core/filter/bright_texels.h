@@ -2,7 +2,7 @@
 
 #include "lobe.h"
 
-#include "../image/environment_map.h"
+#include "core/image/environment_map.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "direct.h"
 
-#include "../error.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 
 #include "spectral.h"
 
-#include "../error.h"
-#include "../image/reproject.h"
+#include "core/base/error.h"
+#include "core/image/reproject.h"
 
 #include <algorithm>
 #include <cmath>

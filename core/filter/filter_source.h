@@ -8,8 +8,8 @@
 #include "ring_grid.h"
 #include "spectrum.h"
 
-#include "../image/environment_map.h"
-#include "../job.h"
+#include "core/image/environment_map.h"
+#include "core/base/job.h"
 
 #include <array>
 #include <memory>

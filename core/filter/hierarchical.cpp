@@ -1,6 +1,6 @@
 #include "hierarchical.h"
 
-#include "../error.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 #include <cmath>

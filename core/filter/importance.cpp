@@ -3,8 +3,8 @@
 #include "mip_blur.h"
 #include "multiversion.h"
 
-#include "../image/mip_pyramid.h"
-#include "../image/spline_lookup.h"
+#include "core/image/mip_pyramid.h"
+#include "core/image/spline_lookup.h"
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 
 #include "lobe.h"
 
-#include "../image/environment_map.h"
-#include "../job.h"
+#include "core/image/environment_map.h"
+#include "core/base/job.h"
 
 #include <vector>
 

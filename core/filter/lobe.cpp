@@ -1,7 +1,7 @@
 #include "lobe.h"
 
-#include "../error.h"
-#include "../sphere/direction.h"
+#include "core/base/error.h"
+#include "core/sphere/direction.h"
 
 #include <algorithm>
 #include <array>

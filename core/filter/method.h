@@ -2,7 +2,7 @@
 
 #include "paraboloid.h"
 
-#include "../fields.h"
+#include "core/base/fields.h"
 
 #include <array>
 #include <optional>

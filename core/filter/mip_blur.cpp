@@ -1,6 +1,6 @@
 #include "mip_blur.h"
 
-#include "../sphere/cube_map.h"
+#include "core/sphere/cube_map.h"
 
 #include <algorithm>
 #include <bit>

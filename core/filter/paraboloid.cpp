@@ -1,8 +1,8 @@
 #include "paraboloid.h"
 
-#include "../error.h"
-#include "../image/reproject.h"
-#include "../sphere/direction.h"
+#include "core/base/error.h"
+#include "core/image/reproject.h"
+#include "core/sphere/direction.h"
 
 #include <algorithm>
 #include <array>

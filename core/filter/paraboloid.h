@@ -3,9 +3,9 @@
 #include "lobe.h"
 #include "paraboloid_kernel.h"
 
-#include "../fields.h"
-#include "../image/environment_map.h"
-#include "../job.h"
+#include "core/base/fields.h"
+#include "core/image/environment_map.h"
+#include "core/base/job.h"
 
 #include <span>
 #include <string>

@@ -1,6 +1,6 @@
 #include "paraboloid_kernel.h"
 
-#include "../sphere/direction.h"
+#include "core/sphere/direction.h"
 
 #include <algorithm>
 #include <cmath>

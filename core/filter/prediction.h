@@ -4,7 +4,7 @@
 #include "lobe.h"
 #include "method.h"
 
-#include "../image/environment_map.h"
+#include "core/image/environment_map.h"
 
 #include <memory>
 #include <string>

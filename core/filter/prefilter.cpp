@@ -9,8 +9,8 @@
 #include "sh9.h"
 #include "spectral.h"
 
-#include "../error.h"
-#include "../image/reproject.h"
+#include "core/base/error.h"
+#include "core/image/reproject.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,9 +5,9 @@
 #include "method.h"
 #include "prediction.h"
 
-#include "../image/environment_map.h"
-#include "../job.h"
-#include "../stage.h"
+#include "core/image/environment_map.h"
+#include "core/base/job.h"
+#include "core/base/stage.h"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "source_file.h"
 
-#include "../image/layout_detection.h"
+#include "core/image/layout_detection.h"
 
 #include <algorithm>
 #include <sstream>

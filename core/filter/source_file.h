@@ -2,7 +2,7 @@
 
 #include "prefilter.h"
 
-#include "../image/map_file.h"
+#include "core/image/map_file.h"
 
 #include <span>
 #include <string>

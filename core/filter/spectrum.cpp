@@ -1,6 +1,6 @@
 #include "spectrum.h"
 
-#include "../error.h"
+#include "core/base/error.h"
 
 #include <fftw3.h>
 #include <libsharp/sharp.h>

@@ -1,6 +1,6 @@
 #include "builtin_probes.h"
 
-#include "../error.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 #include "environment_map.h"
 
-#include "../job.h"
+#include "core/base/job.h"
 
 #include <glm/glm.hpp>
 

@@ -1,7 +1,7 @@
 #include "color.h"
 
-#include "../error.h"
-#include "../job.h"
+#include "core/base/error.h"
+#include "core/base/job.h"
 
 #include <algorithm>
 #include <cmath>

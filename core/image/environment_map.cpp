@@ -1,7 +1,7 @@
 #include "environment_map.h"
 
-#include "../sphere/disc.h"
-#include "../sphere/dual_paraboloid.h"
+#include "core/sphere/disc.h"
+#include "core/sphere/dual_paraboloid.h"
 
 namespace mirrorball {
 

@@ -2,7 +2,7 @@
 
 #include "image.h"
 
-#include "../sphere/parameterization.h"
+#include "core/sphere/parameterization.h"
 
 #include <glm/glm.hpp>
 

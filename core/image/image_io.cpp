@@ -5,8 +5,8 @@
 #include "input_checks.h"
 #include "openimageio_loader.h"
 
-#include "../atomic_file.h"
-#include "../error.h"
+#include "core/base/atomic_file.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 #include "image.h"
 
-#include "../job.h"
+#include "core/base/job.h"
 
 #include <filesystem>
 #include <map>

@@ -2,7 +2,7 @@
 
 #include "color.h"
 
-#include "../error.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 #include <array>

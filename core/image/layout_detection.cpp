@@ -1,7 +1,7 @@
 #include "layout_detection.h"
 
-#include "../error.h"
-#include "../sphere/cube_map.h"
+#include "core/base/error.h"
+#include "core/sphere/cube_map.h"
 #include "reproject.h"
 
 #include <array>

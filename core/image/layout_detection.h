@@ -3,7 +3,7 @@
 #include "environment_map.h"
 #include "image_io.h"
 
-#include "../job.h"
+#include "core/base/job.h"
 
 #include <optional>
 #include <string>

@@ -4,7 +4,7 @@
 #include "color.h"
 #include "layout_detection.h"
 
-#include "../error.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 #include <array>

@@ -4,8 +4,8 @@
 #include "image_io.h"
 #include "repair.h"
 
-#include "../job.h"
-#include "../stage.h"
+#include "core/base/job.h"
+#include "core/base/stage.h"
 
 #include <filesystem>
 #include <optional>

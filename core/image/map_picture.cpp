@@ -2,9 +2,9 @@
 
 #include "color_scale.h"
 
-#include "../error.h"
-#include "../sphere/distortion.h"
-#include "../sphere/map_sheet.h"
+#include "core/base/error.h"
+#include "core/sphere/distortion.h"
+#include "core/sphere/map_sheet.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include "environment_map.h"
 #include "mip_pyramid.h"
 
-#include "../job.h"
+#include "core/base/job.h"
 
 #include <glm/glm.hpp>
 

@@ -1,6 +1,6 @@
 #include "mip_pyramid.h"
 
-#include "../error.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 #include <bit>

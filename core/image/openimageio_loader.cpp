@@ -4,7 +4,7 @@
 #include "input_checks.h"
 #include "openimageio_module.h"
 
-#include "../error.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 #include <array>

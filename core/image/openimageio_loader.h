@@ -2,7 +2,7 @@
 
 #include "image_io.h"
 
-#include "../atomic_file.h"
+#include "core/base/atomic_file.h"
 
 #include <string_view>
 

@@ -2,7 +2,7 @@
 
 #include "input_checks.h"
 
-#include "../error.h"
+#include "core/base/error.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>

@@ -1,6 +1,6 @@
 #include "reproject.h"
 
-#include "../error.h"
+#include "core/base/error.h"
 #include "mip_pyramid.h"
 #include "spline_lookup.h"
 

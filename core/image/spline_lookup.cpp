@@ -1,7 +1,7 @@
 #include "spline_lookup.h"
 
-#include "../sphere/disc.h"
-#include "../sphere/dual_paraboloid.h"
+#include "core/sphere/disc.h"
+#include "core/sphere/dual_paraboloid.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 #include "builtin_probes.h"
 #include "reproject.h"
 
-#include "../error.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 #include <cmath>

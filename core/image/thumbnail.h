@@ -6,7 +6,7 @@
 #include "probe_statistics.h"
 #include "repair.h"
 
-#include "../job.h"
+#include "core/base/job.h"
 
 #include <optional>
 #include <string>

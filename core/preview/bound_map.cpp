@@ -1,6 +1,6 @@
 #include "bound_map.h"
 
-#include "../error.h"
+#include "core/base/error.h"
 
 namespace mirrorball::preview {
 

@@ -1,6 +1,6 @@
 #include "camera.h"
 
-#include "../sphere/direction.h"
+#include "core/sphere/direction.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -1,6 +1,6 @@
 #include "render_resources.h"
 
-#include "../sphere/direction.h"
+#include "core/sphere/direction.h"
 
 #include <cmath>
 

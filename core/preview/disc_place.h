@@ -2,9 +2,9 @@
 
 #include "eye_frame.h"
 
-#include "../sphere/direction.h"
-#include "../sphere/sphere_map.h"
-#include "../spheremap/level.h"
+#include "core/sphere/direction.h"
+#include "core/sphere/sphere_map.h"
+#include "core/spheremap/math/level.h"
 
 namespace mirrorball::preview {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../image/image.h"
+#include "core/image/image.h"
 
 #include <glm/glm.hpp>
 

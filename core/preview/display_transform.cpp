@@ -1,6 +1,6 @@
 #include "display_transform.h"
 
-#include "../error.h"
+#include "core/base/error.h"
 
 #include <OpenColorIO/OpenColorIO.h>
 

@@ -2,8 +2,8 @@
 
 #include "mesh_import.h"
 
-#include "../error.h"
-#include "../isolated.h"
+#include "core/base/error.h"
+#include "core/base/isolated.h"
 
 #include <algorithm>
 #include <array>

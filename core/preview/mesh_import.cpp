@@ -1,6 +1,6 @@
 #include "mesh_import.h"
 
-#include "../error.h"
+#include "core/base/error.h"
 
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>

@@ -1,6 +1,6 @@
 #include "offscreen_context.h"
 
-#include "../error.h"
+#include "core/base/error.h"
 
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>

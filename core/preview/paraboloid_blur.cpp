@@ -5,7 +5,7 @@
 #include "render_target.h"
 #include "shader_program.h"
 
-#include "../error.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../filter/paraboloid.h"
+#include "core/filter/paraboloid.h"
 
 #include <memory>
 

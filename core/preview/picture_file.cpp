@@ -6,8 +6,8 @@
 #include "renderer.h"
 #include "scene_settings.h"
 
-#include "../error.h"
-#include "../image/image_io.h"
+#include "core/base/error.h"
+#include "core/image/image_io.h"
 
 #include <algorithm>
 #include <array>

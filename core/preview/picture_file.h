@@ -1,7 +1,7 @@
 #pragma once
 
-#include "../job.h"
-#include "../scene/scene_maps.h"
+#include "core/base/job.h"
+#include "core/scene/scene_maps.h"
 
 #include <filesystem>
 

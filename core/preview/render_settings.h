@@ -6,10 +6,10 @@
 #include "flecks.h"
 #include "mesh.h"
 
-#include "../image/color.h"
-#include "../image/environment_map.h"
-#include "../shading/fresnel.h"
-#include "../spheremap/sphere_map_texels.h"
+#include "core/image/color.h"
+#include "core/image/environment_map.h"
+#include "core/shading/fresnel.h"
+#include "core/spheremap/evaluation/sphere_map_texels.h"
 
 #include <memory>
 #include <optional>

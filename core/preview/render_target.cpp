@@ -1,6 +1,6 @@
 #include "render_target.h"
 
-#include "../error.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 

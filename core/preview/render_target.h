@@ -2,7 +2,7 @@
 
 #include "gl_object.h"
 
-#include "../image/image.h"
+#include "core/image/image.h"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 
 #include "window_mesh.h"
 
-#include "../error.h"
+#include "core/base/error.h"
 
 #include <epoxy/gl.h>
 

@@ -2,8 +2,8 @@
 
 #include "render_settings.h"
 
-#include "../scene/plan.h"
-#include "../scene/scene_maps.h"
+#include "core/scene/plan.h"
+#include "core/scene/scene_maps.h"
 
 #include <filesystem>
 #include <memory>

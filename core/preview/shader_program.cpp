@@ -1,6 +1,6 @@
 #include "shader_program.h"
 
-#include "../error.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,7 +1,7 @@
 #include "sphere_map_texture.h"
 
-#include "../error.h"
-#include "../job.h"
+#include "core/base/error.h"
+#include "core/base/job.h"
 
 #include <half.h>
 

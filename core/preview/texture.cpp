@@ -1,8 +1,8 @@
 #include "texture.h"
 
-#include "../error.h"
-#include "../sphere/disc.h"
-#include "../sphere/dual_paraboloid.h"
+#include "core/base/error.h"
+#include "core/sphere/disc.h"
+#include "core/sphere/dual_paraboloid.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "gl_object.h"
 #include "render_settings.h"
 
-#include "../image/environment_map.h"
+#include "core/image/environment_map.h"
 
 #include <glm/glm.hpp>
 

@@ -3,7 +3,7 @@
 #include "window_mesh.h"
 #include "window_view.h"
 
-#include "../error.h"
+#include "core/base/error.h"
 
 #include <cmath>
 

@@ -3,9 +3,9 @@
 #include "error_time.h"
 #include "peak_memory.h"
 
-#include "../error.h"
-#include "../filter/source_file.h"
-#include "../image/reproject.h"
+#include "core/base/error.h"
+#include "core/filter/source_file.h"
+#include "core/image/reproject.h"
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,6 @@
 #include "error_metrics.h"
 
-#include "../error.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 #include <cassert>

@@ -6,8 +6,8 @@
 #include "thumbnails.h"
 #include "verdicts.h"
 
-#include "../error.h"
-#include "../image/mip_pyramid.h"
+#include "core/base/error.h"
+#include "core/image/mip_pyramid.h"
 
 #include <map>
 #include <new>

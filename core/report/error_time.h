@@ -2,7 +2,7 @@
 
 #include "report.h"
 
-#include "../job.h"
+#include "core/base/job.h"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "lobe_words.h"
 
-#include "../error.h"
+#include "core/base/error.h"
 
 #include <charconv>
 #include <string>

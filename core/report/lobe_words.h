@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../filter/lobe.h"
+#include "core/filter/lobe.h"
 
 #include <string_view>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "machine.h"
 
-#include "../job.h"
+#include "core/base/job.h"
 
 #include <array>
 #include <cstdlib>

@@ -8,9 +8,9 @@
 #include "thumbnails.h"
 #include "verdicts.h"
 
-#include "../error.h"
-#include "../image/map_file.h"
-#include "../image/probe_statistics.h"
+#include "core/base/error.h"
+#include "core/image/map_file.h"
+#include "core/image/probe_statistics.h"
 
 #include <cmath>
 

@@ -2,9 +2,9 @@
 
 #include "report.h"
 
-#include "../fields.h"
-#include "../filter/paraboloid.h"
-#include "../job.h"
+#include "core/base/fields.h"
+#include "core/filter/paraboloid.h"
+#include "core/base/job.h"
 
 #include <memory>
 #include <string>

@@ -1,8 +1,8 @@
 #include "method_race.h"
 
-#include "../error.h"
-#include "../filter/prefilter.h"
-#include "../image/map_picture.h"
+#include "core/base/error.h"
+#include "core/filter/prefilter.h"
+#include "core/image/map_picture.h"
 
 #include <algorithm>
 #include <new>

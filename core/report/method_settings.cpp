@@ -1,6 +1,6 @@
 #include "method_settings.h"
 
-#include "../shell_word.h"
+#include "core/base/shell_word.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "../filter/method.h"
-#include "../filter/prefilter.h"
+#include "core/filter/method.h"
+#include "core/filter/prefilter.h"
 
 #include <string>
 #include <vector>

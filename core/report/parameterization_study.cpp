@@ -2,8 +2,8 @@
 
 #include "reference_samples.h"
 
-#include "../filter/reference.h"
-#include "../image/reproject.h"
+#include "core/filter/reference.h"
+#include "core/image/reproject.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "reference_samples.h"
 
-#include "../error.h"
-#include "../filter/reference.h"
-#include "../image/probe_statistics.h"
+#include "core/base/error.h"
+#include "core/filter/reference.h"
+#include "core/image/probe_statistics.h"
 
 #include <algorithm>
 #include <chrono>

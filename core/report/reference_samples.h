@@ -2,9 +2,9 @@
 
 #include "error_metrics.h"
 
-#include "../filter/filter_source.h"
-#include "../filter/lobe.h"
-#include "../job.h"
+#include "core/filter/filter_source.h"
+#include "core/filter/lobe.h"
+#include "core/base/job.h"
 
 #include <glm/glm.hpp>
 

@@ -6,7 +6,7 @@
 #include "run_times.h"
 #include "stability.h"
 
-#include "../image/repair.h"
+#include "core/image/repair.h"
 
 #include <cstdint>
 #include <optional>

@@ -3,8 +3,8 @@
 #include "html_page.h"
 #include "thumbnails.h"
 
-#include "../atomic_file.h"
-#include "../error.h"
+#include "core/base/atomic_file.h"
+#include "core/base/error.h"
 
 #include <nlohmann/json.hpp>
 

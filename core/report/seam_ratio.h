@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../image/environment_map.h"
+#include "core/image/environment_map.h"
 
 namespace mirrorball {
 

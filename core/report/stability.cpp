@@ -1,8 +1,8 @@
 #include "stability.h"
 
-#include "../error.h"
-#include "../filter/reference.h"
-#include "../image/repair.h"
+#include "core/base/error.h"
+#include "core/filter/reference.h"
+#include "core/image/repair.h"
 
 #include <algorithm>
 #include <chrono>

@@ -2,8 +2,8 @@
 
 #include "error_metrics.h"
 
-#include "../filter/prefilter.h"
-#include "../job.h"
+#include "core/filter/prefilter.h"
+#include "core/base/job.h"
 
 #include <functional>
 #include <optional>

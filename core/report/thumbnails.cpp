@@ -1,9 +1,9 @@
 #include "thumbnails.h"
 
-#include "../error.h"
-#include "../image/color.h"
-#include "../image/image_io.h"
-#include "../image/reproject.h"
+#include "core/base/error.h"
+#include "core/image/color.h"
+#include "core/image/image_io.h"
+#include "core/image/reproject.h"
 
 #include <algorithm>
 #include <array>

@@ -2,10 +2,10 @@
 
 #include "sidecar.h"
 
-#include "../atomic_file.h"
-#include "../error.h"
-#include "../image/map_file.h"
-#include "../spheremap/painted_pictures.h"
+#include "core/base/atomic_file.h"
+#include "core/base/error.h"
+#include "core/image/map_file.h"
+#include "core/spheremap/evaluation/painted_pictures.h"
 
 #include <algorithm>
 #include <system_error>

@@ -1,6 +1,6 @@
 #include "export_command.h"
 
-#include "../shell_word.h"
+#include "core/base/shell_word.h"
 
 namespace mirrorball {
 

@@ -1,7 +1,7 @@
 #include "export_estimate.h"
 
-#include "../image/map_file.h"
-#include "../image/mip_pyramid.h"
+#include "core/image/map_file.h"
+#include "core/image/mip_pyramid.h"
 
 #include <algorithm>
 #include <array>

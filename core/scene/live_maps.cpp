@@ -1,11 +1,11 @@
 #include "live_maps.h"
 
-#include "../error.h"
-#include "../field_checks.h"
-#include "../filter/source_file.h"
-#include "../image/map_file.h"
+#include "core/base/error.h"
+#include "core/base/field_checks.h"
+#include "core/filter/source_file.h"
+#include "core/image/map_file.h"
 
-#include "../sphere/direction.h"
+#include "core/sphere/direction.h"
 
 #include <algorithm>
 #include <cmath>

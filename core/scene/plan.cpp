@@ -3,11 +3,11 @@
 #include "sphere_map_source.h"
 #include "stage_cost.h"
 
-#include "../error.h"
-#include "../filter/source_file.h"
-#include "../image/map_file.h"
-#include "../image/mip_pyramid.h"
-#include "../spheremap/presets.h"
+#include "core/base/error.h"
+#include "core/filter/source_file.h"
+#include "core/image/map_file.h"
+#include "core/image/mip_pyramid.h"
+#include "core/spheremap/document/presets.h"
 
 #include <algorithm>
 #include <sstream>

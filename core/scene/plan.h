@@ -2,8 +2,8 @@
 
 #include "scene.h"
 
-#include "../filter/prefilter.h"
-#include "../stage.h"
+#include "core/filter/prefilter.h"
+#include "core/base/stage.h"
 
 #include <optional>
 #include <string>

@@ -1,9 +1,9 @@
 #include "scene.h"
 
-#include "../error.h"
-#include "../field_checks.h"
-#include "../shading/conductor.h"
-#include "../spheremap/evaluate.h"
+#include "core/base/error.h"
+#include "core/base/field_checks.h"
+#include "core/shading/conductor.h"
+#include "core/spheremap/evaluation/evaluate.h"
 
 #include <algorithm>
 #include <array>

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "../fields.h"
-#include "../filter/lobe.h"
-#include "../filter/method.h"
-#include "../image/color.h"
-#include "../shading/fresnel.h"
-#include "../sphere/parameterization.h"
-#include "../spheremap/embedded_sphere_map.h"
+#include "core/base/fields.h"
+#include "core/filter/lobe.h"
+#include "core/filter/method.h"
+#include "core/image/color.h"
+#include "core/shading/fresnel.h"
+#include "core/sphere/parameterization.h"
+#include "core/spheremap/document/embedded_sphere_map.h"
 
 #include <glm/glm.hpp>
 

@@ -2,9 +2,9 @@
 
 #include "sphere_map_source.h"
 
-#include "../error.h"
-#include "../field_json.h"
-#include "../spheremap/sphere_map_json.h"
+#include "core/base/error.h"
+#include "core/base/field_json.h"
+#include "core/spheremap/document/sphere_map_json.h"
 
 #include <algorithm>
 

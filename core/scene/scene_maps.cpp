@@ -1,11 +1,11 @@
 #include "scene_maps.h"
 
-#include "../filter/source_file.h"
-#include "../image/builtin_probes.h"
-#include "../image/layout_detection.h"
-#include "../image/map_file.h"
-#include "../image/mip_pyramid.h"
-#include "../image/reproject.h"
+#include "core/filter/source_file.h"
+#include "core/image/builtin_probes.h"
+#include "core/image/layout_detection.h"
+#include "core/image/map_file.h"
+#include "core/image/mip_pyramid.h"
+#include "core/image/reproject.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 #include "plan.h"
 #include "sphere_map_source.h"
 
-#include "../image/environment_map.h"
-#include "../image/repair.h"
-#include "../job.h"
+#include "core/image/environment_map.h"
+#include "core/image/repair.h"
+#include "core/base/job.h"
 
 #include <memory>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "sidecar.h"
 
-#include "../image/map_file.h"
+#include "core/image/map_file.h"
 
 #include <nlohmann/json.hpp>
 

@@ -2,7 +2,7 @@
 
 #include "scene_maps.h"
 
-#include "../spheremap/sphere_map_document.h"
+#include "core/spheremap/document/sphere_map_document.h"
 
 #include <filesystem>
 #include <string>

@@ -1,12 +1,12 @@
 #include "sphere_map_source.h"
 
-#include "../error.h"
-#include "../image/image_io.h"
-#include "../spheremap/evaluate.h"
-#include "../spheremap/image_layer.h"
-#include "../spheremap/presets.h"
-#include "../spheremap/sphere_map_file.h"
-#include "../field_checks.h"
+#include "core/base/error.h"
+#include "core/image/image_io.h"
+#include "core/spheremap/evaluation/evaluate.h"
+#include "core/spheremap/layers/image_layer.h"
+#include "core/spheremap/document/presets.h"
+#include "core/spheremap/document/sphere_map_file.h"
+#include "core/base/field_checks.h"
 
 #include <filesystem>
 

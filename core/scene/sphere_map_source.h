@@ -2,10 +2,10 @@
 
 #include "scene.h"
 
-#include "../job.h"
-#include "../spheremap/sphere_map_cache.h"
-#include "../spheremap/sphere_map_document.h"
-#include "../spheremap/sphere_map_texels.h"
+#include "core/base/job.h"
+#include "core/spheremap/evaluation/sphere_map_cache.h"
+#include "core/spheremap/document/sphere_map_document.h"
+#include "core/spheremap/evaluation/sphere_map_texels.h"
 
 #include <string>
 #include <string_view>

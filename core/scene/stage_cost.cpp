@@ -1,6 +1,6 @@
 #include "stage_cost.h"
 
-#include "../spheremap/evaluate.h"
+#include "core/spheremap/evaluation/evaluate.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../sphere/direction.h"
+#include "core/sphere/direction.h"
 
 #include <glm/glm.hpp>
 

@@ -1,6 +1,6 @@
 #include "parameterization.h"
 
-#include "../error.h"
+#include "core/base/error.h"
 #include "angular_map.h"
 #include "cube_map.h"
 #include "dual_paraboloid.h"

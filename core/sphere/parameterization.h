@@ -2,7 +2,7 @@
 
 #include "direction.h"
 
-#include "../job.h"
+#include "core/base/job.h"
 
 #include <array>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/filter/prefilter.h"
 #include "core/filter/reference.h"
 #include "core/image/builtin_probes.h"

@@ -1,5 +1,5 @@
-#include "core/spheremap/evaluate.h"
-#include "core/spheremap/presets.h"
+#include "core/spheremap/evaluation/evaluate.h"
+#include "core/spheremap/document/presets.h"
 
 #include <benchmark/benchmark.h>
 

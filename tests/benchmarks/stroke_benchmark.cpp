@@ -1,4 +1,4 @@
-#include "core/spheremap/sphere_map_cache.h"
+#include "core/spheremap/evaluation/sphere_map_cache.h"
 #include "support/stroke_builders.h"
 
 #include <benchmark/benchmark.h>

@@ -1,10 +1,10 @@
 #include "app/studio/main_window.h"
 #include "app/studio/theme.h"
-#include "widgets/number_field.h"
-#include "widgets/options_form.h"
-#include "widgets/sphere_map_canvas.h"
+#include "widgets/controls/number_field.h"
+#include "widgets/controls/options_form.h"
+#include "widgets/spheremap/sphere_map_canvas.h"
 
-#include "core/spheremap/presets.h"
+#include "core/spheremap/document/presets.h"
 #include "support/stroke_builders.h"
 
 #include <QApplication>

@@ -1,9 +1,9 @@
 #include "program.h"
 
 #include "core/image/image_io.h"
-#include "core/spheremap/evaluate.h"
-#include "core/spheremap/presets.h"
-#include "core/spheremap/sphere_map_file.h"
+#include "core/spheremap/evaluation/evaluate.h"
+#include "core/spheremap/document/presets.h"
+#include "core/spheremap/document/sphere_map_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "core/isolated.h"
+#include "core/base/isolated.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include "core/error.h"
-#include "core/job.h"
+#include "core/base/error.h"
+#include "core/base/job.h"
 
 #include <gtest/gtest.h>
 

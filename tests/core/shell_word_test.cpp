@@ -1,4 +1,4 @@
-#include "core/shell_word.h"
+#include "core/base/shell_word.h"
 
 #include "support/temporary_folder.h"
 

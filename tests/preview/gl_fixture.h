@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/preview/offscreen_context.h"
 #include "core/preview/render_target.h"
 #include "core/preview/shader_program.h"

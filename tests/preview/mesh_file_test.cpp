@@ -1,6 +1,6 @@
 #include "core/preview/mesh_file.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 

@@ -3,8 +3,8 @@
 #include "gl_fixture.h"
 #include "test_environments.h"
 
-#include "core/spheremap/evaluate.h"
-#include "core/spheremap/presets.h"
+#include "core/spheremap/evaluation/evaluate.h"
+#include "core/spheremap/document/presets.h"
 
 #include <cmath>
 #include <random>

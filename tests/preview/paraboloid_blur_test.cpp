@@ -3,7 +3,7 @@
 #include "gl_fixture.h"
 #include "test_environments.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/filter/reference.h"
 #include "support/probe_builders.h"
 

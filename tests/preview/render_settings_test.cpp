@@ -1,6 +1,6 @@
 #include "core/preview/render_settings.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/spheremap/stroke.h"
+#include "core/spheremap/strokes/stroke.h"
 
 #include <cmath>
 #include <random>

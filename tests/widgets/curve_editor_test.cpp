@@ -3,7 +3,7 @@
 #include "painting.h"
 #include "widget_driver.h"
 
-#include "widgets/curve_editor.h"
+#include "widgets/controls/curve_editor.h"
 
 #include <QSignalSpy>
 

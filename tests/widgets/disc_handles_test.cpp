@@ -3,7 +3,7 @@
 #include "painting.h"
 #include "widget_driver.h"
 
-#include "core/spheremap/light_place.h"
+#include "core/spheremap/math/light_place.h"
 
 #include <QToolTip>
 

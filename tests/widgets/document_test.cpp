@@ -1,12 +1,12 @@
 #include "document_test.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/image/image_io.h"
 #include "core/scene/scene_file.h"
-#include "core/spheremap/evaluate.h"
+#include "core/spheremap/evaluation/evaluate.h"
 #include "support/temporary_folder.h"
-#include "widgets/document.h"
-#include "widgets/text.h"
+#include "widgets/workspace/document.h"
+#include "widgets/controls/text.h"
 
 #include <QSignalSpy>
 

@@ -3,7 +3,7 @@
 #include "widget_driver.h"
 
 #include "support/temporary_folder.h"
-#include "widgets/export_dialog.h"
+#include "widgets/exports/export_dialog.h"
 
 #include <QClipboard>
 #include <QFileInfo>

@@ -1,7 +1,7 @@
 #include "job_runner_test.h"
 
-#include "core/error.h"
-#include "widgets/job_runner.h"
+#include "core/base/error.h"
+#include "widgets/workspace/job_runner.h"
 
 #include <QSignalSpy>
 #include <QThread>

@@ -5,7 +5,7 @@
 #include "app/studio/command_palette.h"
 #include "app/studio/docks.h"
 #include "core/scene/scene_file.h"
-#include "widgets/text.h"
+#include "widgets/controls/text.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>

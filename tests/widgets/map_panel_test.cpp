@@ -3,8 +3,8 @@
 #include "widget_driver.h"
 
 #include "core/image/map_picture.h"
-#include "widgets/images.h"
-#include "widgets/map_panel.h"
+#include "widgets/controls/images.h"
+#include "widgets/panels/map_panel.h"
 
 #include <QSignalSpy>
 #include <QSlider>

@@ -3,10 +3,10 @@
 #include "core/scene/material_presets.h"
 #include "core/scene/scene_file.h"
 #include "support/temporary_folder.h"
-#include "widgets/fresnel_curve.h"
-#include "widgets/material_panel.h"
-#include "widgets/text.h"
-#include "widgets/view_panel.h"
+#include "widgets/panels/fresnel_curve.h"
+#include "widgets/panels/material_panel.h"
+#include "widgets/controls/text.h"
+#include "widgets/panels/view_panel.h"
 
 #include <QCheckBox>
 #include <QLineEdit>

@@ -4,8 +4,8 @@
 #include "widget_driver.h"
 
 #include "support/temporary_folder.h"
-#include "widgets/painted_export.h"
-#include "widgets/text.h"
+#include "widgets/exports/painted_export.h"
+#include "widgets/controls/text.h"
 
 #include "core/image/map_file.h"
 

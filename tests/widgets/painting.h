@@ -2,7 +2,7 @@
 
 #include "studio_window.h"
 
-#include "widgets/sphere_map_panel.h"
+#include "widgets/spheremap/sphere_map_panel.h"
 
 #include <QDockWidget>
 #include <QPointingDevice>

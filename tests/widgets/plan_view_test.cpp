@@ -1,6 +1,6 @@
 #include "plan_view_test.h"
 
-#include "widgets/plan_view.h"
+#include "widgets/panels/plan_view.h"
 
 #include <algorithm>
 

@@ -7,7 +7,7 @@
 #include "core/image/builtin_probes.h"
 #include "core/image/image_io.h"
 #include "support/temporary_folder.h"
-#include "widgets/probes_panel.h"
+#include "widgets/panels/probes_panel.h"
 
 #include <QDir>
 #include <QFile>

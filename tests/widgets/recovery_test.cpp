@@ -4,7 +4,7 @@
 #include "core/scene/scene_file.h"
 #include "studio_window.h"
 #include "support/temporary_folder.h"
-#include "widgets/text.h"
+#include "widgets/controls/text.h"
 
 #include <QDir>
 #include <QFile>

@@ -5,7 +5,7 @@
 #include "core/image/builtin_probes.h"
 #include "core/image/image_io.h"
 #include "support/temporary_folder.h"
-#include "widgets/report_panel.h"
+#include "widgets/panels/report_panel.h"
 
 #include <functional>
 #include <memory>

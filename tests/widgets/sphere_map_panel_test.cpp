@@ -3,12 +3,12 @@
 #include "painting.h"
 #include "widget_driver.h"
 
-#include "widgets/model_painter.h"
-#include "widgets/sphere_map_panel.h"
-#include "widgets/text.h"
+#include "widgets/picture/model_painter.h"
+#include "widgets/spheremap/sphere_map_panel.h"
+#include "widgets/controls/text.h"
 
-#include "core/spheremap/presets.h"
-#include "core/spheremap/sphere_map_file.h"
+#include "core/spheremap/document/presets.h"
+#include "core/spheremap/document/sphere_map_file.h"
 
 #include <QDir>
 #include <QAction>

@@ -3,15 +3,15 @@
 #include "painting.h"
 #include "widget_driver.h"
 
-#include "widgets/preset_gallery.h"
-#include "widgets/sphere_map_source_field.h"
-#include "widgets/text.h"
-#include "widgets/view_panel.h"
+#include "widgets/panels/preset_gallery.h"
+#include "widgets/spheremap/sphere_map_source_field.h"
+#include "widgets/controls/text.h"
+#include "widgets/panels/view_panel.h"
 
-#include "core/field_checks.h"
+#include "core/base/field_checks.h"
 #include "core/image/image_io.h"
 #include "core/scene/live_maps.h"
-#include "core/spheremap/sphere_map_file.h"
+#include "core/spheremap/document/sphere_map_file.h"
 
 #include <QCheckBox>
 #include <QFileDialog>

@@ -1,6 +1,6 @@
 #include "translations_test.h"
 
-#include "widgets/field_texts.h"
+#include "widgets/controls/field_texts.h"
 
 #include <QFile>
 #include <QSet>

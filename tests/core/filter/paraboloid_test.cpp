@@ -1,6 +1,6 @@
 #include "core/filter/paraboloid.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/filter/prefilter.h"
 #include "core/filter/reference.h"
 #include "core/image/image_io.h"

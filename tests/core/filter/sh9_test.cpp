@@ -1,4 +1,4 @@
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/filter/prefilter.h"
 #include "core/filter/sh9.h"
 #include "core/report/error_metrics.h"

@@ -1,6 +1,6 @@
 #include "core/image/builtin_probes.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/image/color.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/image/image_io.h"
 #include "support/exr_builders.h"
 #include "support/shared_data.h"

@@ -1,6 +1,6 @@
 #include "core/image/layout_detection.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "support/directions.h"
 
 #include <gmock/gmock.h>

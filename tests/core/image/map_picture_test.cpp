@@ -1,6 +1,6 @@
 #include "core/image/map_picture.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/image/builtin_probes.h"
 #include "core/image/color_scale.h"
 #include "core/image/reproject.h"

@@ -1,6 +1,6 @@
 #include "core/image/mip_pyramid.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "support/directions.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "core/image/thumbnail.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/image/builtin_probes.h"
 #include "core/image/map_file.h"
 #include "core/image/mip_pyramid.h"

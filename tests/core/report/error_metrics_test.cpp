@@ -1,6 +1,6 @@
 #include "core/report/error_metrics.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "core/report/method_race.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/image/map_picture.h"
 
 #include "support/probe_builders.h"

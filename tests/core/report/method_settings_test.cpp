@@ -1,7 +1,7 @@
 #include "core/report/lobe_words.h"
 #include "core/report/method_settings.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "core/report/make_report.h"
 #include "core/report/report_files.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/image/image_io.h"
 #include "core/report/cost_growth.h"
 #include "core/report/error_time.h"

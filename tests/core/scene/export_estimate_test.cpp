@@ -1,6 +1,6 @@
 #include "core/scene/export_estimate.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/scene/export.h"
 #include "core/scene/export_command.h"
 #include "core/scene/scene_maps.h"

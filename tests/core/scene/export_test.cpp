@@ -1,6 +1,6 @@
 #include "core/scene/export.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/image/builtin_probes.h"
 #include "core/image/image_io.h"
 #include "core/image/mip_pyramid.h"

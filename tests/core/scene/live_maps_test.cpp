@@ -1,7 +1,7 @@
 #include "core/scene/live_maps.h"
 
-#include "core/error.h"
-#include "core/spheremap/presets.h"
+#include "core/base/error.h"
+#include "core/spheremap/document/presets.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "core/scene/plan.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/scene/material_presets.h"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 #include "core/scene/scene_file.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/scene/material_presets.h"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 #include "core/sphere/parameterization.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "support/directions.h"
 
 #include <gtest/gtest.h>

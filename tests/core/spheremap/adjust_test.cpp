@@ -1,6 +1,6 @@
 #include "core/sphere/direction.h"
-#include "core/spheremap/evaluate.h"
-#include "core/spheremap/light_direction.h"
+#include "core/spheremap/evaluation/evaluate.h"
+#include "core/spheremap/math/light_direction.h"
 
 #include <gtest/gtest.h>
 

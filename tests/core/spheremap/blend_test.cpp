@@ -1,4 +1,4 @@
-#include "core/spheremap/blend.h"
+#include "core/spheremap/evaluation/blend.h"
 
 #include <gtest/gtest.h>
 

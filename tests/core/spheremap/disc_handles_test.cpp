@@ -1,7 +1,7 @@
 #include "core/sphere/sphere_map.h"
-#include "core/spheremap/disc_handles.h"
-#include "core/spheremap/evaluate.h"
-#include "core/spheremap/light_place.h"
+#include "core/spheremap/evaluation/disc_handles.h"
+#include "core/spheremap/evaluation/evaluate.h"
+#include "core/spheremap/math/light_place.h"
 
 #include <gtest/gtest.h>
 

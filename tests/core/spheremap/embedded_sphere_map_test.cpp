@@ -1,7 +1,7 @@
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/image/image_io.h"
 #include "core/scene/scene_file.h"
-#include "core/spheremap/evaluate.h"
+#include "core/spheremap/evaluation/evaluate.h"
 #include "support/stroke_builders.h"
 #include "support/temporary_folder.h"
 

@@ -1,7 +1,7 @@
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/sphere/direction.h"
-#include "core/spheremap/evaluate.h"
-#include "core/spheremap/presets.h"
+#include "core/spheremap/evaluation/evaluate.h"
+#include "core/spheremap/document/presets.h"
 
 #include <gtest/gtest.h>
 

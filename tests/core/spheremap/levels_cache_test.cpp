@@ -1,4 +1,4 @@
-#include "core/spheremap/levels_cache.h"
+#include "core/spheremap/evaluation/levels_cache.h"
 
 #include "support/stroke_builders.h"
 

@@ -1,6 +1,6 @@
-#include "core/error.h"
-#include "core/spheremap/matcap_passes.h"
-#include "core/spheremap/presets.h"
+#include "core/base/error.h"
+#include "core/spheremap/evaluation/matcap_passes.h"
+#include "core/spheremap/document/presets.h"
 
 #include <gtest/gtest.h>
 

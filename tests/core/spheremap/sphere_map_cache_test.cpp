@@ -1,6 +1,6 @@
-#include "core/spheremap/sphere_map_cache.h"
+#include "core/spheremap/evaluation/sphere_map_cache.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "support/stroke_builders.h"
 
 #include <gtest/gtest.h>

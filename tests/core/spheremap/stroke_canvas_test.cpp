@@ -1,6 +1,6 @@
-#include "core/spheremap/stroke_canvas.h"
+#include "core/spheremap/strokes/stroke_canvas.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "support/stroke_builders.h"
 
 #include <gtest/gtest.h>

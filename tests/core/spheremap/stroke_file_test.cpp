@@ -1,7 +1,7 @@
-#include "core/spheremap/stroke_file.h"
+#include "core/spheremap/strokes/stroke_file.h"
 
-#include "core/error.h"
-#include "core/spheremap/sphere_map_file.h"
+#include "core/base/error.h"
+#include "core/spheremap/document/sphere_map_file.h"
 #include "support/stroke_builders.h"
 #include "support/temporary_folder.h"
 

@@ -1,6 +1,6 @@
-#include "core/spheremap/stroke_raster.h"
+#include "core/spheremap/strokes/stroke_raster.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "support/stroke_builders.h"
 
 #include <gtest/gtest.h>

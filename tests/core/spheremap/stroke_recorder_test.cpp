@@ -1,4 +1,4 @@
-#include "core/spheremap/stroke_recorder.h"
+#include "core/spheremap/strokes/stroke_recorder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "core/spheremap/stroke.h"
+#include "core/spheremap/strokes/stroke.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/sphere/direction.h"
 #include "support/stroke_builders.h"
 

@@ -1,4 +1,4 @@
-#include "core/spheremap/stroke_tiles.h"
+#include "core/spheremap/strokes/stroke_tiles.h"
 
 #include "support/stroke_builders.h"
 

@@ -1,0 +1,16 @@
+# Writes OUTPUT, a C++ file with the text of sphere maps as raw strings: MAPS, files MAP.spheremap in MAP_FOLDER, and VIEWS in VIEW_FOLDER.
+set(code "#include \"core/spheremap/document/presets.h\"\n\n#include <array>\n\nnamespace mirrorball {\n\n")
+function(embed list folder function)
+  set(entries "")
+  list(LENGTH ${list} count)
+  foreach(name IN LISTS ${list})
+    file(READ "${folder}/${name}.spheremap" text)
+    string(APPEND entries "    SphereMapFile{\"${name}\", R\"json(${text})json\"},\n")
+  endforeach()
+  set(code "${code}static constexpr std::array<SphereMapFile, ${count}> ${function}Files{{\n${entries}}};\n\n\
+std::span<const SphereMapFile> ${function}()\n{\n    return ${function}Files;\n}\n\n" PARENT_SCOPE)
+endfunction()
+embed(MAPS "${MAP_FOLDER}" embeddedSphereMaps)
+embed(VIEWS "${VIEW_FOLDER}" embeddedWindowViews)
+string(APPEND code "} // namespace mirrorball\n")
+file(WRITE "${OUTPUT}" "${code}")

@@ -1,0 +1,107 @@
+#pragma once
+
+#include "export_format.h"
+#include "widgets/workspace/job_runner.h"
+#include "widgets/workspace/workspace.h"
+
+#include "core/scene/export.h"
+#include "core/scene/export_estimate.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTreeWidget>
+
+#include <functional>
+#include <vector>
+
+namespace mirrorball::studio {
+
+/// Which maps of the scene are written, as what, and where to; what that will take; and the command line that does the same. The list is the
+/// scene's: every change here is an undo step of the document.
+class ExportDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit ExportDialog(Workspace& workspace, QWidget* parent = nullptr);
+    ~ExportDialog() override;
+
+    void setFolder(const QString& folder);
+    QString folder() const;
+    /// The command that writes the same bytes, or why there is none yet.
+    QString command() const { return m_command->text(); }
+    QString estimateText() const { return m_total->text(); }
+    QString statusText() const { return m_status->text(); }
+    bool isExporting() const { return m_isExporting; }
+    bool isEstimated() const { return !m_estimator.isBusy(); }
+
+    QSize sizeHint() const override { return {860, 560}; }
+
+public slots:
+    void addTarget(mirrorball::ExportKind kind);
+    void duplicateTarget();
+    void removeTarget();
+    void startExport();
+    void cancelExport();
+    void reject() override;
+
+signals:
+    /// The user wants the scene saved, so that the command line can read it.
+    void saveRequested();
+    void exported(const QStringList& files);
+
+private:
+    QWidget* makeList();
+    QWidget* makeForm();
+    QWidget* makeFolderRow();
+    void offerKinds();
+    void addCommandRow(QGridLayout& layout);
+    const ExportTarget* selected() const;
+    int selectedRow() const;
+    void selectRow(int row);
+    void change(const QString& label, const std::function<void(ExportTarget&)>& change);
+    void listTargets();
+    void showTarget();
+    void estimate();
+    void showEstimates(const std::vector<ExportEstimate>& estimates);
+    void showCommand();
+    void say(const QString& message, bool isProblem = false);
+    void setExporting(bool exporting);
+    std::vector<std::string> checkedNames() const;
+
+    Workspace& m_workspace;
+    JobRunner m_runner;
+    JobRunner m_estimator;
+    bool m_isExporting = false;
+    QTreeWidget* m_list;
+    QAction* m_addPainted;
+    QPushButton *m_duplicate, *m_remove;
+    QWidget* m_form;
+    QFormLayout* m_rows;
+    QLineEdit* m_name;
+    QComboBox *m_kind, *m_parameterization, *m_format;
+    QSpinBox *m_size, *m_border, *m_levels;
+    QCheckBox *m_faces, *m_mips, *m_levelFiles;
+    QLineEdit* m_file;
+    QLabel* m_files;
+    QLineEdit* m_folder;
+    QLabel* m_total;
+    QLineEdit* m_command;
+    QPushButton *m_copy, *m_save;
+    QLabel* m_commandNote;
+    QProgressBar* m_progress;
+    QLabel* m_status;
+    QPushButton *m_export, *m_cancel, *m_close, *m_open;
+    std::vector<ExportEstimate> m_estimates;
+    QStringList m_unchecked; ///< names of targets that are not to be written now
+};
+
+} // namespace mirrorball::studio

@@ -1,0 +1,257 @@
+#include "material_panel.h"
+
+#include "fresnel_curve.h"
+#include "widgets/controls/text.h"
+
+#include "core/base/error.h"
+#include "core/scene/material_presets.h"
+#include "core/scene/scene_file.h"
+#include "core/shading/conductor.h"
+
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <array>
+
+namespace mirrorball::studio {
+
+namespace {
+
+constexpr auto specularOf = [](auto& scene) -> auto& { return scene.material.specular; };
+constexpr auto fresnelOf = [](auto& scene) -> auto& { return scene.material.fresnel; };
+constexpr auto diffuseOf = [](auto& scene) -> auto& { return scene.material.diffuse; };
+constexpr auto mapOf = [](auto& scene) -> auto& { return scene.map; };
+constexpr auto materialOf = [](auto& scene) -> auto& { return scene.material; };
+
+auto lobeIs(SurfaceLobe lobe)
+{
+    return [lobe](const Scene& scene) { return scene.material.specular.lobe == lobe; };
+}
+
+auto fresnelIs(FresnelKind kind)
+{
+    return [kind](const Scene& scene) { return scene.material.fresnel.kind == kind; };
+}
+
+bool isCustomMetal(const Scene& scene)
+{
+    return scene.material.fresnel.kind == FresnelKind::Conductor && scene.material.fresnel.metal == "custom";
+}
+
+/// Whether the reflection is read from levels of its map.
+bool readsLevels(const Scene& scene)
+{
+    return scene.map.mips || scene.material.lambda > 0.0;
+}
+
+/// A weight of 0 to 2 on the slider; more can be typed.
+FieldStyle weightStyle()
+{
+    return {.sliderLow = 0.0, .sliderHigh = 2.0};
+}
+
+struct IndexPreset {
+    const char* name;
+    double index;
+};
+constexpr std::array indexPresets{IndexPreset{QT_TRANSLATE_NOOP("mirrorball::studio::MaterialPanel", "Water"), 1.333},
+                                  IndexPreset{QT_TRANSLATE_NOOP("mirrorball::studio::MaterialPanel", "Glass"), 1.5},
+                                  IndexPreset{QT_TRANSLATE_NOOP("mirrorball::studio::MaterialPanel", "Diamond"), 2.417}};
+
+} // namespace
+
+MaterialPanel::MaterialPanel(Workspace& workspace, QWidget* parent) : QWidget(parent), m_workspace(workspace)
+{
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(scroll);
+
+    m_form = new OptionsForm(m_workspace.document);
+    m_form->layout()->setContentsMargins(10, 10, 10, 10);
+    m_form->addRow(makePresetRow(), OptionsForm::Span::Whole);
+    addReflection();
+    addFresnel();
+    addDiffuse();
+    addLookup();
+    scroll->setWidget(m_form);
+    connect(&m_workspace.document, &Document::changed, this, [this](Parts parts) {
+        if (parts.testFlag(Part::Material))
+            showPreset();
+    });
+    showPreset();
+}
+
+QWidget* MaterialPanel::makePresetRow()
+{
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    m_presets = new QuietCombo(row);
+    m_presets->setObjectName(QStringLiteral("materialPresets"));
+    m_presets->setAccessibleName(tr("Material preset"));
+    m_presets->setToolTip(tr("Start from a built-in material"));
+    m_presets->addItem(tr("Custom material"));
+    for (const MaterialPreset& preset : materialPresets()) {
+        m_presets->addItem(labelText(preset.name).replace(u'-', u' '), toQString(preset.name));
+        m_presets->setItemData(m_presets->count() - 1, fieldText(preset.description), Qt::ToolTipRole);
+    }
+    connect(m_presets, &QComboBox::activated, this, [this](int index) {
+        const MaterialPreset* preset = findMaterialPreset(m_presets->itemData(index).toString().toStdString());
+        if (preset)
+            m_workspace.document.edit(tr("Choose material"), {}, [&](Scene& scene) { scene.material = preset->material; });
+        showPreset();
+    });
+    layout->addWidget(m_presets, 1);
+
+    const auto button = [&](const char* icon, const QString& name, const QString& help, auto action) {
+        auto* made = new QToolButton(row);
+        made->setIcon(QIcon(QStringLiteral(":/icons/%1.svg").arg(QLatin1String(icon))));
+        made->setAccessibleName(name);
+        made->setToolTip(help);
+        made->setAutoRaise(true);
+        connect(made, &QToolButton::clicked, this, action);
+        layout->addWidget(made);
+    };
+    const QString filter = tr("Materials and scenes (*.material *.json *.mirrorball);;All files (*)");
+    button("open", tr("Open material"), tr("Take the material of a material or scene file"), [this, filter] {
+        if (const QString path = QFileDialog::getOpenFileName(this, tr("Open material"), {}, filter); !path.isEmpty())
+            openMaterial(path);
+    });
+    button("save", tr("Save material"), tr("Save this material as a file of its own"), [this, filter] {
+        QString path = QFileDialog::getSaveFileName(this, tr("Save material"), QStringLiteral("material.json"), filter);
+        if (!path.isEmpty())
+            saveMaterialAs(path);
+    });
+    return row;
+}
+
+void MaterialPanel::openMaterial(const QString& path)
+{
+    try {
+        const Material material = loadMaterial(toPath(path));
+        m_workspace.document.edit(tr("Open material"), {}, [&](Scene& scene) { scene.material = material; });
+        m_workspace.notices.clear(QStringLiteral("material"));
+    } catch (const Error& error) {
+        m_workspace.notices.set({.subject = QStringLiteral("material"), .text = QString::fromUtf8(error.what())});
+    }
+}
+
+void MaterialPanel::saveMaterialAs(const QString& path)
+{
+    try {
+        saveMaterial(m_workspace.document.scene(), toPath(path));
+        m_workspace.notices.clear(QStringLiteral("material"));
+    } catch (const Error& error) {
+        m_workspace.notices.set({.subject = QStringLiteral("material"), .text = QString::fromUtf8(error.what())});
+    }
+}
+
+void MaterialPanel::addReflection()
+{
+    m_form->addHeading(tr("Reflection"));
+    m_form->addFields("material.specular", specularOf,
+                      {{"exponent",
+                        {.sliderLow = 0.1, .sliderHigh = 1e6, .scale = Scale::Logarithmic, .isShown = lobeIs(SurfaceLobe::Phong)}},
+                       {"roughness", {.digits = 3, .isShown = lobeIs(SurfaceLobe::Ggx)}},
+                       {"weight", weightStyle()}});
+    m_form->addFields("material", materialOf,
+                      {{"combine", {.isHidden = true}},
+                       {"lambda", {.label = tr("Lambda"), .sliderLow = 0.0, .sliderHigh = 10.0, .step = 0.1}},
+                       {"lambda_grazing",
+                        {.label = tr("At grazing"), .sliderLow = 0.0, .sliderHigh = 1.0, .isShown = [](const Scene& scene) { return scene.material.lambda > 0.0; }}},
+                       {"lod_bias", {.label = tr("LOD bias"), .sliderLow = -4.0, .sliderHigh = 8.0, .step = 0.1}}});
+}
+
+// Kind and size of the map have their place in the map's dock.
+void MaterialPanel::addLookup()
+{
+    m_form->addHeading(tr("Lookup in the map"));
+    m_form->addFields("map", mapOf,
+                      onlyFields<MapSettings>({{"mips", {.label = tr("Coarser levels")}},
+                                               {"mip_filtering",
+                                                {.label = tr("Mip filtering"),
+                                                 .isShown = [](const Scene& scene) {
+                                                     return readsLevels(scene) && scene.map.parameterization == Parameterization::Cube;
+                                                 }}},
+                                               {"anisotropy", {.isShown = readsLevels}},
+                                               {"space", {.label = tr("Space")}}}));
+}
+
+void MaterialPanel::addFresnel()
+{
+    m_form->addHeading(tr("Fresnel"));
+    m_form->addFields("material.fresnel", fresnelOf,
+                      {{"index",
+                        {.sliderLow = 1.0, .sliderHigh = 200.0, .scale = Scale::Logarithmic, .isShown = fresnelIs(FresnelKind::Dielectric)}},
+                       {"n", {.isHidden = true}},
+                       {"k", {.isHidden = true}}});
+
+    auto* presets = new QWidget;
+    auto* row = new QHBoxLayout(presets);
+    row->setContentsMargins(0, 0, 0, 0);
+    for (const IndexPreset& preset : indexPresets) {
+        auto* button = new QToolButton(presets);
+        button->setText(tr(preset.name));
+        button->setAccessibleName(tr("Index of %1").arg(tr(preset.name).toLower()));
+        button->setToolTip(tr("Index of refraction %1").arg(preset.index));
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        connect(button, &QToolButton::clicked, this, [this, preset] {
+            m_workspace.document.edit(tr("Choose index"), {}, [&](Scene& scene) { scene.material.fresnel.index = preset.index; });
+        });
+        row->addWidget(button);
+    }
+    m_form->addRow(presets, OptionsForm::Span::Controls, fresnelIs(FresnelKind::Dielectric));
+
+    auto* metals = new QuietCombo;
+    for (const Conductor& metal : conductors())
+        metals->addItem(labelText(metal.name), toQString(metal.name));
+    metals->addItem(tr("Custom"), QStringLiteral("custom"));
+    connect(metals, &QComboBox::activated, this, [this, metals](int index) {
+        m_workspace.document.edit(tr("Choose metal"), {}, [&](Scene& scene) {
+            FresnelSettings& fresnel = scene.material.fresnel;
+            const std::string chosen = metals->itemData(index).toString().toStdString();
+            if (chosen == "custom")
+                if (const auto before = conductorFromName(fresnel.metal)) { // start from where one was
+                    fresnel.n = before->n;
+                    fresnel.k = before->k;
+                }
+            fresnel.metal = chosen;
+        });
+    });
+    m_form->addControl(QStringLiteral("material.fresnel.metal"), {.name = "metal", .help = "conductor: name of a metal, or custom for n and k below"},
+                       {.isShown = fresnelIs(FresnelKind::Conductor)}, metals, [metals](const Scene& scene) {
+                           metals->setCurrentIndex(metals->findData(toQString(scene.material.fresnel.metal)));
+                       });
+    const FieldStyle component{.step = 0.05, .isShown = isCustomMetal};
+    m_form->addFields("material.fresnel", fresnelOf,
+                      {{"kind", {.isHidden = true}}, {"index", {.isHidden = true}}, {"n", component}, {"k", component}});
+    m_form->addRow(new FresnelCurve(m_workspace.document), OptionsForm::Span::Whole,
+                   [](const Scene& scene) { return scene.material.fresnel.kind != FresnelKind::None; });
+}
+
+void MaterialPanel::addDiffuse()
+{
+    m_form->addHeading(tr("Diffuse"));
+    m_form->addFields("material.diffuse", diffuseOf, {{"weight", weightStyle()}});
+    m_form->addFields("material", materialOf,
+                      {{"combine", {.label = tr("Combine")}}, {"lambda", {.isHidden = true}}, {"lambda_grazing", {.isHidden = true}}, {"lod_bias", {.isHidden = true}}});
+}
+
+void MaterialPanel::showPreset()
+{
+    const QSignalBlocker quiet(m_presets);
+    m_presets->setCurrentIndex(0);
+    for (const MaterialPreset& preset : materialPresets())
+        if (preset.material == m_workspace.document.scene().material)
+            m_presets->setCurrentIndex(m_presets->findData(toQString(preset.name)));
+}
+
+} // namespace mirrorball::studio

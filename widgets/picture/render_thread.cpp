@@ -1,0 +1,292 @@
+#include "render_thread.h"
+
+#include "core/base/error.h"
+#include "core/preview/scene_settings.h"
+
+#include <QElapsedTimer>
+#include <QOpenGLContext>
+#include <QSurfaceFormat>
+
+#include <algorithm>
+#include <future>
+#include <utility>
+
+namespace mirrorball::studio {
+
+namespace {
+
+constexpr float differenceGain = 4.0f;
+
+QSurfaceFormat contextFormat()
+{
+    QSurfaceFormat format;
+    format.setRenderableType(QSurfaceFormat::OpenGL);
+    format.setVersion(4, 5);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(0); // the renderer has targets of its own
+    format.setStencilBufferSize(0);
+    return format;
+}
+
+Image cutOut(const Image& picture, const TexelRect& rect)
+{
+    Image part(rect.width(), rect.height(), 4);
+    for (int y = 0; y < part.height; ++y)
+        std::copy_n(picture.texel(rect.x0, rect.y0 + y), static_cast<size_t>(part.width) * 4, part.row(y));
+    return part;
+}
+
+/// Every 2 x 2 texels become one.
+Image averaged(const Image& finer)
+{
+    Image coarse(finer.width / 2, finer.height / 2, 4);
+    for (int y = 0; y < coarse.height; ++y)
+        for (int x = 0; x < coarse.width; ++x)
+            for (int c = 0; c < 4; ++c)
+                coarse.texel(x, y)[c] = 0.25f * (finer.texel(2 * x, 2 * y)[c] + finer.texel(2 * x + 1, 2 * y)[c] +
+                                                 finer.texel(2 * x, 2 * y + 1)[c] + finer.texel(2 * x + 1, 2 * y + 1)[c]);
+    return coarse;
+}
+
+/// The whole texels of the next level inside a rectangle of this one. A row or column that only half covers one of them waits for the
+/// end of the stroke.
+TexelRect halved(const TexelRect& rect)
+{
+    return {(rect.x0 + 1) / 2, (rect.y0 + 1) / 2, rect.x1 / 2, rect.y1 / 2};
+}
+
+/// Rows of OpenGL run from the bottom.
+QImage readPicture(const preview::RenderTarget& target, bool isOpaque, std::vector<quint32>& rgba)
+{
+    rgba.resize(static_cast<size_t>(target.width) * static_cast<size_t>(target.height));
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+    glReadPixels(0, 0, target.width, target.height, GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV, rgba.data());
+    QImage image(target.width, target.height, isOpaque ? QImage::Format_RGB32 : QImage::Format_ARGB32_Premultiplied);
+    const quint32 opacity = isOpaque ? 0xff000000u : 0u;
+    for (int y = 0; y < target.height; ++y) {
+        const quint32* from = rgba.data() + static_cast<size_t>(target.height - 1 - y) * static_cast<size_t>(target.width);
+        std::transform(from, from + target.width, reinterpret_cast<quint32*>(image.scanLine(y)), [opacity](quint32 abgr) {
+            return (abgr & 0xff00ff00u) | (abgr & 0xffu) << 16 | (abgr >> 16 & 0xffu) | opacity;
+        });
+    }
+    return image;
+}
+
+std::optional<preview::SurfaceHit> look(preview::Renderer* renderer, const preview::RenderSettings& settings, int x, int y)
+{
+    try {
+        return renderer ? renderer->pick(settings, x, y) : std::nullopt;
+    } catch (const Error&) {
+        return std::nullopt; // the next picture says what is wrong
+    }
+}
+
+std::shared_ptr<const preview::DiscPlaces> lookEverywhere(preview::Renderer* renderer, const preview::RenderSettings& settings,
+                                                          SphereMapIndex index)
+{
+    try {
+        return renderer ? std::make_shared<const preview::DiscPlaces>(renderer->discPlaces(settings, index)) : nullptr;
+    } catch (const Error&) {
+        return nullptr;
+    }
+}
+
+} // namespace
+
+/// What belongs to the thread: its context, and all that lives in it.
+struct RenderThread::Context {
+    QOpenGLContext context{};
+    preview::RenderTarget target{};
+    preview::Renderer renderer{};
+    std::unique_ptr<preview::Renderer> snapshotRenderer{}; ///< of its own, so that neither drops the other's textures
+    PictureDifference difference{};
+    SphereMapChain shownMap{}; ///< that the last picture read
+    std::vector<quint32> pixels{};
+
+    explicit Context(QOffscreenSurface& surface)
+    {
+        context.setFormat(contextFormat());
+        if (!context.create() || !context.makeCurrent(&surface))
+            throw WorkError("the preview needs OpenGL 4.5 and the window system offers no context for it; install a newer driver, or Mesa's "
+                            "software renderer: apt install libgl1-mesa-dri");
+    }
+
+    Picture draw(const PictureOrder& order, const std::vector<SphereMapPatch>& patches)
+    {
+        Picture picture{.order = order};
+        QElapsedTimer clock;
+        clock.start();
+        const int width = order.settings.width, height = order.settings.height;
+        if (!target.fits(width, height, 1, GL_RGBA8)) {
+            target = preview::RenderTarget(); // the old one goes before the new one comes
+            target = preview::RenderTarget(width, height, 1, GL_RGBA8, 1, GL_NONE);
+        }
+        patchMap(order, patches);
+        paint(order);
+        picture.image = readPicture(target, order.settings.background.kind != preview::BackgroundKind::None, pixels);
+        picture.seconds = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
+        return picture;
+    }
+
+private:
+    void paint(const PictureOrder& order)
+    {
+        const int width = order.settings.width, height = order.settings.height;
+        const auto now = [&](const preview::Destination& destination) {
+            renderer.drawDisplay(order.settings, preview::renderMaps(order.made->maps), destination);
+        };
+        const auto kept = [&](const preview::Destination& destination) {
+            if (!snapshotRenderer)
+                snapshotRenderer = std::make_unique<preview::Renderer>();
+            snapshotRenderer->drawDisplay(order.snapshotSettings, preview::renderMaps(order.snapshot->maps), destination);
+        };
+        switch (order.comparison) {
+        case Comparison::Off:
+            snapshotRenderer.reset();
+            now({.framebuffer = target.framebuffer});
+            break;
+        case Comparison::Hold:
+            kept({.framebuffer = target.framebuffer});
+            break;
+        case Comparison::Wipe:
+            kept({.framebuffer = target.framebuffer, .clip = preview::PixelRectangle{0, 0, order.wipe, height}});
+            now({.framebuffer = target.framebuffer, .clip = preview::PixelRectangle{order.wipe, 0, width - order.wipe, height}});
+            break;
+        case Comparison::Difference:
+            now({.framebuffer = difference.target(0, width, height)});
+            kept({.framebuffer = difference.target(1, width, height)});
+            difference.draw(target.framebuffer, differenceGain);
+            break;
+        }
+    }
+
+    // A stroke that is being drawn goes straight into the texture, only where it touched; when it is done, the scene's maps hold it.
+    void patchMap(const PictureOrder& order, const std::vector<SphereMapPatch>& patches)
+    {
+        const SphereMapChain chain = order.made->maps.sphereMaps.empty() ? nullptr : order.made->maps.sphereMaps.front();
+        const auto isOfShown = [&](const SphereMapPatch& patch) { return patch.chain == chain; };
+        if (std::any_of(patches.begin(), patches.end(), isOfShown) && chain != shownMap) // a new texture is made by drawing
+            renderer.drawDisplay(order.settings, preview::renderMaps(order.made->maps),
+                                 {.framebuffer = target.framebuffer, .clip = preview::PixelRectangle{0, 0, 1, 1}});
+        shownMap = chain;
+        for (const SphereMapPatch& patch : patches)
+            if (isOfShown(patch))
+                apply(patch);
+    }
+
+    void apply(const SphereMapPatch& patch)
+    {
+        renderer.patchSphereMap(patch.texels, patch.rect.x0, patch.rect.y0, 0);
+        if (patch.chain->hasAuthoredLevels) {
+            for (const LevelPatch& level : patch.coarser)
+                renderer.patchSphereMap(level.texels, level.rect.x0, level.rect.y0, level.level);
+            return;
+        }
+        Image part = patch.texels;
+        TexelRect rect = patch.rect;
+        for (int level = 1; level < static_cast<int>(patch.chain->levels.size()); ++level) {
+            const TexelRect next = halved(rect);
+            if (next.empty() || next.x1 > patch.chain->levels[static_cast<size_t>(level)].width)
+                return;
+            const TexelRect even{2 * next.x0 - rect.x0, 2 * next.y0 - rect.y0, 2 * next.x1 - rect.x0, 2 * next.y1 - rect.y0};
+            part = averaged(cutOut(part, even));
+            rect = next;
+            renderer.patchSphereMap(part, rect.x0, rect.y0, level);
+        }
+    }
+};
+
+RenderThread::RenderThread(QObject* parent) : QObject(parent)
+{
+    m_surface.setFormat(contextFormat());
+    m_surface.create(); // on the window's thread, as some window systems want it
+    m_thread = std::jthread([this](const std::stop_token& end) { run(end); });
+}
+
+RenderThread::~RenderThread()
+{
+    m_thread.request_stop();
+    m_thread.join();
+}
+
+void RenderThread::draw(PictureOrder order)
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        m_order = std::move(order);
+    }
+    m_wake.notify_one();
+}
+
+void RenderThread::patch(SphereMapPatch patch)
+{
+    const std::lock_guard lock(m_mutex);
+    m_patches.push_back(std::move(patch));
+}
+
+std::shared_ptr<const preview::DiscPlaces> RenderThread::discPlaces(const preview::RenderSettings& settings, SphereMapIndex index)
+{
+    std::promise<std::shared_ptr<const preview::DiscPlaces>> places;
+    {
+        const std::lock_guard lock(m_mutex);
+        m_awaitedLook = [&](preview::Renderer* renderer) { places.set_value(lookEverywhere(renderer, settings, index)); };
+    }
+    m_wake.notify_one();
+    return places.get_future().get();
+}
+
+void RenderThread::pick(const preview::RenderSettings& settings, int x, int y, std::function<void(const std::optional<preview::SurfaceHit>&)> use)
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        m_look = [this, settings, x, y, use = std::move(use)](preview::Renderer* renderer) {
+            const auto hit = look(renderer, settings, x, y);
+            QMetaObject::invokeMethod(this, [use, hit] { use(hit); }, Qt::QueuedConnection);
+        };
+    }
+    m_wake.notify_one();
+}
+
+void RenderThread::run(const std::stop_token& end)
+{
+    std::unique_ptr<Context> context;
+    QString problem;
+    try {
+        context = std::make_unique<Context>(m_surface);
+    } catch (const Error& error) {
+        problem = QString::fromUtf8(error.what());
+    }
+    for (;;) {
+        std::optional<PictureOrder> order;
+        std::vector<SphereMapPatch> patches;
+        Look waiting;
+        {
+            std::unique_lock lock(m_mutex);
+            if (!m_wake.wait(lock, end, [this] { return m_order || m_look || m_awaitedLook; }))
+                return;
+            if (m_awaitedLook) {
+                waiting = std::exchange(m_awaitedLook, nullptr);
+            } else if (m_order) {
+                order = std::exchange(m_order, std::nullopt);
+                patches = std::exchange(m_patches, {});
+            } else {
+                waiting = std::exchange(m_look, nullptr);
+            }
+        }
+        if (waiting) {
+            waiting(context ? &context->renderer : nullptr);
+            continue;
+        }
+        Picture picture{.order = *order, .problem = problem};
+        if (context) {
+            try {
+                picture = context->draw(*order, patches);
+            } catch (const Error& error) {
+                picture.problem = QString::fromUtf8(error.what());
+            }
+        }
+        QMetaObject::invokeMethod(this, [this, picture] { emit drawn(picture); }, Qt::QueuedConnection);
+    }
+}
+
+} // namespace mirrorball::studio

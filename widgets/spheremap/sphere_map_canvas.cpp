@@ -1,0 +1,427 @@
+#include "sphere_map_canvas.h"
+
+
+#include "core/spheremap/strokes/symmetry.h"
+
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QTabletEvent>
+#include <QToolTip>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirrorball::studio {
+
+namespace {
+
+constexpr double margin = 10.0;
+
+QPixmap checkerboard()
+{
+    QPixmap tile(16, 16);
+    tile.fill(QColor(72, 72, 72));
+    QPainter painter(&tile);
+    painter.fillRect(0, 0, 8, 8, QColor(88, 88, 88));
+    painter.fillRect(8, 8, 8, 8, QColor(88, 88, 88));
+    return tile;
+}
+
+} // namespace
+
+SphereMapCanvas::SphereMapCanvas(SphereMapEditor& editor, QWidget* parent)
+    : QWidget(parent), m_editor(editor),
+      m_handles(editor,
+                {.placeOf = [this](const glm::dvec2& q) { return placeOf(q); }, .discAt = [this](const QPointF& place) { return discAt(place); }})
+{
+    setObjectName(QStringLiteral("sphereMapCanvas"));
+    setAccessibleName(tr("Sphere map"));
+    setMouseTracking(true);
+    setTabletTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    connect(&m_editor, &SphereMapEditor::pictureChanged, this, &SphereMapCanvas::show);
+    const auto redraw = [this] {
+        updateCursor();
+        update();
+    };
+    connect(&m_editor, &SphereMapEditor::mapChanged, this, redraw);
+    connect(&m_editor, &SphereMapEditor::brushChanged, this, redraw);
+    connect(&m_editor, &SphereMapEditor::toolChanged, this, redraw);
+    connect(&m_handles, &DiscHandles::changed, this, [this, redraw] {
+        setAccessibleDescription(m_handles.chosen() < 0 ? QString() : m_handles.describe(m_handles.chosen()));
+        redraw();
+    });
+    connect(&m_editor, &SphereMapEditor::chosenChanged, this, [this, redraw] {
+        m_hint.clear();
+        redraw();
+    });
+    updateCursor();
+}
+
+double SphereMapCanvas::scale() const
+{
+    return std::max(20.0, 0.5 * std::min(width(), height()) - margin) * m_zoom;
+}
+
+glm::dvec2 SphereMapCanvas::discAt(const QPointF& place) const
+{
+    return m_center + glm::dvec2(place.x() - 0.5 * width(), 0.5 * height() - place.y()) / scale();
+}
+
+QPointF SphereMapCanvas::placeOf(const glm::dvec2& q) const
+{
+    const glm::dvec2 d = (q - m_center) * scale();
+    return {0.5 * width() + d.x, 0.5 * height() - d.y};
+}
+
+void SphereMapCanvas::fit()
+{
+    m_zoom = 1.0;
+    m_center = glm::dvec2(0.0);
+    update();
+}
+
+void SphereMapCanvas::show(const TexelRect& touched)
+{
+    const double n = m_editor.screen().size();
+    const QPointF low = placeOf({touched.x0 / n * 2.0 - 1.0, 1.0 - touched.y0 / n * 2.0});
+    const QPointF high = placeOf({touched.x1 / n * 2.0 - 1.0, 1.0 - touched.y1 / n * 2.0});
+    update(QRectF(low, high).toAlignedRect().adjusted(-2, -2, 2, 2));
+}
+
+void SphereMapCanvas::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    static const QPixmap checks = checkerboard();
+    painter.fillRect(rect(), QColor(38, 38, 38));
+    const QRectF square(placeOf({-1.0, 1.0}), placeOf({1.0, -1.0}));
+    QPainterPath disc;
+    disc.addEllipse(square);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (!m_editor.map()) {
+        painter.setPen(QPen(QColor(90, 90, 90), 1.5, Qt::DashLine));
+        painter.drawPath(disc);
+        painter.setPen(QColor(170, 170, 170));
+        painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
+                         tr("This scene has no sphere map of its own"));
+        return;
+    }
+    // Outside the disc the rim's colour goes on, which a lookup may meet: shown, but faintly.
+    const QImage& picture = m_editor.screen().forPixels(square.width() * devicePixelRatioF());
+    painter.setOpacity(0.22);
+    painter.drawImage(square, picture);
+    painter.setOpacity(1.0);
+    painter.save();
+    painter.setClipPath(disc);
+    painter.drawTiledPixmap(square.toAlignedRect().intersected(rect()), checks);
+    painter.drawImage(square, picture);
+    painter.restore();
+    painter.setPen(QPen(QColor(0, 0, 0, 140), 1.5));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPath(disc);
+    if (m_handles.isActive()) {
+        m_handles.paint(painter, rect(), hasFocus() ? DiscHandles::Focus::Keys : DiscHandles::Focus::None);
+    } else {
+        paintSymmetry(painter);
+        paintBrush(painter);
+    }
+    if (!m_hint.isEmpty()) {
+        const QRect box = rect().adjusted(8, 8, -8, -8);
+        const QRect text = painter.boundingRect(box, Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap, m_hint).adjusted(-8, -5, 8, 5);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(QColor(20, 20, 20, 220));
+        painter.drawRoundedRect(text, 4, 4);
+        painter.setPen(QColor(240, 200, 120));
+        painter.drawText(text, Qt::AlignCenter | Qt::TextWordWrap, m_hint);
+    }
+}
+
+/// Thin light and dark, so that it shows on every colour.
+static void outline(QPainter& painter, const QPointF& center, double radius, int strength)
+{
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(QColor(0, 0, 0, strength), 2.6));
+    painter.drawEllipse(center, radius, radius);
+    painter.setPen(QPen(QColor(255, 255, 255, strength), 1.0));
+    painter.drawEllipse(center, radius, radius);
+}
+
+void SphereMapCanvas::paintBrush(QPainter& painter) const
+{
+    if (!m_cursor || m_drag == Drag::Pan || m_editor.tool() == PaintTool::PickColor)
+        return;
+    const Brush& brush = m_editor.brush();
+    const double radius = brush.radius * scale();
+    const QPointF at = m_drag == Drag::Brush ? m_pressed : *m_cursor;
+    const glm::dvec2 q = discAt(at);
+    const auto maps = symmetryMaps(m_editor.symmetry());
+    for (size_t i = 1; i < maps.size(); ++i)
+        outline(painter, placeOf(maps[i] * q), radius, 70);
+    outline(painter, at, std::max(radius, 1.0), 220);
+    if (brush.hardness > 0.0 && brush.hardness < 1.0)
+        outline(painter, at, std::max(radius * brush.hardness, 1.0), m_drag == Drag::Brush ? 200 : 60);
+    if (m_drag == Drag::Brush) {
+        painter.setPen(Qt::white);
+        painter.drawText(QRectF(at.x() - 100, at.y() + radius + 4, 200, 20), Qt::AlignHCenter,
+                         tr("radius %1, hardness %2").arg(brush.radius, 0, 'f', 3).arg(brush.hardness, 0, 'f', 2));
+    }
+}
+
+void SphereMapCanvas::paintSymmetry(QPainter& painter) const
+{
+    const Symmetry& symmetry = m_editor.symmetry();
+    if (symmetry.radial <= 1 && !symmetry.mirror)
+        return;
+    const auto line = [&](double angle, bool through) {
+        const glm::dvec2 d{std::cos(angle), std::sin(angle)};
+        const QPointF from = placeOf(through ? -d : glm::dvec2(0.0)), to = placeOf(d);
+        painter.setPen(QPen(QColor(0, 0, 0, 90), 1.0));
+        painter.drawLine(from + QPointF(1, 1), to + QPointF(1, 1));
+        painter.setPen(QPen(QColor(255, 255, 255, 130), 1.0, Qt::DashLine));
+        painter.drawLine(from, to);
+    };
+    const double axis = symmetry.axisDeg * pi / 180.0;
+    if (symmetry.mirror)
+        for (int k = 0; k < symmetry.radial; ++k)
+            line(axis + pi * k / symmetry.radial, true);
+    else
+        for (int k = 0; k < symmetry.radial; ++k)
+            line(axis + 2.0 * pi * k / symmetry.radial, false);
+}
+
+void SphereMapCanvas::press(const QPointF& place, Qt::MouseButton button, Qt::KeyboardModifiers modifiers, double pressure, PenEnd end)
+{
+    m_last = m_pressed = place;
+    m_hint.clear();
+    if (!m_editor.map() || m_drag != Drag::None)
+        return;
+    if (button == Qt::MiddleButton || (button == Qt::LeftButton && m_spaceIsDown)) {
+        m_drag = Drag::Pan;
+    } else if (button == Qt::RightButton) {
+        m_drag = Drag::Brush;
+        m_brushBefore = m_editor.brush();
+    } else if (button == Qt::LeftButton && (m_editor.tool() == PaintTool::PickColor || modifiers.testFlag(Qt::AltModifier))) {
+        m_drag = Drag::Pick;
+        m_editor.pickColor(discAt(place));
+    } else if (button == Qt::LeftButton && m_handles.isActive()) {
+        if (m_handles.press(place))
+            m_drag = Drag::Handle;
+        else
+            m_hint = m_handles.hint();
+    } else if (button == Qt::LeftButton) {
+        m_hint = m_editor.paintingProblem();
+        if (m_hint.isEmpty()) {
+            m_drag = Drag::Stroke;
+            m_editor.beginStroke({discAt(place), pressure}, end);
+        }
+    }
+    updateCursor();
+    update();
+}
+
+void SphereMapCanvas::move(const QPointF& place, double pressure)
+{
+    switch (m_drag) {
+    case Drag::None:
+        m_handles.hover(place);
+        break;
+    case Drag::Handle:
+        m_handles.move(place);
+        break;
+    case Drag::Stroke:
+        m_editor.moveStroke({discAt(place), pressure});
+        break;
+    case Drag::Pick:
+        m_editor.pickColor(discAt(place));
+        break;
+    case Drag::Pan:
+        m_center -= glm::dvec2(place.x() - m_last.x(), m_last.y() - place.y()) / scale();
+        m_center = glm::clamp(m_center, -1.5, 1.5);
+        break;
+    case Drag::Brush:
+        m_editor.setBrush(draggedBrush(m_brushBefore, place - m_pressed));
+        break;
+    }
+    m_last = place;
+    m_cursor = place;
+    update();
+}
+
+void SphereMapCanvas::release()
+{
+    if (m_drag == Drag::Stroke)
+        m_editor.endStroke();
+    if (m_drag == Drag::Handle)
+        m_handles.release();
+    m_drag = Drag::None;
+    updateCursor();
+    update();
+}
+
+void SphereMapCanvas::mousePressEvent(QMouseEvent* event)
+{
+    if (!m_penIsDown)
+        press(event->position(), event->button(), event->modifiers(), 1.0, PenEnd::Tip);
+}
+
+void SphereMapCanvas::mouseMoveEvent(QMouseEvent* event)
+{
+    if (!m_penIsDown)
+        move(event->position(), 1.0);
+}
+
+void SphereMapCanvas::mouseReleaseEvent(QMouseEvent*)
+{
+    if (!m_penIsDown)
+        release();
+}
+
+/// The second press of two that are near and quick: on an empty place of a list of lights it adds one.
+void SphereMapCanvas::mouseDoubleClickEvent(QMouseEvent* event)
+{
+    mousePressEvent(event);
+    const bool isPlain = event->button() == Qt::LeftButton && !event->modifiers().testFlag(Qt::AltModifier) && !m_spaceIsDown;
+    if (isPlain && m_drag == Drag::None && m_handles.addAt(event->position())) {
+        m_drag = Drag::Handle;
+        m_hint.clear();
+        updateCursor();
+    }
+}
+
+void SphereMapCanvas::tabletEvent(QTabletEvent* event)
+{
+    const PenEnd end = event->pointerType() == QPointingDevice::PointerType::Eraser ? PenEnd::Eraser : PenEnd::Tip;
+    switch (event->type()) {
+    case QEvent::TabletPress:
+        m_penIsDown = true;
+        press(event->position(), event->button(), event->modifiers(), event->pressure(), end);
+        break;
+    case QEvent::TabletMove:
+        move(event->position(), event->pressure());
+        break;
+    case QEvent::TabletRelease:
+        release();
+        m_penIsDown = false;
+        break;
+    default:
+        break;
+    }
+    event->accept(); // no mouse events besides
+}
+
+void SphereMapCanvas::wheelEvent(QWheelEvent* event)
+{
+    const glm::dvec2 before = discAt(event->position());
+    m_zoom = std::clamp(m_zoom * std::pow(1.2, event->angleDelta().y() / 120.0), 0.5, 32.0);
+    m_center = glm::clamp(m_center + before - discAt(event->position()), -1.5, 1.5);
+    event->accept();
+    update();
+}
+
+void SphereMapCanvas::keyPressEvent(QKeyEvent* event)
+{
+    if (m_drag == Drag::None && m_handles.isActive() && m_handles.pressKey(*event))
+        return;
+    switch (event->key()) {
+    case Qt::Key_BracketLeft:
+        m_editor.stepBrush(-1);
+        return;
+    case Qt::Key_BracketRight:
+        m_editor.stepBrush(1);
+        return;
+    case Qt::Key_Space:
+        if (!event->isAutoRepeat())
+            m_spaceIsDown = true;
+        updateCursor();
+        return;
+    case Qt::Key_Home:
+        fit();
+        return;
+    case Qt::Key_Escape:
+        if (m_drag == Drag::Stroke) {
+            m_editor.cancelStroke();
+            m_drag = Drag::None;
+            return;
+        }
+        if (m_drag == Drag::Handle) {
+            m_handles.cancel();
+            m_drag = Drag::None;
+            updateCursor();
+            return;
+        }
+        break;
+    default:
+        break;
+    }
+    QWidget::keyPressEvent(event);
+}
+
+void SphereMapCanvas::keyReleaseEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Space && !event->isAutoRepeat())
+        m_spaceIsDown = false;
+    if (!event->isAutoRepeat())
+        m_handles.releaseKey();
+    updateCursor();
+    QWidget::keyReleaseEvent(event);
+}
+
+void SphereMapCanvas::leaveEvent(QEvent*)
+{
+    m_cursor.reset();
+    m_handles.hover(std::nullopt);
+    update();
+}
+
+void SphereMapCanvas::focusInEvent(QFocusEvent* event)
+{
+    QWidget::focusInEvent(event);
+    update();
+}
+
+void SphereMapCanvas::focusOutEvent(QFocusEvent* event)
+{
+    m_spaceIsDown = false;
+    m_handles.releaseKey();
+    QWidget::focusOutEvent(event);
+    update();
+}
+
+/// Tooltips of handles.
+bool SphereMapCanvas::event(QEvent* event)
+{
+    if (event->type() == QEvent::ToolTip && m_handles.isActive()) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        const int handle = m_handles.at(help->pos());
+        if (handle >= 0 && m_drag == Drag::None)
+            QToolTip::showText(help->globalPos(), m_handles.describe(handle), this);
+        else
+            QToolTip::hideText();
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+void SphereMapCanvas::updateCursor()
+{
+    if (m_drag == Drag::Pan || m_spaceIsDown)
+        setCursor(Qt::ClosedHandCursor);
+    else if (!m_editor.map())
+        unsetCursor();
+    else if (m_drag == Drag::Handle)
+        setCursor(Qt::ClosedHandCursor);
+    else if (m_handles.isActive())
+        m_handles.isHovered() ? setCursor(Qt::OpenHandCursor) : setCursor(Qt::ArrowCursor);
+    else if (m_editor.tool() != PaintTool::PickColor && !m_editor.canPaint())
+        setCursor(Qt::ForbiddenCursor);
+    else
+        setCursor(Qt::CrossCursor);
+}
+
+} // namespace mirrorball::studio

@@ -1,0 +1,146 @@
+#include "live_scene.h"
+
+#include "core/base/error.h"
+#include "core/preview/mesh_file.h"
+#include "core/preview/scene_settings.h"
+
+#include <filesystem>
+
+namespace mirrorball::studio {
+
+namespace {
+
+/// Maps while a control is dragged: soft enough to be made between two frames, and near enough to judge by.
+constexpr MapDetail coarse{.largestSize = 128, .tolerance = 1e-3, .texelsPerLobe = 6.0, .probeItselfUpTo = 4.0};
+
+/// The scene without what maps and plan do not depend on: a camera that moves makes nothing anew.
+Scene mapsOnly(Scene scene)
+{
+    scene.view.camera = {};
+    scene.view.exposure = 0.0;
+    scene.view.toneCurve = {};
+    if (scene.map.space == MapSpace::World)
+        scene.probe.yawDeg = 0.0;
+    scene.exports.clear();
+    return scene;
+}
+
+} // namespace
+
+/// What the worker keeps from one scene to the next.
+struct LiveScene::Maker {
+    LiveMaps maps{};
+    std::filesystem::path meshPath{};
+    std::filesystem::file_time_type meshTime{};
+    std::shared_ptr<const preview::Mesh> mesh{};
+    std::string meshProblem{};
+    preview::DisplayChoice displayChoice{};
+    std::shared_ptr<const preview::DisplayTransform> display{};
+    std::string displayProblem{};
+
+    std::shared_ptr<const PreparedScene> make(const Scene& scene, const MapDetail& detail, const JobControl& job)
+    {
+        PreparedScene prepared{maps.update(scene, detail, job)};
+        if (const auto path = preview::meshFile(scene)) {
+            readMesh(*path, job, prepared.record);
+            prepared.mesh = mesh;
+            prepared.meshProblem = meshProblem;
+        }
+        if (const auto choice = preview::displayChoice(scene)) {
+            readDisplay(*choice, prepared.record);
+            prepared.display = display;
+            prepared.displayProblem = displayProblem;
+        }
+        return std::make_shared<const PreparedScene>(std::move(prepared));
+    }
+
+private:
+    void readDisplay(const preview::DisplayChoice& choice, WorkRecord& record)
+    {
+        if (choice == displayChoice)
+            return;
+        display.reset();
+        displayProblem.clear();
+        try {
+            display = timedStage(record.stages, "read display configuration", [&] { return preview::displayTransform(choice); });
+        } catch (const Error& error) {
+            displayProblem = error.what();
+        }
+        displayChoice = choice;
+    }
+
+    void readMesh(const std::filesystem::path& path, const JobControl& job, WorkRecord& record)
+    {
+        std::error_code missing;
+        const auto time = std::filesystem::last_write_time(path, missing);
+        if (mesh && path == meshPath && time == meshTime)
+            return;
+        meshProblem.clear();
+        try {
+            mesh = timedStage(record.stages, "read mesh", [&] { return std::make_shared<const preview::Mesh>(preview::readMesh(path, job)); });
+        } catch (const Cancelled&) {
+            throw;
+        } catch (const Error& error) {
+            mesh = std::make_shared<const preview::Mesh>(preview::boxMesh());
+            meshProblem = error.what();
+        }
+        meshPath = path;
+        meshTime = time;
+    }
+};
+
+LiveScene::LiveScene(Document& document, QObject* parent)
+    : QObject(parent), m_document(document), m_runner(this), m_maker(std::make_shared<Maker>())
+{
+    connect(&m_document, &Document::changed, this, &LiveScene::follow);
+    connect(&m_document, &Document::dragFinished, this, &LiveScene::follow);
+    connect(&m_runner, &JobRunner::failed, this, [this](const QString& message) {
+        m_isUpToDate = false;
+        emit failed(message);
+    });
+    request();
+}
+
+void LiveScene::follow()
+{
+    const bool wantsFull = !m_document.isDragging() && !startsAnew();
+    const bool isFineEnough = !wantsFull || m_requestedDetail == MapDetail{};
+    if (isFineEnough && mapsOnly(m_requested) == mapsOnly(m_document.scene()) && (m_runner.isBusy() || m_made))
+        return;
+    request();
+}
+
+void LiveScene::refresh()
+{
+    request();
+}
+
+// Another probe takes a while: a coarse picture of it comes first, the full one follows.
+bool LiveScene::startsAnew() const
+{
+    return !m_made || m_made->scene.probe.source != m_document.scene().probe.source;
+}
+
+void LiveScene::request()
+{
+    const bool wantsCoarse = m_document.isDragging() || startsAnew();
+    // A coarse result of a moment ago is better than none; a full one would only be in the way.
+    const Running running = wantsCoarse && m_requestedDetail == coarse ? Running::Finish : Running::Stop;
+    m_requested = m_document.scene();
+    m_requestedDetail = wantsCoarse ? coarse : MapDetail{};
+    m_isUpToDate = false;
+    m_runner.start(
+        [maker = m_maker, scene = m_requested, detail = m_requestedDetail](const JobControl& job) { return maker->make(scene, detail, job); },
+        [this](std::shared_ptr<const PreparedScene> made) { use(std::move(made)); }, running);
+}
+
+void LiveScene::use(std::shared_ptr<const PreparedScene> made)
+{
+    m_made = std::move(made);
+    m_isUpToDate = m_made->detail == MapDetail{} && mapsOnly(m_made->scene) == mapsOnly(m_document.scene());
+    emit updated();
+    if (m_made->detail == coarse && !m_document.isDragging())
+        follow();
+}
+
+} // namespace mirrorball::studio
