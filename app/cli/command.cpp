@@ -67,7 +67,8 @@ void printStages(const std::vector<Stage>& stages)
     bool hasCosts = false;
     for (const Stage& stage : stages) {
         hasCosts = hasCosts || stage.expected != StageCost{};
-        rows.push_back({stage.name, stage.leftOut ? "left out" : "needed", stage.expected.seconds > 0.0 ? timeText(stage.expected.seconds) : "",
+        rows.push_back({stage.name, stage.leftOut ? "left out" : "needed",
+                        stage.expected.seconds > 0.0 ? timeText(stage.expected.seconds) : "",
                         stage.expected.bytes > 0 ? byteText(stage.expected.bytes) : "", stage.why});
     }
     std::array<size_t, 5> widths{};

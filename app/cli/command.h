@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/base/job.h"
-#include "core/sphere/parameterization.h"
 #include "core/base/stage.h"
+#include "core/sphere/parameterization.h"
 
 #include <CLI/CLI.hpp>
 
@@ -26,10 +26,7 @@ void addReportCommand(CLI::App& program, int argc, const char* const* argv);
 
 /// Parses a KIND word. @throws InvalidArgument naming the option and the known words
 Parameterization parseKind(const std::string& option, const std::string& word);
-inline double radians(double degrees)
-{
-    return degrees * pi / 180.0;
-}
+inline double radians(double degrees) { return degrees * pi / 180.0; }
 
 /// The record that `--stats FILE` writes: {"stages":[{"name","seconds","left_out","why"}], "method", "band_limit", "predicted_error",
 /// "threads", "peak_bytes"}, as in DESIGN 6.

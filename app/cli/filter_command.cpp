@@ -115,8 +115,8 @@ struct KnobParser {
             if (!isNumber || !(number >= field.low && number <= field.high) ||
                 (std::is_integral_v<Value> && number != std::floor(number))) {
                 std::ostringstream message;
-                message << given->first << ": must be " << (std::is_integral_v<Value> ? "a whole number" : "a number") << " from " << field.low
-                        << " to " << field.high << "; it is '" << given->second << "'";
+                message << given->first << ": must be " << (std::is_integral_v<Value> ? "a whole number" : "a number") << " from "
+                        << field.low << " to " << field.high << "; it is '" << given->second << "'";
                 throw InvalidArgument(message.str());
             }
             value = static_cast<Value>(number);

@@ -29,26 +29,25 @@ void run(const Options& o)
     const MapLayout& layout = probe.map.layout;
     const std::string kind(name(layout.kind));
     if (o.json) {
-        const nlohmann::json record{
-            {"probe", o.probe},
-            {"width", probe.map.image.width},
-            {"height", probe.map.image.height},
-            {"parameterization", kind},
-            {"size", layout.size},
-            {"border", layout.border},
-            {"certain", probe.certain},
-            {"why", probe.origin},
-            {"min_luminance", s.minLuminance},
-            {"max_luminance", s.maxLuminance},
-            {"mean_luminance", s.meanLuminance},
-            {"mean_radiance", {s.meanRadiance.r, s.meanRadiance.g, s.meanRadiance.b}},
-            {"brightest_direction", {s.brightestDirection.x, s.brightestDirection.y, s.brightestDirection.z}},
-            {"largest_value", s.largestValue},
-            {"beyond_half", s.beyondHalf},
-            {"sun_share", s.sunShare},
-            {"nan", probe.repaired.nan},
-            {"inf", probe.repaired.positiveInfinity + probe.repaired.negativeInfinity},
-            {"negative", probe.repaired.negative}};
+        const nlohmann::json record{{"probe", o.probe},
+                                    {"width", probe.map.image.width},
+                                    {"height", probe.map.image.height},
+                                    {"parameterization", kind},
+                                    {"size", layout.size},
+                                    {"border", layout.border},
+                                    {"certain", probe.certain},
+                                    {"why", probe.origin},
+                                    {"min_luminance", s.minLuminance},
+                                    {"max_luminance", s.maxLuminance},
+                                    {"mean_luminance", s.meanLuminance},
+                                    {"mean_radiance", {s.meanRadiance.r, s.meanRadiance.g, s.meanRadiance.b}},
+                                    {"brightest_direction", {s.brightestDirection.x, s.brightestDirection.y, s.brightestDirection.z}},
+                                    {"largest_value", s.largestValue},
+                                    {"beyond_half", s.beyondHalf},
+                                    {"sun_share", s.sunShare},
+                                    {"nan", probe.repaired.nan},
+                                    {"inf", probe.repaired.positiveInfinity + probe.repaired.negativeInfinity},
+                                    {"negative", probe.repaired.negative}};
         std::printf("%s\n", record.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
         return;
     }

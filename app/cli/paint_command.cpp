@@ -1,12 +1,12 @@
 #include "command.h"
 
 #include "core/base/error.h"
-#include "core/image/map_file.h"
 #include "core/image/image_io.h"
-#include "core/spheremap/evaluation/matcap_passes.h"
-#include "core/spheremap/evaluation/painted_pictures.h"
+#include "core/image/map_file.h"
 #include "core/spheremap/document/presets.h"
 #include "core/spheremap/document/sphere_map_file.h"
+#include "core/spheremap/evaluation/matcap_passes.h"
+#include "core/spheremap/evaluation/painted_pictures.h"
 
 #include <memory>
 
@@ -39,8 +39,8 @@ void run(const Options& o)
     const SphereMapDocument document = timedStage(stages, "read document", [&] { return findDocument(o.document); });
     const JobControl job = jobWithProgress("paint", o.threads);
     if (o.size <= 2 * o.border)
-        throw InvalidArgument("--border: must leave room for the map between the borders of a picture of " + std::to_string(o.size) + " texels; it is " +
-                              std::to_string(o.border));
+        throw InvalidArgument("--border: must leave room for the map between the borders of a picture of " + std::to_string(o.size) +
+                              " texels; it is " + std::to_string(o.border));
     const WriteOptions writeOptions = paintedFileOptions(document, o.half ? SampleType::Half : SampleType::Float);
     const auto writeTheRest = [&] { // once all went well
         if (!o.saved.empty())
@@ -49,9 +49,11 @@ void run(const Options& o)
             writeStats(o.stats, {.stages = stages, .method = "paint", .threads = job.threadCount()});
     };
     if (!o.specular.empty()) {
-        const MatcapPasses passes = timedStage(stages, "evaluate", [&] { return evaluatePasses(document, o.specular, {.size = o.size - 2 * o.border}, job); });
+        const MatcapPasses passes =
+            timedStage(stages, "evaluate", [&] { return evaluatePasses(document, o.specular, {.size = o.size - 2 * o.border}, job); });
         timedStage(stages, "write map", [&] {
-            writePasses(o.out, {{"diffuse", bordered(passes.diffuse, o.border)}, {"specular", bordered(passes.specular, o.border)}}, writeOptions);
+            writePasses(o.out, {{"diffuse", bordered(passes.diffuse, o.border)}, {"specular", bordered(passes.specular, o.border)}},
+                        writeOptions);
         });
         writeTheRest();
         return;
@@ -69,12 +71,18 @@ void addPaintCommand(CLI::App& program)
     const auto o = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand("paint", "Evaluate a sphere map: a document, a preset, or recorded strokes");
     command->add_option("DOCUMENT", o->document, ".spheremap file or preset; `mirrorball presets` lists them")->required();
-    command->add_option("-o,--output", o->out, "output file: .exr and .tif keep linear light, .png shows it clipped; %d in the name: one file a level")->required();
-    command->add_option("--size", o->size, "edge of the map, in texels")->required();
-    CLI::Option* levels = command->add_flag("--levels", o->levels, "the whole mip chain, as the document makes it: in one .exr or .tif, else NAME.LEVEL.EXT, or where the name has a %d");
     command
-        ->add_option("--border", o->border,
-                     "texels between the disc and the picture's edge, in the rim's colours; Blender looks 0.8 percent inside the edge, 2 at 512")
+        ->add_option("-o,--output", o->out,
+                     "output file: .exr and .tif keep linear light, .png shows it clipped; %d in the name: one file a level")
+        ->required();
+    command->add_option("--size", o->size, "edge of the map, in texels")->required();
+    CLI::Option* levels = command->add_flag(
+        "--levels", o->levels,
+        "the whole mip chain, as the document makes it: in one .exr or .tif, else NAME.LEVEL.EXT, or where the name has a %d");
+    command
+        ->add_option(
+            "--border", o->border,
+            "texels between the disc and the picture's edge, in the rim's colours; Blender looks 0.8 percent inside the edge, 2 at 512")
         ->check(CLI::Range(0, 4096))
         ->excludes(levels);
     command

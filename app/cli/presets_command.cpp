@@ -8,9 +8,9 @@
 #include "core/preview/scene_settings.h"
 #include "core/scene/material_presets.h"
 #include "core/scene/scene_maps.h"
+#include "core/spheremap/document/presets.h"
 #include "core/spheremap/evaluation/contact_sheet.h"
 #include "core/spheremap/evaluation/evaluate.h"
-#include "core/spheremap/document/presets.h"
 
 #include <nlohmann/json.hpp>
 
@@ -91,7 +91,8 @@ Image geometrySheet(const std::string& geometry, int size, const JobControl& job
         const Plan plan = makePlan(scene, probeLayout(scene));
         WorkRecord record;
         SceneProbe probe = openProbe(scene, plan, job, record);
-        pictures.push_back(renderer.renderRadiance(preview::renderSettings(scene, plan), preview::renderMaps(buildMaps(scene, plan, probe, job, record))));
+        pictures.push_back(
+            renderer.renderRadiance(preview::renderSettings(scene, plan), preview::renderMaps(buildMaps(scene, plan, probe, job, record))));
     }
     return contactSheet(pictures, sheetLayout(pictures.size()).columns, ground);
 }
@@ -132,7 +133,8 @@ void addPresetsCommand(CLI::App& program)
     CLI::App* command = program.add_subcommand("presets", "List the built-in probes, materials and sphere maps");
     command->add_flag("--json", o->json, "as JSON");
     command->add_option("--sheet", o->sheet, "instead of the list, write a picture of all sphere maps to this file");
-    command->add_option("--thumbnails", o->thumbnails, "instead of the list, write a picture of each sphere map into this folder: NAME.png");
+    command->add_option("--thumbnails", o->thumbnails,
+                        "instead of the list, write a picture of each sphere map into this folder: NAME.png");
     command->add_option("--geometry", o->geometry, "sheet: show them on a teapot, torus, sphere or box in place of balls")
         ->check(CLI::IsMember({"teapot", "torus", "sphere", "box"}));
     command->add_option("--size", o->size, "sheet, thumbnails: width of one picture, in pixels")->check(CLI::Range(16, 2048));

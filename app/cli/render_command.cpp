@@ -200,7 +200,8 @@ void addRenderCommand(CLI::App& program)
         const auto entry = std::find_if(entries.begin(), entries.end(), [&](const FieldEntry& e) { return e.path == option.field; });
         command->add_option(option.flag, o->fields[option.flag], valueHelp(*entry));
     }
-    command->add_option("--set", o->set, "FIELD=VALUE: any field of the scene file, such as view.background.blur=0.5")->allow_extra_args(false);
+    command->add_option("--set", o->set, "FIELD=VALUE: any field of the scene file, such as view.background.blur=0.5")
+        ->allow_extra_args(false);
     command->add_option("--save-scene", o->saved, "write the scene that was drawn, options and all, to this .mirrorball file");
     command->add_option("--threads", o->threads, "threads; 0: one per core")->check(CLI::Range(0, 1024));
     command->add_flag("--explain", o->explain, "print what is done, what is left out, and why; then do it");

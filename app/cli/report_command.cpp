@@ -2,11 +2,11 @@
 #include "interrupt.h"
 
 #include "core/base/error.h"
+#include "core/base/shell_word.h"
 #include "core/preview/paraboloid_blur.h"
 #include "core/report/lobe_words.h"
 #include "core/report/make_report.h"
 #include "core/report/report_files.h"
-#include "core/base/shell_word.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -110,7 +110,8 @@ void addReportCommand(CLI::App& program, int argc, const char* const* argv)
 {
     const auto o = std::make_shared<Options>();
     o->report.command = typed(argc, argv);
-    CLI::App* command = program.add_subcommand("report", "Measure every filtering method: error against run time, memory, stability; as HTML, JSON and CSV");
+    CLI::App* command = program.add_subcommand(
+        "report", "Measure every filtering method: error against run time, memory, stability; as HTML, JSON and CSV");
     command->add_option("PROBE", o->report.probes, "files or builtin:NAME")->required();
     command->add_option("-o,--output", o->folder, "folder for report.html, report.json and the .csv files; made when missing")->required();
     command->add_option("--lobes", o->lobes, "phong:EXPONENT, ggx:ALPHA and diffuse, with commas (" + o->lobes + ")");

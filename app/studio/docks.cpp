@@ -5,8 +5,8 @@
 #include "widgets/panels/plan_view.h"
 #include "widgets/panels/probes_panel.h"
 #include "widgets/panels/report_panel.h"
-#include "widgets/spheremap/sphere_map_panel.h"
 #include "widgets/panels/view_panel.h"
+#include "widgets/spheremap/sphere_map_panel.h"
 
 namespace mirrorball::studio {
 

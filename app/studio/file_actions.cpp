@@ -20,14 +20,12 @@ const QString recentKey = QStringLiteral("recentFiles");
 
 FileActions::FileActions(QWidget& window, Workspace& workspace) : QObject(&window), m_window(window), m_workspace(workspace) {}
 
-bool FileActions::isSceneFile(const QString& path)
-{
-    return path.endsWith(QStringLiteral(".mirrorball"), Qt::CaseInsensitive);
-}
+bool FileActions::isSceneFile(const QString& path) { return path.endsWith(QStringLiteral(".mirrorball"), Qt::CaseInsensitive); }
 
 void FileActions::addTo(QMenu& menu)
 {
-    const auto add = [&](const char* id, const char* iconName, const QString& text, const QString& help, const QKeySequence& key, auto slot) {
+    const auto add = [&](const char* id, const char* iconName, const QString& text, const QString& help, const QKeySequence& key,
+                         auto slot) {
         QAction* action = menu.addAction(icon(iconName), text, this, slot);
         action->setObjectName(QLatin1String(id));
         action->setShortcut(key);
@@ -78,16 +76,14 @@ bool FileActions::openScene(const QString& path)
     }
 }
 
-bool FileActions::save()
-{
-    return m_workspace.document.filePath().isEmpty() ? askAndSave() : saveAs(m_workspace.document.filePath());
-}
+bool FileActions::save() { return m_workspace.document.filePath().isEmpty() ? askAndSave() : saveAs(m_workspace.document.filePath()); }
 
 bool FileActions::askAndSave()
 {
     const QString now = m_workspace.document.filePath();
-    QString path = QFileDialog::getSaveFileName(&m_window, tr("Save scene"), now.isEmpty() ? tr("untitled") + QStringLiteral(".mirrorball") : now,
-                                                tr("Mirrorball scenes (*.mirrorball)"));
+    QString path =
+        QFileDialog::getSaveFileName(&m_window, tr("Save scene"), now.isEmpty() ? tr("untitled") + QStringLiteral(".mirrorball") : now,
+                                     tr("Mirrorball scenes (*.mirrorball)"));
     if (path.isEmpty())
         return false;
     if (QFileInfo(path).suffix().isEmpty())
@@ -120,16 +116,16 @@ bool FileActions::mayGoOn()
     box.setInformativeText(tr("They are lost otherwise."));
     box.setDefaultButton(QMessageBox::Save);
     switch (box.exec()) {
-    case QMessageBox::Save: return save();
-    case QMessageBox::Discard: return true;
-    default: return false;
+    case QMessageBox::Save:
+        return save();
+    case QMessageBox::Discard:
+        return true;
+    default:
+        return false;
     }
 }
 
-QStringList FileActions::recentFiles() const
-{
-    return QSettings().value(recentKey).toStringList();
-}
+QStringList FileActions::recentFiles() const { return QSettings().value(recentKey).toStringList(); }
 
 void FileActions::remember(const QString& path)
 {

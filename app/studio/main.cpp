@@ -31,7 +31,8 @@ int main(int count, char** arguments)
     QCoreApplication::setApplicationVersion(QStringLiteral(MIRRORBALL_VERSION));
     QGuiApplication::setDesktopFileName(QStringLiteral("org.mirrorball.Studio"));
     const bool onlyText = asksForText(count, arguments);
-    const std::unique_ptr<QCoreApplication> application(onlyText ? new QCoreApplication(count, arguments) : new QApplication(count, arguments));
+    const std::unique_ptr<QCoreApplication> application(onlyText ? new QCoreApplication(count, arguments)
+                                                                 : new QApplication(count, arguments));
 
     QTranslator translator;
     if (translator.load(QLocale(), QStringLiteral("mirrorball-studio"), QStringLiteral("_"),
@@ -42,9 +43,10 @@ int main(int count, char** arguments)
     parser.setApplicationDescription(QCoreApplication::translate("main", "Author materials with environment maps: the desktop tool."));
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addPositionalArgument(QStringLiteral("FILE"),
-                                 QCoreApplication::translate("main", "A scene (.mirrorball), a light probe (.hdr, .exr, ...) or a mesh to open."),
-                                 QStringLiteral("[FILE...]"));
+    parser.addPositionalArgument(
+        QStringLiteral("FILE"),
+        QCoreApplication::translate("main", "A scene (.mirrorball), a light probe (.hdr, .exr, ...) or a mesh to open."),
+        QStringLiteral("[FILE...]"));
     parser.process(*application);
 
     applyTheme(static_cast<QApplication&>(*application));

@@ -5,12 +5,12 @@
 #include "panel_rest.h"
 #include "theme.h"
 
-#include "widgets/exports/export_dialog.h"
-#include "widgets/picture/model_painter.h"
 #include "widgets/controls/notice_panel.h"
-#include "widgets/panels/plan_view.h"
 #include "widgets/controls/text.h"
+#include "widgets/exports/export_dialog.h"
+#include "widgets/panels/plan_view.h"
 #include "widgets/panels/view_panel.h"
+#include "widgets/picture/model_painter.h"
 
 #include "core/preview/mesh_file.h"
 #include "core/preview/picture_file.h"
@@ -88,10 +88,7 @@ MainWindow::~MainWindow()
     delete m_recovery;
 }
 
-QDockWidget* MainWindow::dock(const QString& id) const
-{
-    return findChild<QDockWidget*>(id);
-}
+QDockWidget* MainWindow::dock(const QString& id) const { return findChild<QDockWidget*>(id); }
 
 void MainWindow::addDocks()
 {
@@ -159,9 +156,11 @@ void MainWindow::addMenus()
     hide->setObjectName(QStringLiteral("window.docks"));
     hide->setShortcut(QKeySequence(Qt::Key_F9));
     hide->setToolTip(tr("Tab on the picture, F9 anywhere"));
-    QAction* full = m_dockMenu->addAction(icon("fullscreen"), tr("&Full screen"), this, [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+    QAction* full = m_dockMenu->addAction(icon("fullscreen"), tr("&Full screen"), this,
+                                          [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
     full->setShortcut(QKeySequence(Qt::Key_F11));
-    m_dockMenu->addAction(icon("layout"), tr("&Reset layout"), this, &MainWindow::resetLayout)->setObjectName(QStringLiteral("window.reset"));
+    m_dockMenu->addAction(icon("layout"), tr("&Reset layout"), this, &MainWindow::resetLayout)
+        ->setObjectName(QStringLiteral("window.reset"));
 
     // Tab walks through controls everywhere but on the picture, which has none.
     auto* onPicture = new QAction(hide->text(), m_preview);
@@ -171,10 +170,13 @@ void MainWindow::addMenus()
     m_preview->addAction(onPicture);
 
     QMenu* help = menuBar()->addMenu(tr("&Help"));
-    help->addAction(tr("&About Mirrorball Studio"), this, [this] {
-        QMessageBox::about(this, tr("Mirrorball Studio"),
-                           tr("<b>Mirrorball Studio %1</b><p>Materials with environment maps.<p>GPL-3.0-or-later").arg(QApplication::applicationVersion()));
-    })->setMenuRole(QAction::AboutRole);
+    help->addAction(tr("&About Mirrorball Studio"), this,
+                    [this] {
+                        QMessageBox::about(this, tr("Mirrorball Studio"),
+                                           tr("<b>Mirrorball Studio %1</b><p>Materials with environment maps.<p>GPL-3.0-or-later")
+                                               .arg(QApplication::applicationVersion()));
+                    })
+        ->setMenuRole(QAction::AboutRole);
 }
 
 void MainWindow::addStatus()
@@ -253,18 +255,17 @@ void MainWindow::showProblems()
     const auto made = m_workspace->live.made();
     Notices& notices = m_workspace->notices;
     notices.clear(QStringLiteral("scene"));
-    notices.set({.subject = QStringLiteral("probe"), .text = toQString(made->problem), .actionText = tr("Choose another…"), .action = [this] {
-                     const QString path = QFileDialog::getOpenFileName(this, tr("Open probe"));
-                     if (!path.isEmpty())
-                         openFiles({path});
-                 }});
+    notices.set(
+        {.subject = QStringLiteral("probe"), .text = toQString(made->problem), .actionText = tr("Choose another…"), .action = [this] {
+             const QString path = QFileDialog::getOpenFileName(this, tr("Open probe"));
+             if (!path.isEmpty())
+                 openFiles({path});
+         }});
     notices.set({.subject = QStringLiteral("display"), .text = toQString(made->displayProblem)});
-    notices.set({.subject = QStringLiteral("mesh"),
-                 .text = toQString(made->meshProblem),
-                 .actionText = tr("Show the teapot"),
-                 .action = [this] {
-                     m_workspace->document.edit(tr("Change geometry"), {}, [](Scene& scene) { scene.view.geometry = "teapot"; });
-                 }});
+    notices.set(
+        {.subject = QStringLiteral("mesh"), .text = toQString(made->meshProblem), .actionText = tr("Show the teapot"), .action = [this] {
+             m_workspace->document.edit(tr("Change geometry"), {}, [](Scene& scene) { scene.view.geometry = "teapot"; });
+         }});
 }
 
 void MainWindow::showWork()
@@ -332,10 +333,7 @@ void MainWindow::openPalette()
     palette->show();
 }
 
-void MainWindow::openFiles(const QStringList& paths)
-{
-    m_dropTarget->open(paths);
-}
+void MainWindow::openFiles(const QStringList& paths) { m_dropTarget->open(paths); }
 
 void MainWindow::openExport()
 {

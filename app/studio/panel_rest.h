@@ -32,8 +32,11 @@ protected:
         case QEvent::Show:
         case QEvent::Move:
         case QEvent::Resize:
-        case QEvent::ParentChange: m_soon.start(); break;
-        default: break;
+        case QEvent::ParentChange:
+            m_soon.start();
+            break;
+        default:
+            break;
         }
         return QObject::eventFilter(watched, event);
     }

@@ -33,10 +33,7 @@ QString unquoted(const std::string& json)
     return QJsonDocument::fromJson('[' + QByteArray::fromStdString(json) + ']').array().at(0).toString();
 }
 
-QString lockOf(const QString& copy)
-{
-    return copy + QStringLiteral(".lock");
-}
+QString lockOf(const QString& copy) { return copy + QStringLiteral(".lock"); }
 
 QString takeOriginal(Scene& scene)
 {

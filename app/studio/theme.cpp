@@ -4,10 +4,7 @@
 #include <QStyleFactory>
 
 // The macro must stand outside of namespaces.
-static void initializeResources()
-{
-    Q_INIT_RESOURCE(studio);
-}
+static void initializeResources() { Q_INIT_RESOURCE(studio); }
 
 namespace mirrorball::studio {
 
@@ -80,9 +77,6 @@ void applyTheme(QApplication& application)
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/mirrorball-studio.svg")));
 }
 
-QIcon icon(const char* name)
-{
-    return QIcon(QStringLiteral(":/icons/%1.svg").arg(QLatin1String(name)));
-}
+QIcon icon(const char* name) { return QIcon(QStringLiteral(":/icons/%1.svg").arg(QLatin1String(name))); }
 
 } // namespace mirrorball::studio

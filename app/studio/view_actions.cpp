@@ -11,8 +11,8 @@
 namespace mirrorball::studio {
 
 ViewActions::ViewActions(PreviewWidget& preview, Workspace& workspace, QObject* parent)
-    : QObject(parent), m_preview(preview), m_workspace(workspace), m_geometry(this), m_shading(this), m_projection(this), m_background(this),
-      m_compare(this), m_turn(this)
+    : QObject(parent), m_preview(preview), m_workspace(workspace), m_geometry(this), m_shading(this), m_projection(this),
+      m_background(this), m_compare(this), m_turn(this)
 {
     makeGeometry();
     makeShading();
@@ -67,7 +67,8 @@ void ViewActions::makeShading()
     const auto view = [this](Shading shading, const char* iconName, const QString& text) {
         addChoice(
             m_shading, iconName, iconName, text, QKeySequence(Qt::Key_1 + static_cast<int>(shading)), tr("Change shading"),
-            [shading](Scene& scene) { scene.view.shading = shading; }, [shading](const Scene& scene) { return scene.view.shading == shading; });
+            [shading](Scene& scene) { scene.view.shading = shading; },
+            [shading](const Scene& scene) { return scene.view.shading == shading; });
     };
     view(Shading::Material, "material", tr("Material"));
     view(Shading::Wireframe, "wireframe", tr("Wireframe"));
@@ -76,7 +77,8 @@ void ViewActions::makeShading()
     view(Shading::Seams, "seams", tr("Seams of the map"));
     view(Shading::Mips, "mips", tr("Mip levels"));
     m_lookup = add("view.lookup", "lookup-vertex", tr("&Interpolate texture coordinates at vertices, as in 1999"),
-                   tr("Looks sphere maps up between the vertices of the mesh, as the hardware of the papers did; otherwise at every pixel"), {}, [this] {
+                   tr("Looks sphere maps up between the vertices of the mesh, as the hardware of the papers did; otherwise at every pixel"),
+                   {}, [this] {
                        m_workspace.document.edit(tr("Change lookup"), {}, [](Scene& scene) {
                            LookupAt& lookup = scene.material.sphereMap.lookup;
                            lookup = lookup == LookupAt::Vertex ? LookupAt::Pixel : LookupAt::Vertex;
@@ -110,7 +112,8 @@ void ViewActions::makeBackground()
 {
     const auto stand = [this](Backdrop kind, const char* iconName, const QString& text) {
         addChoice(
-            m_background, iconName, iconName, text, {}, tr("Change background"), [kind](Scene& scene) { scene.view.background.kind = kind; },
+            m_background, iconName, iconName, text, {}, tr("Change background"),
+            [kind](Scene& scene) { scene.view.background.kind = kind; },
             [kind](const Scene& scene) { return scene.view.background.kind == kind; });
     };
     stand(Backdrop::Environment, "background-environment", tr("Environment"));
@@ -138,7 +141,8 @@ void ViewActions::makeComparison()
         connect(&m_preview, &PreviewWidget::comparisonChanged, this, show);
         show();
     };
-    compare(Comparison::Hold, "compare.show", "compare-hold", tr("S&how the snapshot"), tr("Show the snapshot; hold B to glance at it"), {});
+    compare(Comparison::Hold, "compare.show", "compare-hold", tr("S&how the snapshot"), tr("Show the snapshot; hold B to glance at it"),
+            {});
     compare(Comparison::Wipe, "compare.wipe", "compare-wipe", tr("&Wipe"), tr("Snapshot on the left, now on the right; drag the line"),
             QKeySequence(Qt::Key_W));
     compare(Comparison::Difference, "compare.difference", "compare-difference", tr("&Difference"),

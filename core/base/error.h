@@ -25,8 +25,8 @@ public:
     using Error::Error;
 };
 
-/// A path as a message shows it: in one line, and so short that the rest of the message is seen. Control characters become '?'; of a path of
-/// more than 300 bytes the beginning and the end remain. Paths come from files that are not trusted.
+/// A path as a message shows it: in one line, and so short that the rest of the message is seen. Control characters become '?'; of a path
+/// of more than 300 bytes the beginning and the end remain. Paths come from files that are not trusted.
 std::string shownPath(const std::string& path);
 
 /// An input file is missing, damaged, too large or not what it claims to be. Exits with 2.

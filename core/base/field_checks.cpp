@@ -37,10 +37,7 @@ void checkRange(const std::string& path, const Field& field, double value)
     throw InvalidArgument(path + ": must be " + must.str() + "; it is " + numberText(value));
 }
 
-size_t mostEntries(const Field& field)
-{
-    return field.high < std::numeric_limits<double>::max() ? static_cast<size_t>(field.high) : 1000;
-}
+size_t mostEntries(const Field& field) { return field.high < std::numeric_limits<double>::max() ? static_cast<size_t>(field.high) : 1000; }
 
 void checkCount(const std::string& path, const Field& field, size_t count)
 {

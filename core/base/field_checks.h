@@ -23,7 +23,10 @@ struct AnyVisitor {
 
 /// Whether T is a settings struct with visitFields.
 template <typename T>
-concept hasFields = requires(T& value) { T::visitFields(value, AnyVisitor{}); };
+concept hasFields = requires(T& value)
+{
+    T::visitFields(value, AnyVisitor{});
+};
 
 inline std::string fieldPath(const std::string& parent, std::string_view name)
 {

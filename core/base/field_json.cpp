@@ -12,8 +12,8 @@ constexpr size_t largestFile = size_t{128} << 20; // a list of strokes at its li
 constexpr size_t mostValues = size_t{1} << 23;    // such a list as lists of numbers, [x, y, pressure], is 6 million
 constexpr size_t deepest = 64;
 
-/// Refuses what nlohmann's parser lets through: deep nesting, keys that occur twice, and more values than memory should be spent on. A pass of its own, because the parser's callback
-/// takes time that grows with the square of a list's length.
+/// Refuses what nlohmann's parser lets through: deep nesting, keys that occur twice, and more values than memory should be spent on. A pass
+/// of its own, because the parser's callback takes time that grows with the square of a list's length.
 class Checker : public Json::json_sax_t {
 public:
     explicit Checker(std::string_view what) : m_what(what) {}
@@ -163,7 +163,8 @@ namespace {
 void checkReadable(const std::string& text, const std::filesystem::path& path, std::string_view what)
 {
     const auto refuse = [&](const std::string& why) {
-        throw InvalidArgument(shownPath(path.string()) + ": was not saved, because nobody could read it again: the " + std::string(what) + " " + why);
+        throw InvalidArgument(shownPath(path.string()) + ": was not saved, because nobody could read it again: the " + std::string(what) +
+                              " " + why);
     };
     if (text.size() > largestFile)
         refuse("would take " + std::to_string(text.size() >> 20) + " MiB, and " + std::to_string(largestFile >> 20) +

@@ -197,12 +197,13 @@ void save(const OrderedJson& json, const std::filesystem::path& path, std::strin
 /// The folder that a file lies in, absolute.
 std::filesystem::path folderOf(const std::filesystem::path& file);
 
-/// A path that was relative to the folder `from`, relative to `to`. Empty, absolute and "builtin:" ones stay. Where folders are links, so that
+/// A path that was relative to the folder `from`, relative to `to`. Empty, absolute and "builtin:" ones stay. Where folders are links, so
+/// that
 /// ".." leads elsewhere than it reads, it becomes absolute. Both folders must be absolute.
 std::string rebased(const std::string& path, const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// A path as a file in the folder `to` keeps it: rebased(), and relative where it is absolute but lies in `to` or below, so that the folder can be
-/// moved as a whole.
+/// A path as a file in the folder `to` keeps it: rebased(), and relative where it is absolute but lies in `to` or below, so that the folder
+/// can be moved as a whole.
 std::string storedPath(const std::string& path, const std::filesystem::path& from, const std::filesystem::path& to);
 
 } // namespace mirrorball::field_json

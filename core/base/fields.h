@@ -12,8 +12,8 @@
 namespace mirrorball {
 
 struct Field {
-    std::string_view name; ///< the key in a file
-    std::string_view help; ///< one line, no full stop
+    std::string_view name;                            ///< the key in a file
+    std::string_view help;                            ///< one line, no full stop
     double low = -std::numeric_limits<double>::max(); ///< numbers: the range, both ends included; lists: how many entries
     double high = std::numeric_limits<double>::max();
     std::string_view unit{};

@@ -8,9 +8,9 @@ namespace mirrorball {
 
 /// Handed into every operation that can take long. Copyable; the default neither stops nor reports and uses all cores.
 struct JobControl {
-    std::stop_token stop{};                   ///< checked between rows; an operation that sees it throws Cancelled
-    std::function<void(float)> progress{};    ///< fraction in [0, 1]; may be called from any worker, never concurrently
-    int threads = 0;                          ///< 0: one per core; results never depend on it
+    std::stop_token stop{};                ///< checked between rows; an operation that sees it throws Cancelled
+    std::function<void(float)> progress{}; ///< fraction in [0, 1]; may be called from any worker, never concurrently
+    int threads = 0;                       ///< 0: one per core; results never depend on it
 
     /// Threads to use: `threads`, or the number of cores when that is 0.
     int threadCount() const;

@@ -19,11 +19,11 @@ struct StageCost {
 /// One step of a job: done, with its wall time, or left out, with the reason. What `--explain` prints before the work and `--stats`
 /// records after it.
 struct Stage {
-    std::string name{};    ///< a stage that touches files has read, load, write or save in its name
+    std::string name{}; ///< a stage that touches files has read, load, write or save in its name
     double seconds = 0.0;
     bool leftOut = false;
     std::string why{};
-    StageCost expected{};      ///< in plans: about; 0 where it is not worth telling
+    StageCost expected{}; ///< in plans: about; 0 where it is not worth telling
 };
 
 /// Runs one stage, appends its time to the list and returns what the work returned.
@@ -32,8 +32,8 @@ auto timedStage(std::vector<Stage>& stages, std::string name, Work&& work)
 {
     const auto start = std::chrono::steady_clock::now();
     const auto record = [&] {
-        stages.push_back({.name = std::move(name),
-                          .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()});
+        stages.push_back(
+            {.name = std::move(name), .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()});
     };
     if constexpr (std::is_void_v<decltype(work())>) {
         work();

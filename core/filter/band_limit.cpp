@@ -22,10 +22,7 @@ int usualBandLimit(const std::vector<double>& k, double tolerance)
 
 } // namespace
 
-double usualPower(int l)
-{
-    return 3.0 / (l + 1.0);
-}
+double usualPower(int l) { return 3.0 / (l + 1.0); }
 
 bool isSettled(const BandLimitPlan& fromLobe, const std::vector<double>& k, double tolerance)
 {

@@ -27,8 +27,8 @@ inline constexpr int firstCoefficients = 768;
 /// Power of a degree l > 0 that a usual photograph has about its mean, the mean being 1: suns make it flat, skies and rooms do not.
 double usualPower(int l);
 
-/// Whether a plan made from the lobe alone is taken as it is: it is short, and a look at the probe would hardly make it shorter. A lobe with
-/// a kink at the horizon is planned several times too long for a usual probe.
+/// Whether a plan made from the lobe alone is taken as it is: it is short, and a look at the probe would hardly make it shorter. A lobe
+/// with a kink at the horizon is planned several times too long for a usual probe.
 /// @param k  the lobe's coefficients, firstCoefficients of them
 bool isSettled(const BandLimitPlan& fromLobe, const std::vector<double>& k, double tolerance);
 

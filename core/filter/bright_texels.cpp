@@ -13,10 +13,7 @@ constexpr double smallestShare = 1.0 / 2000.0;
 
 } // namespace
 
-bool splitsBrightTexels(const Lobe& lobe)
-{
-    return lobe.kind != LobeKind::Phong || lobe.exponent < 8.0;
-}
+bool splitsBrightTexels(const Lobe& lobe) { return lobe.kind != LobeKind::Phong || lobe.exponent < 8.0; }
 
 BrightTexels takeBrightTexels(EnvironmentMap& latlong)
 {

@@ -15,7 +15,7 @@ namespace mirrorball {
 /// the excess of those texels goes through the lobe one by one, in closed form, and the calm rest is done by l of 100.
 struct BrightTexels {
     std::vector<glm::dvec3> directions{};
-    std::vector<glm::dvec3> flux{};  ///< excess radiance times texel solid angle, RGB
+    std::vector<glm::dvec3> flux{}; ///< excess radiance times texel solid angle, RGB
 };
 
 /// Whether a lobe is applied to the bright texels one by one: those with a long spectrum of their own, whose kernel is cheap.

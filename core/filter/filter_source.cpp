@@ -46,12 +46,18 @@ double differenceAtTexels(const EnvironmentMap& original, const EnvironmentMap& 
 int latlongHeight(const MapLayout& layout)
 {
     switch (layout.kind) {
-    case Parameterization::Latlong: return layout.size;
-    case Parameterization::Cube: return 3 * layout.size;
-    case Parameterization::Sphere: return 2 * layout.size;
-    case Parameterization::Angular: return layout.size;
-    case Parameterization::Paraboloid: return 2 * layout.size;
-    case Parameterization::Octahedral: return 2 * layout.size;
+    case Parameterization::Latlong:
+        return layout.size;
+    case Parameterization::Cube:
+        return 3 * layout.size;
+    case Parameterization::Sphere:
+        return 2 * layout.size;
+    case Parameterization::Angular:
+        return layout.size;
+    case Parameterization::Paraboloid:
+        return 2 * layout.size;
+    case Parameterization::Octahedral:
+        return 2 * layout.size;
     }
     return layout.size;
 }

@@ -8,8 +8,8 @@
 #include "ring_grid.h"
 #include "spectrum.h"
 
-#include "core/image/environment_map.h"
 #include "core/base/job.h"
+#include "core/image/environment_map.h"
 
 #include <array>
 #include <memory>

@@ -42,7 +42,8 @@ public:
     {
         high = std::min(high, 1.0);
         switch (m_lobe.kind) {
-        case LobeKind::Diffuse: return {high, 1.0, low >= 0.0 ? 0.0 : -1.0};
+        case LobeKind::Diffuse:
+            return {high, 1.0, low >= 0.0 ? 0.0 : -1.0};
         case LobeKind::Phong: {
             const double n = m_lobe.exponent, k = m_shape.relative(high);
             if (low <= 0.0) // the horizon: steep for n < 1, a kink for n < 2
@@ -57,7 +58,8 @@ public:
             const double w = A - B * high, ratio2 = a2 * a2 / (w * w);
             return {high * ratio2, ratio2 * (A + B * high) / w, low >= 0.0 ? ratio2 * 2.0 * B * (2.0 * A + B * high) / (w * w) : -1.0};
         }
-        case LobeKind::Tabulated: return {1.0, m_steepest, -1.0};
+        case LobeKind::Tabulated:
+            return {1.0, m_steepest, -1.0};
         }
         return {1.0, HUGE_VAL, -1.0};
     }
@@ -92,8 +94,8 @@ Node merged(const std::vector<Node>& parts, const std::vector<glm::dmat3>& chann
         const glm::dvec3 f = p.fluxCentre - node.fluxCentre, a = p.centre - node.centre;
         node.fluxSpread += p.brightness * (p.fluxSpread + glm::dot(f, f));
         node.spread += p.solidAngle * (p.spread + glm::dot(a, a));
-        node.radius = std::max({node.radius, p.radius + glm::length(p.centre - node.centre), p.radius + glm::length(p.centre - node.fluxCentre),
-                                p.radius + glm::length(f)});
+        node.radius = std::max({node.radius, p.radius + glm::length(p.centre - node.centre),
+                                p.radius + glm::length(p.centre - node.fluxCentre), p.radius + glm::length(f)});
     }
     node.fluxSpread = node.brightness > 0.0 ? node.fluxSpread / node.brightness : node.spread;
     node.spread /= node.solidAngle;

@@ -2,8 +2,8 @@
 
 #include "lobe.h"
 
-#include "core/image/environment_map.h"
 #include "core/base/job.h"
+#include "core/image/environment_map.h"
 
 #include <span>
 #include <vector>
@@ -31,10 +31,10 @@ public:
         glm::dvec3 centre{0.0};     ///< mean direction weighted by solid angle
         double brightness = 0.0;    ///< sum w (|R| + |G| + |B|)/3
         double solidAngle = 0.0;
-        double fluxSpread = 0.0;    ///< variance of the directions about fluxCentre, trace
-        double spread = 0.0;        ///< the same about `centre`
-        double shift = 0.0;         ///< largest distance of a channel's centre from fluxCentre, times that channel's flux
-        double radius = 0.0;        ///< no texel centre is farther from fluxCentre or centre
+        double fluxSpread = 0.0; ///< variance of the directions about fluxCentre, trace
+        double spread = 0.0;     ///< the same about `centre`
+        double shift = 0.0;      ///< largest distance of a channel's centre from fluxCentre, times that channel's flux
+        double radius = 0.0;     ///< no texel centre is farther from fluxCentre or centre
     };
     /// A texel has no Node: its sums are the texel.
     struct Level {

@@ -63,9 +63,12 @@ constexpr double overlap = 4.0;
 inline float smallAtan(float a)
 {
     const float s = a * a;
-    return a * (1.0f + s * (-0.3333314528f +
-                            s * (0.1999355085f +
-                                 s * (-0.1420889944f + s * (0.1065626393f + s * (-0.0752896400f + s * (0.0429096138f + s * (-0.0161657367f + s * 0.0028662257f))))))));
+    return a *
+           (1.0f +
+            s * (-0.3333314528f +
+                 s * (0.1999355085f +
+                      s * (-0.1420889944f +
+                           s * (0.1065626393f + s * (-0.0752896400f + s * (0.0429096138f + s * (-0.0161657367f + s * 0.0028662257f))))))));
 }
 
 /// atan2 without branches, so that the loop below vectorises.

@@ -2,8 +2,8 @@
 
 #include "lobe.h"
 
-#include "core/image/environment_map.h"
 #include "core/base/job.h"
+#include "core/image/environment_map.h"
 
 #include <vector>
 
@@ -16,8 +16,9 @@ namespace mirrorball {
 /// are wide everywhere. (Those of Hammersley's points, radical inverses for azimuths, are twelve times as long at the lobe's rim for
 /// N = 1024, and have about 1.6 times the error.) The same samples stand about every r.
 /// A sample stands for a cell of 1/(N pdf) and is looked up in the pyramid's level whose blur is twice as wide: four times its variance.
-/// Source: H. Vogel, "A better way to construct the sunflower head", Mathematical Biosciences 44, 1979; M. Colbert and J. Krivanek, "GPU-Based Importance Sampling", GPU Gems 3 chapter 20, 2007, with the level by variance
-/// (mip_blur.h) instead of by area and a bias by hand.
+/// Source: H. Vogel, "A better way to construct the sunflower head", Mathematical Biosciences 44, 1979; M. Colbert and J. Krivanek,
+/// "GPU-Based Importance Sampling", GPU Gems 3 chapter 20, 2007, with the level by variance (mip_blur.h) instead of by area and a bias by
+/// hand.
 
 /// One sample of a lobe about +Z.
 struct LobeSample {

@@ -145,10 +145,7 @@ double ggxIntegral(double alpha)
 
 } // namespace
 
-bool Lobe::isMirror() const
-{
-    return (kind == LobeKind::Ggx && alpha < 1e-7) || (kind == LobeKind::Phong && exponent > mirrorExponent);
-}
+bool Lobe::isMirror() const { return (kind == LobeKind::Ggx && alpha < 1e-7) || (kind == LobeKind::Phong && exponent > mirrorExponent); }
 
 Lobe phongLobe(double n)
 {
@@ -157,10 +154,7 @@ Lobe phongLobe(double n)
     return {.kind = LobeKind::Phong, .exponent = n};
 }
 
-Lobe diffuseLobe()
-{
-    return {.kind = LobeKind::Diffuse, .exponent = 1.0};
-}
+Lobe diffuseLobe() { return {.kind = LobeKind::Diffuse, .exponent = 1.0}; }
 
 Lobe ggxLobe(double alpha)
 {
@@ -185,10 +179,18 @@ std::string describe(const Lobe& lobe)
 {
     std::ostringstream text;
     switch (lobe.kind) {
-    case LobeKind::Phong: text << "phong:" << lobe.exponent; break;
-    case LobeKind::Diffuse: text << "diffuse"; break;
-    case LobeKind::Ggx: text << "ggx:" << lobe.alpha; break;
-    case LobeKind::Tabulated: text << "tabulated:" << lobe.samples.size(); break;
+    case LobeKind::Phong:
+        text << "phong:" << lobe.exponent;
+        break;
+    case LobeKind::Diffuse:
+        text << "diffuse";
+        break;
+    case LobeKind::Ggx:
+        text << "ggx:" << lobe.alpha;
+        break;
+    case LobeKind::Tabulated:
+        text << "tabulated:" << lobe.samples.size();
+        break;
     }
     return text.str();
 }
@@ -199,9 +201,15 @@ std::string describe(const Lobe& lobe)
 LobeShape::LobeShape(const Lobe& lobe) : m_lobe(lobe)
 {
     switch (lobe.kind) {
-    case LobeKind::Phong: m_integral = 2.0 * pi / (lobe.exponent + 1.0); break;
-    case LobeKind::Diffuse: m_integral = pi; break;
-    case LobeKind::Ggx: m_integral = 2.0 * pi * std::pow(lobe.alpha, 4) * ggxIntegral(lobe.alpha); break;
+    case LobeKind::Phong:
+        m_integral = 2.0 * pi / (lobe.exponent + 1.0);
+        break;
+    case LobeKind::Diffuse:
+        m_integral = pi;
+        break;
+    case LobeKind::Ggx:
+        m_integral = 2.0 * pi * std::pow(lobe.alpha, 4) * ggxIntegral(lobe.alpha);
+        break;
     case LobeKind::Tabulated: {
         m_peak = *std::max_element(lobe.samples.begin(), lobe.samples.end());
         double sum = 0.0;
@@ -219,10 +227,13 @@ double LobeShape::logRelative(double c) const
         return -std::numeric_limits<double>::infinity();
     c = std::min(c, 1.0);
     switch (m_lobe.kind) {
-    case LobeKind::Phong: return m_lobe.exponent * std::log(c);
-    case LobeKind::Diffuse: return std::log(c);
+    case LobeKind::Phong:
+        return m_lobe.exponent * std::log(c);
+    case LobeKind::Diffuse:
+        return std::log(c);
     case LobeKind::Ggx:
-    case LobeKind::Tabulated: break;
+    case LobeKind::Tabulated:
+        break;
     }
     return std::log(relative(c));
 }
@@ -233,8 +244,10 @@ double LobeShape::relative(double c) const
         return 0.0;
     c = std::min(c, 1.0);
     switch (m_lobe.kind) {
-    case LobeKind::Phong: return std::exp(m_lobe.exponent * std::log(c));
-    case LobeKind::Diffuse: return c;
+    case LobeKind::Phong:
+        return std::exp(m_lobe.exponent * std::log(c));
+    case LobeKind::Diffuse:
+        return c;
     case LobeKind::Ggx: {
         const double a2 = m_lobe.alpha * m_lobe.alpha;
         const double ratio = a2 / (0.5 * (1.0 - c) + a2 * 0.5 * (1.0 + c));
@@ -250,10 +263,7 @@ double LobeShape::relative(double c) const
     return 0.0;
 }
 
-double LobeShape::halfWidth() const
-{
-    return support(0.5);
-}
+double LobeShape::halfWidth() const { return support(0.5); }
 
 double LobeShape::support(double level) const
 {
@@ -262,7 +272,8 @@ double LobeShape::support(double level) const
         if (m_lobe.exponent <= 0.0)
             return pi / 2;
         return 2.0 * std::asin(std::sqrt(0.5 * -std::expm1(std::log(level) / m_lobe.exponent)));
-    case LobeKind::Diffuse: return std::acos(level);
+    case LobeKind::Diffuse:
+        return std::acos(level);
     case LobeKind::Ggx: { // monotone in t: bisection
         double low = 0.0, high = pi / 2;
         for (int i = 0; i < 60; ++i) {
@@ -294,10 +305,13 @@ std::vector<double> legendreCoefficients(const Lobe& lobe, int bandLimit)
     if (lobe.isMirror())
         return std::vector<double>(static_cast<size_t>(bandLimit) + 1, 1.0);
     switch (lobe.kind) {
-    case LobeKind::Phong: return phongCoefficients(lobe.exponent, bandLimit);
-    case LobeKind::Diffuse: return phongCoefficients(1.0, bandLimit);
+    case LobeKind::Phong:
+        return phongCoefficients(lobe.exponent, bandLimit);
+    case LobeKind::Diffuse:
+        return phongCoefficients(1.0, bandLimit);
     case LobeKind::Ggx:
-    case LobeKind::Tabulated: break;
+    case LobeKind::Tabulated:
+        break;
     }
     return quadratureCoefficients(lobe, bandLimit);
 }

@@ -17,9 +17,9 @@ enum class LobeKind { Phong, Diffuse, Ggx, Tabulated };
 /// with c = cos t.
 struct Lobe {
     LobeKind kind = LobeKind::Phong;
-    double exponent = 50.0;          ///< phong: n >= 0
-    double alpha = 0.1;              ///< ggx: [0, 1]; 0 is the mirror
-    std::vector<double> samples{};   ///< tabulated: k at c = i/(size - 1), at least 2, non-negative, not all 0
+    double exponent = 50.0;        ///< phong: n >= 0
+    double alpha = 0.1;            ///< ggx: [0, 1]; 0 is the mirror
+    std::vector<double> samples{}; ///< tabulated: k at c = i/(size - 1), at least 2, non-negative, not all 0
 
     /// A mirror needs no filtering: ggx with alpha = 0, or any lobe so narrow that doubles cannot tell it from one.
     bool isMirror() const;

@@ -10,10 +10,7 @@ constexpr std::array<std::string_view, 2> mipFilteringWords{"across-seams", "per
 
 } // namespace
 
-std::string_view name(Method method)
-{
-    return methodNames[static_cast<size_t>(method)];
-}
+std::string_view name(Method method) { return methodNames[static_cast<size_t>(method)]; }
 
 std::optional<Method> methodFromName(std::string_view word)
 {
@@ -23,9 +20,6 @@ std::optional<Method> methodFromName(std::string_view word)
     return std::nullopt;
 }
 
-std::span<const std::string_view> words(MipFiltering)
-{
-    return mipFilteringWords;
-}
+std::span<const std::string_view> words(MipFiltering) { return mipFilteringWords; }
 
 } // namespace mirrorball

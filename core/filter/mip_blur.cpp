@@ -21,10 +21,7 @@ double meanSolidAngle(const MapLayout& cube)
     return uneven * 4.0 * pi / (6.0 * cube.size * static_cast<double>(cube.size));
 }
 
-double varianceAtWhole(double level, double h2)
-{
-    return h2 * (std::exp2(2.0 * level) * (perHalving + tent) - perHalving);
-}
+double varianceAtWhole(double level, double h2) { return h2 * (std::exp2(2.0 * level) * (perHalving + tent) - perHalving); }
 
 /// Bilinear within one face, its edge texels repeated outwards: GL_CLAMP_TO_EDGE.
 glm::vec3 clampedLookup(const EnvironmentMap& map, const glm::dvec3& d)
@@ -35,7 +32,8 @@ glm::vec3 clampedLookup(const EnvironmentMap& map, const glm::dvec3& d)
     const double x0 = std::floor(px), y0 = std::floor(py);
     const auto fx = static_cast<float>(px - x0), fy = static_cast<float>(py - y0);
     const auto texel = [&](double x, double y) {
-        const float* t = map.image.texel(std::clamp(static_cast<int>(x), 0, n - 1), at.face * n + std::clamp(static_cast<int>(y), 0, n - 1));
+        const float* t =
+            map.image.texel(std::clamp(static_cast<int>(x), 0, n - 1), at.face * n + std::clamp(static_cast<int>(y), 0, n - 1));
         return glm::vec3(t[0], t[1], t[2]);
     };
     return glm::mix(glm::mix(texel(x0, y0), texel(x0 + 1, y0), fx), glm::mix(texel(x0, y0 + 1), texel(x0 + 1, y0 + 1), fx), fy);
@@ -50,10 +48,7 @@ glm::vec3 clampedTrilinear(const MipPyramid& pyramid, const glm::dvec3& d, doubl
 }
 
 /// -ln k_1, the variance per axis of the blur as wide as the lobe.
-double lobeVariance(const Lobe& lobe)
-{
-    return lobe.isMirror() ? 0.0 : -std::log(legendreCoefficients(lobe, 1)[1]);
-}
+double lobeVariance(const Lobe& lobe) { return lobe.isMirror() ? 0.0 : -std::log(legendreCoefficients(lobe, 1)[1]); }
 
 } // namespace
 

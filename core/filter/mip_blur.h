@@ -3,9 +3,9 @@
 #include "lobe.h"
 #include "method.h"
 
+#include "core/base/job.h"
 #include "core/image/environment_map.h"
 #include "core/image/mip_pyramid.h"
-#include "core/base/job.h"
 
 namespace mirrorball {
 

@@ -19,10 +19,7 @@ constexpr double largestRadius = 1024.0;
 /// Texels around the exact variant's disc: a radiance at its rim is spread over two beyond it.
 constexpr int spreadMargin = 2;
 
-double reachOf(const Lobe& lobe, const ParaboloidKnobs& knobs)
-{
-    return LobeShape(lobe).support(knobs.clamp);
-}
+double reachOf(const Lobe& lobe, const ParaboloidKnobs& knobs) { return LobeShape(lobe).support(knobs.clamp); }
 
 /// Direction of a place in the plane of the front half.
 glm::dvec3 lift(const glm::dvec2& q)
@@ -34,7 +31,8 @@ glm::dvec3 lift(const glm::dvec2& q)
 ParaboloidHalves layOutBlended(const EnvironmentMap& latlong, const Lobe& lobe, const ParaboloidKnobs& knobs, const JobControl& job)
 {
     const double reach = reachOf(lobe, knobs);
-    ParaboloidHalves halves{.kernel = knobs.kernel, .radius = 0.5 * knobs.half, .sizes = kernelSizes(reach, knobs.half, knobs.largestKernel)};
+    ParaboloidHalves halves{
+        .kernel = knobs.kernel, .radius = 0.5 * knobs.half, .sizes = kernelSizes(reach, knobs.half, knobs.largestKernel)};
     halves.small = sampleKernel(lobe, reach, knobs.half, halves.sizes.smallShrink, KernelPlace::Middle);
     halves.large = sampleKernel(lobe, reach, knobs.half, halves.sizes.largeShrink, KernelPlace::Rim);
     halves.side = blendedHalfSide(halves.sizes, halves.large, knobs.half, knobs.border);
@@ -100,7 +98,8 @@ ParaboloidHalves layOutExact(const EnvironmentMap& latlong, const Lobe& lobe, co
     halves.texels.resize(2 * static_cast<size_t>(halves.side) * static_cast<size_t>(halves.side));
     const JobControl quiet{.stop = job.stop, .progress = {}, .threads = job.threads};
     parallelRows(
-        2, quiet, [&](int first, int last) {
+        2, quiet,
+        [&](int first, int last) {
             for (int half = first; half < last; ++half)
                 spreadOver(halves, latlong, half == 1, quiet);
         },
@@ -116,7 +115,10 @@ struct Plane {
 
     Plane(int width_, int height_) : width(width_), height(height_), texels(static_cast<size_t>(width) * static_cast<size_t>(height)) {}
     glm::dvec4& at(int x, int y) { return texels[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)]; }
-    const glm::dvec4& at(int x, int y) const { return texels[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)]; }
+    const glm::dvec4& at(int x, int y) const
+    {
+        return texels[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)];
+    }
 };
 
 /// Steps 6 to 9 of 000: shrinks the map by boxes and convolves it. Taps beyond the half's border are left out and the others make up for
@@ -136,7 +138,8 @@ Plane shrunkAndFiltered(const ParaboloidHalves& halves, int shrink, const Sample
             for (int j = -kernel.reach; j <= kernel.reach; ++j)
                 for (int i = -kernel.reach; i <= kernel.reach; ++i)
                     if (x + i >= left && x + i < left + side && y + j >= 0 && y + j < side)
-                        sum += kernel.weights[static_cast<size_t>((j + kernel.reach) * kernel.side() + i + kernel.reach)] * shrunk.at(x + i, y + j);
+                        sum += kernel.weights[static_cast<size_t>((j + kernel.reach) * kernel.side() + i + kernel.reach)] *
+                               shrunk.at(x + i, y + j);
             filtered.at(x, y) = sum / sum.w;
         }
     return filtered;
@@ -159,17 +162,20 @@ std::vector<glm::dvec3> sumBlended(const ParaboloidHalves& halves, std::span<con
     const Plane small = shrunkAndFiltered(halves, halves.sizes.smallShrink, halves.small);
     const Plane large = shrunkAndFiltered(halves, halves.sizes.largeShrink, halves.large);
     std::vector<glm::dvec3> result(directions.size());
-    parallelRows(static_cast<int>(directions.size()), job, [&](int first, int last) {
-        for (int i = first; i < last; ++i) {
-            const glm::dvec3 r = directions[static_cast<size_t>(i)];
-            const glm::dvec2 q = glm::dvec2(r.x, r.y) / (1.0 + std::abs(r.z));
-            const glm::dvec2 p(0.5 * halves.side + halves.radius * q.x, 0.5 * halves.side - halves.radius * q.y);
-            const int half = r.z < 0.0 ? 1 : 0;
-            result[static_cast<size_t>(i)] = glm::mix(glm::dvec3(magnified(small, half, p / double(halves.sizes.smallShrink))),
-                                                      glm::dvec3(magnified(large, half, p / double(halves.sizes.largeShrink))),
-                                                      largeKernelShare(glm::length(q)));
-        }
-    }, 256);
+    parallelRows(
+        static_cast<int>(directions.size()), job,
+        [&](int first, int last) {
+            for (int i = first; i < last; ++i) {
+                const glm::dvec3 r = directions[static_cast<size_t>(i)];
+                const glm::dvec2 q = glm::dvec2(r.x, r.y) / (1.0 + std::abs(r.z));
+                const glm::dvec2 p(0.5 * halves.side + halves.radius * q.x, 0.5 * halves.side - halves.radius * q.y);
+                const int half = r.z < 0.0 ? 1 : 0;
+                result[static_cast<size_t>(i)] =
+                    glm::mix(glm::dvec3(magnified(small, half, p / double(halves.sizes.smallShrink))),
+                             glm::dvec3(magnified(large, half, p / double(halves.sizes.largeShrink))), largeKernelShare(glm::length(q)));
+            }
+        },
+        256);
     return result;
 }
 
@@ -188,43 +194,43 @@ std::vector<glm::dvec3> sumExact(const ParaboloidHalves& halves, std::span<const
     const int side = halves.side;
     const double largestX = std::pow(std::sin(0.5 * halves.reach), 2), middle = 0.5 * side;
     std::vector<glm::dvec3> result(directions.size());
-    parallelRows(static_cast<int>(directions.size()), job, [&](int first, int last) {
-        for (int n = first; n < last; ++n) {
-            const glm::dvec3 r = directions[static_cast<size_t>(n)];
-            glm::dvec4 sum(0.0);
-            for (int half = 0; half < 2; ++half) {
-                const glm::dvec3 own(r.x, r.y, half == 1 ? -r.z : r.z);
-                if (own.z < halves.leastAlongAxis)
-                    continue;
-                // A cap that holds the point of projection, or nearly, covers whatever it meets of the disc: look at all of it.
-                const bool isCircle = own.z + std::cos(halves.reach) > 0.01;
-                const CapCircle circle = isCircle ? circleOfCap(own, halves.reach) : CapCircle{{}, 4.0};
-                const glm::dvec2 centre(middle + halves.radius * circle.centre.x, middle - halves.radius * circle.centre.y);
-                const double radius = halves.radius * circle.radius;
-                const TexelRange columns(centre.x - radius, centre.x + radius, side), rows(centre.y - radius, centre.y + radius, side);
-                for (int y = rows.first; y <= rows.last; ++y) {
-                    const glm::vec4* row = &halves.texels[static_cast<size_t>(2 * y + half) * static_cast<size_t>(side)];
-                    for (int x = columns.first; x <= columns.last; ++x) {
-                        const glm::dvec2 q(x + 0.5 - middle, middle - y - 0.5);
-                        const glm::dvec3 chord = own - lift(q / halves.radius);
-                        const double sin2 = 0.25 * glm::dot(chord, chord); // sin^2 of half the angle
-                        if (sin2 <= largestX)
-                            sum += shape.relative(1.0 - 2.0 * sin2) * glm::dvec4(row[x]);
+    parallelRows(
+        static_cast<int>(directions.size()), job,
+        [&](int first, int last) {
+            for (int n = first; n < last; ++n) {
+                const glm::dvec3 r = directions[static_cast<size_t>(n)];
+                glm::dvec4 sum(0.0);
+                for (int half = 0; half < 2; ++half) {
+                    const glm::dvec3 own(r.x, r.y, half == 1 ? -r.z : r.z);
+                    if (own.z < halves.leastAlongAxis)
+                        continue;
+                    // A cap that holds the point of projection, or nearly, covers whatever it meets of the disc: look at all of it.
+                    const bool isCircle = own.z + std::cos(halves.reach) > 0.01;
+                    const CapCircle circle = isCircle ? circleOfCap(own, halves.reach) : CapCircle{{}, 4.0};
+                    const glm::dvec2 centre(middle + halves.radius * circle.centre.x, middle - halves.radius * circle.centre.y);
+                    const double radius = halves.radius * circle.radius;
+                    const TexelRange columns(centre.x - radius, centre.x + radius, side), rows(centre.y - radius, centre.y + radius, side);
+                    for (int y = rows.first; y <= rows.last; ++y) {
+                        const glm::vec4* row = &halves.texels[static_cast<size_t>(2 * y + half) * static_cast<size_t>(side)];
+                        for (int x = columns.first; x <= columns.last; ++x) {
+                            const glm::dvec2 q(x + 0.5 - middle, middle - y - 0.5);
+                            const glm::dvec3 chord = own - lift(q / halves.radius);
+                            const double sin2 = 0.25 * glm::dot(chord, chord); // sin^2 of half the angle
+                            if (sin2 <= largestX)
+                                sum += shape.relative(1.0 - 2.0 * sin2) * glm::dvec4(row[x]);
+                        }
                     }
                 }
+                result[static_cast<size_t>(n)] = sum.w > 0.0 ? glm::dvec3(sum) / sum.w : glm::dvec3(0.0);
             }
-            result[static_cast<size_t>(n)] = sum.w > 0.0 ? glm::dvec3(sum) / sum.w : glm::dvec3(0.0);
-        }
-    }, 64);
+        },
+        64);
     return result;
 }
 
 } // namespace
 
-std::span<const std::string_view> words(ParaboloidKernel)
-{
-    return kernelWords;
-}
+std::span<const std::string_view> words(ParaboloidKernel) { return kernelWords; }
 
 ParaboloidKnobs resolved(ParaboloidKnobs knobs, int probeHeight)
 {
@@ -249,9 +255,9 @@ std::string paraboloidRefusal(const Lobe& lobe, const ParaboloidKnobs& knobs)
     if (knobs.kernel == ParaboloidKernel::Exact) {
         const double radius = exactHalfRadius(reach, knobs.largestKernel);
         if (radius > largestRadius)
-            return "paraboloid: the lobe is so narrow that a kernel of " + std::to_string(knobs.largestKernel) + " texels needs halves of " +
-                   std::to_string(2 * static_cast<std::int64_t>(std::min(radius, 1e12))) + ", and " + std::to_string(2 * static_cast<int>(largestRadius)) +
-                   " is the most; use direct";
+            return "paraboloid: the lobe is so narrow that a kernel of " + std::to_string(knobs.largestKernel) +
+                   " texels needs halves of " + std::to_string(2 * static_cast<std::int64_t>(std::min(radius, 1e12))) + ", and " +
+                   std::to_string(2 * static_cast<int>(largestRadius)) + " is the most; use direct";
         return {};
     }
     if (const KernelSizes sizes = kernelSizes(reach, knobs.half, knobs.largestKernel); sizes.small < 4)

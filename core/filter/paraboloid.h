@@ -4,8 +4,8 @@
 #include "paraboloid_kernel.h"
 
 #include "core/base/fields.h"
-#include "core/image/environment_map.h"
 #include "core/base/job.h"
+#include "core/image/environment_map.h"
 
 #include <span>
 #include <string>
@@ -42,9 +42,11 @@ struct ParaboloidKnobs {
         visit(Field{"paraboloid", "paraboloid: two kernels blended by the distance from the middle, as published, or exact at every place"},
               self.kernel);
         visit(Field{"paraboloid_clamp",
-                    "paraboloid: the kernel ends where the lobe has fallen to this share of its peak; 0: 0.1 blended, 0.001 exact", 0, 0.999},
+                    "paraboloid: the kernel ends where the lobe has fallen to this share of its peak; 0: 0.1 blended, 0.001 exact", 0,
+                    0.999},
               self.clamp);
-        visit(Field{"paraboloid_kernel", "paraboloid: largest kernel; the map shrinks until it fits; 0: 7 blended, 17 exact", 0, 255, "texels"},
+        visit(Field{"paraboloid_kernel", "paraboloid: largest kernel; the map shrinks until it fits; 0: 7 blended, 17 exact", 0, 255,
+                    "texels"},
               self.largestKernel);
         visit(Field{"paraboloid_half", "paraboloid blended: size of a half before it shrinks; 0: the probe's height", 0, 4096, "texels"},
               self.half);
@@ -69,18 +71,19 @@ double paraboloidError(const Lobe& lobe, const ParaboloidKnobs& knobs);
 /// @param directions  texels of the target
 double paraboloidSeconds(const Lobe& lobe, const ParaboloidKnobs& knobs, int probeWidth, int directions);
 
-/// The two halves as the device is handed them, side by side, front on the left: 2 side x side texels, row 0 on top as in dual_paraboloid.h.
+/// The two halves as the device is handed them, side by side, front on the left: 2 side x side texels, row 0 on top as in
+/// dual_paraboloid.h.
 struct ParaboloidHalves {
     ParaboloidKernel kernel = ParaboloidKernel::Exact;
     int side = 0;                    ///< of one half with what lies around its disc; the disc's middle is its middle
     double radius = 0.0;             ///< of the disc, texels
     std::vector<glm::vec4> texels{}; ///< blended: radiance and 1; exact: radiance times solid angle, and solid angle
 
-    KernelSizes sizes{};             ///< blended; side is a multiple of both shrink factors
-    SampledKernel small{}, large{};  ///< blended
+    KernelSizes sizes{};            ///< blended; side is a multiple of both shrink factors
+    SampledKernel small{}, large{}; ///< blended
 
-    Lobe lobe{};                     ///< exact
-    double reach = 0.0;              ///< exact: the angle at which the lobe ends
+    Lobe lobe{};        ///< exact
+    double reach = 0.0; ///< exact: the angle at which the lobe ends
     /// Exact: a lookup whose direction has less than this along a half's axis finds nothing in that half.
     double leastAlongAxis = -2.0;
 };

@@ -27,16 +27,10 @@ double integralBeyond(const LobeShape& shape, double from, double power)
 }
 
 /// d omega / dA of the plane.
-double stretch(double q2)
-{
-    return 4.0 / ((1.0 + q2) * (1.0 + q2));
-}
+double stretch(double q2) { return 4.0 / ((1.0 + q2) * (1.0 + q2)); }
 
 /// Direction of a place in the plane of the front half.
-glm::dvec3 lift(const glm::dvec2& q)
-{
-    return glm::dvec3(2.0 * q, 1.0 - glm::dot(q, q)) / (1.0 + glm::dot(q, q));
-}
+glm::dvec3 lift(const glm::dvec2& q) { return glm::dvec3(2.0 * q, 1.0 - glm::dot(q, q)) / (1.0 + glm::dot(q, q)); }
 
 /// Integral of f(r) over the directions within an angle of q, by the midpoint rule in polar coordinates.
 /// @param turn  of the azimuth: 2 pi, or less where f repeats itself

@@ -9,10 +9,7 @@ namespace mirrorball {
 
 namespace {
 
-int roundedUpToEven(double size)
-{
-    return 2 * std::max(1, static_cast<int>(std::ceil(0.5 * size - 1e-9)));
-}
+int roundedUpToEven(double size) { return 2 * std::max(1, static_cast<int>(std::ceil(0.5 * size - 1e-9))); }
 
 int shrinkUntil(int size, int largest)
 {
@@ -23,14 +20,8 @@ int shrinkUntil(int size, int largest)
 }
 
 /// Distances from the middle of a kernel to its end.
-double middleRadius(double reach)
-{
-    return std::tan(0.5 * reach);
-}
-double rimRadius(double reach)
-{
-    return 1.0 - std::tan(0.25 * pi - 0.5 * reach);
-}
+double middleRadius(double reach) { return std::tan(0.5 * reach); }
+double rimRadius(double reach) { return 1.0 - std::tan(0.25 * pi - 0.5 * reach); }
 
 } // namespace
 
@@ -70,10 +61,7 @@ int blendedHalfSide(const KernelSizes& sizes, const SampledKernel& large, int ha
     return 2 * ((half / 2 + needed + unit - 1) / unit) * unit;
 }
 
-double largeKernelShare(double d)
-{
-    return std::min(1.0, d * d);
-}
+double largeKernelShare(double d) { return std::min(1.0, d * d); }
 
 double circleDistortion(double d, double r)
 {
@@ -87,10 +75,7 @@ CapCircle circleOfCap(const glm::dvec3& r, double t)
     return {scale * glm::dvec2(r.x, r.y), scale * std::sin(t)};
 }
 
-double exactHalfRadius(double reach, int largestKernel)
-{
-    return 0.5 * largestKernel / std::tan(0.5 * reach);
-}
+double exactHalfRadius(double reach, int largestKernel) { return 0.5 * largestKernel / std::tan(0.5 * reach); }
 
 std::array<double, 4> cubicWeights(double f)
 {

@@ -7,8 +7,8 @@
 #include <array>
 #include <vector>
 
-/// Arithmetic of the paraboloid method: how large a kernel is in a half of a dual paraboloid map, how far the map shrinks until it fits, what
-/// its taps weigh, how the two filtered maps are blended, and what the approximation distorts. Source: 000 section 3.2.5.
+/// Arithmetic of the paraboloid method: how large a kernel is in a half of a dual paraboloid map, how far the map shrinks until it fits,
+/// what its taps weigh, how the two filtered maps are blended, and what the approximation distorts. Source: 000 section 3.2.5.
 ///
 /// Lengths are in radii of a half's disc unless they say texels. A half is a stereographic projection: an angle t from its axis lies at
 /// the distance tan(t/2) from its middle, 90 degrees at 1.
@@ -16,8 +16,8 @@ namespace mirrorball {
 
 /// Kernels of one lobe in a half of so many texels across, and the power of two by which the map shrinks until each fits.
 struct KernelSizes {
-    int small = 0;       ///< texels across in the middle of the half, unshrunk, rounded up to even
-    int large = 0;       ///< the same at its rim
+    int small = 0; ///< texels across in the middle of the half, unshrunk, rounded up to even
+    int large = 0; ///< the same at its rim
     int smallShrink = 1;
     int largeShrink = 1;
     bool operator==(const KernelSizes&) const = default;
@@ -31,7 +31,7 @@ KernelSizes kernelSizes(double reach, int half, int largestKernel);
 
 /// A square of taps for a shrunk map; they add up to 1.
 struct SampledKernel {
-    int reach = 0;                ///< taps on each side of the middle one
+    int reach = 0;                 ///< taps on each side of the middle one
     std::vector<double> weights{}; ///< (2 reach + 1)^2, row by row
     int side() const { return 2 * reach + 1; }
 };
@@ -39,8 +39,8 @@ struct SampledKernel {
 /// Where in a half a kernel is exact.
 enum class KernelPlace { Middle, Rim };
 
-/// The lobe sampled at the texels of the shrunk map, 0 beyond the clamp. A tap at the distance s stands for the angle 2 atan(s) in the middle
-/// of the half and for 90 degrees - 2 atan(1 - s) at the rim.
+/// The lobe sampled at the texels of the shrunk map, 0 beyond the clamp. A tap at the distance s stands for the angle 2 atan(s) in the
+/// middle of the half and for 90 degrees - 2 atan(1 - s) at the rim.
 SampledKernel sampleKernel(const Lobe& lobe, double reach, int half, int shrink, KernelPlace place);
 
 /// Side of a half with its border, in texels: whole texels of the most shrunk map on each side of the middle.
@@ -56,8 +56,8 @@ double largeKernelShare(double d);
 /// the angle between the two centres over the radius. 0 in the middle of a half, 0.24 at the rim for a radius of 1/2.
 double circleDistortion(double d, double r);
 
-/// The circle in the plane of the front half that a cap of the sphere becomes: exactly a circle, its centre displaced from the projection of
-/// the cap's own centre, which is r.xy/(1 + r.z).
+/// The circle in the plane of the front half that a cap of the sphere becomes: exactly a circle, its centre displaced from the projection
+/// of the cap's own centre, which is r.xy/(1 + r.z).
 struct CapCircle {
     glm::dvec2 centre{0.0};
     double radius = 0.0;

@@ -18,7 +18,7 @@ namespace {
 
 /// Seconds of one thread. `build/ci/bin/method_table methods` shows them beside what is measured.
 namespace cost {
-constexpr double referenceTerm = 5e-9;       // a texel of the probe under a texel of the target
+constexpr double referenceTerm = 5e-9; // a texel of the probe under a texel of the target
 constexpr double directTexel = 2e-7, directTerm = 1.2e-8;
 constexpr double forwardTexel = 2.4e-8, forwardLegendre = 0.5e-9;
 constexpr double inverseCubic = 0.6e-9, inverseSquare = 1e-7, inverseTexel = 6e-8;
@@ -32,10 +32,7 @@ constexpr double sh9Texel = 8e-8;
 constexpr double floatRounding = 3e-8;
 
 /// What a degree holds at most in a probe without negative texels, the mean being 1: all of it in one direction.
-double largestPower(int l)
-{
-    return 2.0 * l + 1.0;
-}
+double largestPower(int l) { return 2.0 * l + 1.0; }
 
 /// The power of each degree, 0 .. bandLimit: the probe's own where it is known, continued at the level of its last degrees.
 /// @param unknown  stands for the power of degrees 1 and up of a probe that was not looked at
@@ -93,7 +90,8 @@ double mipError(const PrefilterOptions& options, const ProbeTraits& probe)
     const int bandLimit = errorBandLimit(options.lobe, probe.width);
     const std::vector<double> k = legendreCoefficients(options.lobe, bandLimit);
     const MapLayout environment = environmentCube(probe.width), &target = options.target;
-    const double natural = 0.5 * std::log2(6.0 * environment.size * environment.size / (static_cast<double>(target.width()) * target.height()));
+    const double natural =
+        0.5 * std::log2(6.0 * environment.size * environment.size / (static_cast<double>(target.width()) * target.height()));
     const double level = std::max(effectiveLambda(options, probe.width), natural);
     const std::vector<double> h = mipTransfer(level, environment, bandLimit), scatter = mipScatter(level, environment, bandLimit);
     std::vector<double> difference;
@@ -117,7 +115,8 @@ double lookupTransferSquare(const LobeSample& sample, double h, double l)
     double square = 0.0;
     for (int i = 0; i < headings; ++i) {
         const double heading = 0.25 * pi * (i + 0.5) / headings;
-        const double transfer = (1.0 - fraction) * atWhole(whole, heading) + (fraction > 0.0 ? fraction * atWhole(whole + 1.0, heading) : 0.0);
+        const double transfer =
+            (1.0 - fraction) * atWhole(whole, heading) + (fraction > 0.0 ? fraction * atWhole(whole + 1.0, heading) : 0.0);
         square += transfer * transfer / headings;
     }
     return square;
@@ -168,7 +167,8 @@ double importanceError(const PrefilterOptions& options, const ProbeTraits& probe
 }
 
 /// What the spectral method will do, and the spectrum it filters; null while that is not known. As settleBandLimit(): where the lobe
-/// settles the band limit, the whole probe's; else the probe's own power counts, and bright texels are taken out for the lobes that ask for it.
+/// settles the band limit, the whole probe's; else the probe's own power counts, and bright texels are taken out for the lobes that ask for
+/// it.
 struct ExpectedSpectral {
     BandLimitPlan plan{};
     std::shared_ptr<const Spectrum> spectrum{};
@@ -226,10 +226,7 @@ std::string refusal(Method method, const PrefilterOptions& options, const ProbeT
     return "";
 }
 
-double directLevel(double tolerance)
-{
-    return std::min(1e-3, 1e-7 * tolerance);
-}
+double directLevel(double tolerance) { return std::min(1e-3, 1e-7 * tolerance); }
 
 double effectiveLambda(const PrefilterOptions& options, int latlongWidth)
 {
@@ -256,18 +253,24 @@ double predictedSeconds(Method method, const PrefilterOptions& options, const Pr
         const double l = expectedSpectral(options, probe).plan.bandLimit;
         return forward(l) + cost::inverseCubic * l * l * l + cost::inverseSquare * l * l + cost::inverseTexel * texels;
     }
-    case Method::Reference: return cost::referenceTerm * sources * texels;
+    case Method::Reference:
+        return cost::referenceTerm * sources * texels;
     case Method::Direct:
-        return texels * (cost::directTexel + cost::directTerm * directTaps(options.lobe, probe.width, {.level = directLevel(options.tolerance)}));
-    case Method::Hierarchical: return cost::treeTexel * sources + cost::treeTerm * texels * hierarchicalTerms(options, probe.width);
-    case Method::Importance: return cost::lookupTexel * sources + cost::lookupSample * texels * options.knobs.samples;
+        return texels *
+               (cost::directTexel + cost::directTerm * directTaps(options.lobe, probe.width, {.level = directLevel(options.tolerance)}));
+    case Method::Hierarchical:
+        return cost::treeTexel * sources + cost::treeTerm * texels * hierarchicalTerms(options, probe.width);
+    case Method::Importance:
+        return cost::lookupTexel * sources + cost::lookupSample * texels * options.knobs.samples;
     case Method::Mip: {
         const MapLayout cube = environmentCube(probe.width);
         return cost::blurTexel * cube.width() * cube.height() + cost::blurLookup * texels;
     }
-    case Method::Sh9: return forward(sh9BandLimit) + cost::sh9Texel * texels;
+    case Method::Sh9:
+        return forward(sh9BandLimit) + cost::sh9Texel * texels;
     case Method::Paraboloid:
-        return (probe.hasParaboloidDevice ? 1.0 : 2.0) * paraboloidSeconds(options.lobe, resolved(options.knobs.paraboloid, probe.width / 2), probe.width, static_cast<int>(texels));
+        return (probe.hasParaboloidDevice ? 1.0 : 2.0) *
+               paraboloidSeconds(options.lobe, resolved(options.knobs.paraboloid, probe.width / 2), probe.width, static_cast<int>(texels));
     }
     return 0.0;
 }
@@ -275,7 +278,8 @@ double predictedSeconds(Method method, const PrefilterOptions& options, const Pr
 double predictedError(Method method, const PrefilterOptions& options, const ProbeTraits& probe)
 {
     switch (method) {
-    case Method::Reference: return floatRounding;
+    case Method::Reference:
+        return floatRounding;
     case Method::Auto:
     case Method::Spectral: {
         const ExpectedSpectral expected = expectedSpectral(options, probe);
@@ -284,11 +288,16 @@ double predictedError(Method method, const PrefilterOptions& options, const Prob
     }
     case Method::Direct:
         return std::max(floatRounding, directTruncation(options.lobe, {.level = directLevel(options.tolerance)}));
-    case Method::Hierarchical: return std::max(floatRounding, 0.4 * options.tolerance);
-    case Method::Importance: return importanceError(options, probe);
-    case Method::Mip: return mipError(options, probe);
-    case Method::Sh9: return sh9Error(options, probe);
-    case Method::Paraboloid: return paraboloidError(options.lobe, resolved(options.knobs.paraboloid, probe.width / 2));
+    case Method::Hierarchical:
+        return std::max(floatRounding, 0.4 * options.tolerance);
+    case Method::Importance:
+        return importanceError(options, probe);
+    case Method::Mip:
+        return mipError(options, probe);
+    case Method::Sh9:
+        return sh9Error(options, probe);
+    case Method::Paraboloid:
+        return paraboloidError(options.lobe, resolved(options.knobs.paraboloid, probe.width / 2));
     }
     return 1.0;
 }

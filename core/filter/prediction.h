@@ -24,9 +24,9 @@ struct PrefilterOptions {
 
 /// What a plan must know of a probe. traits() tells it of one that is open.
 struct ProbeTraits {
-    int width = 1024;            ///< columns of the probe's latlong form
-    bool streamed = false;       ///< the texels are not in memory, so that only methods that need no more than a spectrum can run
-    int knownBandLimit = -1;     ///< of a spectrum of the probe that is there already and costs nothing; -1: none
+    int width = 1024;        ///< columns of the probe's latlong form
+    bool streamed = false;   ///< the texels are not in memory, so that only methods that need no more than a spectrum can run
+    int knownBandLimit = -1; ///< of a spectrum of the probe that is there already and costs nothing; -1: none
     bool hasParaboloidDevice = false;
     std::shared_ptr<const Spectrum> spectrum{};     ///< says how the probe's power is spread; null: it was not looked at
     std::shared_ptr<const Spectrum> calmSpectrum{}; ///< the same without its bright texels
@@ -36,11 +36,11 @@ ProbeTraits traits(const FilterSource& source);
 /// Why a method cannot do this: one line that names the method and the field. Empty where it can; `Auto` always can.
 std::string refusal(Method method, const PrefilterOptions& options, const ProbeTraits& probe);
 
-/// What a method is expected to take, in seconds of one thread of a current server, and to miss, as rel_rms. Calibrated on the 1k probes of the
-/// test data: the seconds within a factor of 2.5 of what `build/ci/bin/method_table methods` measures and prints beside them, the error
-/// within a factor of 2.5 for the methods that approximate (mip: 4), once the probe's spectrum is known (tests/core/filter/prediction_test.cpp).
-/// Of the methods that hold a tolerance it is an upper bound, and so it is of the others while the spectrum is not known: a probe may be
-/// all sun. The seconds then are those of a usual photograph.
+/// What a method is expected to take, in seconds of one thread of a current server, and to miss, as rel_rms. Calibrated on the 1k probes of
+/// the test data: the seconds within a factor of 2.5 of what `build/ci/bin/method_table methods` measures and prints beside them, the error
+/// within a factor of 2.5 for the methods that approximate (mip: 4), once the probe's spectrum is known
+/// (tests/core/filter/prediction_test.cpp). Of the methods that hold a tolerance it is an upper bound, and so it is of the others while the
+/// spectrum is not known: a probe may be all sun. The seconds then are those of a usual photograph.
 double predictedSeconds(Method method, const PrefilterOptions& options, const ProbeTraits& probe);
 double predictedError(Method method, const PrefilterOptions& options, const ProbeTraits& probe);
 /// How far the spectral method or sh9 follows the spectrum whatever the probe holds; 0 for the others.

@@ -54,8 +54,8 @@ EnvironmentMap runSpectral(FilterSource& source, const PrefilterOptions& options
     outcome.bandLimit = settled.plan.bandLimit;
     outcome.predictedError = spectralError(settled.plan, options.target, options.tolerance, settled.spectrum->powerAboutMean());
     return timedStage(outcome.stages, "synthesis", [&] {
-        const auto points = options.target.kind == Parameterization::Latlong ? std::span<const SpherePoint>{}
-                                                                             : source.points(options.target, job);
+        const auto points =
+            options.target.kind == Parameterization::Latlong ? std::span<const SpherePoint>{} : source.points(options.target, job);
         const BrightLobe bright(settled.split ? source.brightTexels() : BrightTexels{}, options.lobe);
         return filterSpectral(*settled.spectrum, settled.plan, bright, options.target, points, options.tolerance, options.yaw, job);
     });
@@ -69,15 +69,15 @@ EnvironmentMap runSh9(FilterSource& source, const PrefilterOptions& options, con
         timedStage(outcome.stages, "spectrum", [&] { source.spectrum(source.latlong() ? sh9BandLimit : 2, job); });
     outcome.bandLimit = 2;
     outcome.predictedError = predictedError(Method::Sh9, options, traits(source));
-    return timedStage(outcome.stages, "nine coefficients",
-                      [&] { return filterSh9(source.spectrum(2), options.target, options.yaw, job); });
+    return timedStage(outcome.stages, "nine coefficients", [&] { return filterSh9(source.spectrum(2), options.target, options.yaw, job); });
 }
 
 EnvironmentMap runMip(FilterSource& source, const PrefilterOptions& options, const JobControl& job, PrefilterOutcome& outcome)
 {
     const MipFiltering filtering = options.knobs.mipFiltering;
-    const MipPyramid& pyramid = timedStage(outcome.stages, "mip pyramid of the environment",
-                                           [&]() -> std::reference_wrapper<const MipPyramid> { return source.blurPyramid(filtering, job); });
+    const MipPyramid& pyramid =
+        timedStage(outcome.stages, "mip pyramid of the environment",
+                   [&]() -> std::reference_wrapper<const MipPyramid> { return source.blurPyramid(filtering, job); });
     const double lambda = effectiveLambda(options, source.width());
     return timedStage(outcome.stages, "mip lookup", [&] { return mipBlur(pyramid, filtering, lambda, options.target, options.yaw, job); });
 }
@@ -91,13 +91,14 @@ EnvironmentMap runParaboloid(FilterSource& source, const PrefilterOptions& optio
     std::string why = "no OpenGL device was given";
     if (ParaboloidDevice* device = source.paraboloidDevice()) {
         try {
-            return timedStage(outcome.stages, "paraboloid sums", [&] { return toMap(options.target, device->sum(halves, directions, job)); });
+            return timedStage(outcome.stages, "paraboloid sums",
+                              [&] { return toMap(options.target, device->sum(halves, directions, job)); });
         } catch (const WorkError& error) {
             why = error.what();
         }
     }
-    EnvironmentMap map =
-        timedStage(outcome.stages, "paraboloid sums on the CPU", [&] { return toMap(options.target, paraboloidSum(halves, directions, job)); });
+    EnvironmentMap map = timedStage(outcome.stages, "paraboloid sums on the CPU",
+                                    [&] { return toMap(options.target, paraboloidSum(halves, directions, job)); });
     outcome.stages.back().why = why;
     return map;
 }
@@ -106,9 +107,12 @@ EnvironmentMap run(Method method, FilterSource& source, const PrefilterOptions& 
 {
     std::vector<Stage>& stages = outcome.stages;
     switch (method) {
-    case Method::Spectral: return runSpectral(source, options, job, outcome);
-    case Method::Sh9: return runSh9(source, options, job, outcome);
-    case Method::Mip: return runMip(source, options, job, outcome);
+    case Method::Spectral:
+        return runSpectral(source, options, job, outcome);
+    case Method::Sh9:
+        return runSh9(source, options, job, outcome);
+    case Method::Mip:
+        return runMip(source, options, job, outcome);
     case Method::Direct:
         return timedStage(stages, "direct sum", [&] {
             return toMap(options.target, directSum(*source.latlong(), options.lobe, lookupDirections(options.target, options.yaw),
@@ -130,7 +134,8 @@ EnvironmentMap run(Method method, FilterSource& source, const PrefilterOptions& 
     case Method::Paraboloid:
         return runParaboloid(source, options, job, outcome);
     case Method::Reference:
-    case Method::Auto: break;
+    case Method::Auto:
+        break;
     }
     return timedStage(stages, "reference sum", [&] {
         return toMap(options.target, referenceSum(*source.latlong(), options.lobe, lookupDirections(options.target, options.yaw), job));
@@ -168,7 +173,8 @@ PrefilterPlan cheapestPlan(const PrefilterOptions& options, const ProbeTraits& p
     };
     std::vector<Candidate> candidates;
     for (const Method method : allMethods)
-        if (method != Method::Auto && (method != Method::Paraboloid || probe.hasParaboloidDevice) && refusal(method, options, probe).empty())
+        if (method != Method::Auto && (method != Method::Paraboloid || probe.hasParaboloidDevice) &&
+            refusal(method, options, probe).empty())
             candidates.push_back({method, predictedSeconds(method, options, probe)});
     std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.seconds < b.seconds; });
 
@@ -245,9 +251,6 @@ double informedError(const PrefilterOutcome& outcome, const PrefilterOptions& op
     return predictedError(method, options, traits(source));
 }
 
-double chainRoughness(int level, int levels)
-{
-    return levels > 1 ? static_cast<double>(level) / (levels - 1) : 0.0;
-}
+double chainRoughness(int level, int levels) { return levels > 1 ? static_cast<double>(level) / (levels - 1) : 0.0; }
 
 } // namespace mirrorball

@@ -5,9 +5,9 @@
 #include "method.h"
 #include "prediction.h"
 
-#include "core/image/environment_map.h"
 #include "core/base/job.h"
 #include "core/base/stage.h"
+#include "core/image/environment_map.h"
 
 #include <string>
 #include <vector>
@@ -18,11 +18,11 @@ namespace mirrorball {
 /// What was done, and how well.
 struct PrefilterOutcome {
     EnvironmentMap map{};
-    Method method = Method::Auto;  ///< the one that ran
-    bool filtered = true;          ///< false: mirror or unresolved lobe, the map is a lookup of the probe
-    int bandLimit = 0;             ///< spectral only
-    double predictedError = 0.0;   ///< rel_rms against the reference sum
-    std::string why{};             ///< why this method
+    Method method = Method::Auto; ///< the one that ran
+    bool filtered = true;         ///< false: mirror or unresolved lobe, the map is a lookup of the probe
+    int bandLimit = 0;            ///< spectral only
+    double predictedError = 0.0;  ///< rel_rms against the reference sum
+    std::string why{};            ///< why this method
     std::vector<Stage> stages{};
 };
 
@@ -30,7 +30,7 @@ struct PrefilterOutcome {
 struct PrefilterPlan {
     Method method = Method::Auto;
     bool filtered = true;
-    int bandLimit = 0;           ///< spectral: from the lobe alone; a probe's own spectrum may lower it
+    int bandLimit = 0; ///< spectral: from the lobe alone; a probe's own spectrum may lower it
     double predictedError = 0.0;
     double predictedSeconds = 0.0; ///< of one thread, see predictedSeconds()
     std::string why{};

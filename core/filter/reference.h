@@ -2,8 +2,8 @@
 
 #include "lobe.h"
 
-#include "core/image/environment_map.h"
 #include "core/base/job.h"
+#include "core/image/environment_map.h"
 
 #include <span>
 #include <vector>

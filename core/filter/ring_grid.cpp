@@ -135,30 +135,33 @@ RingGrid::RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int r
                4 * (static_cast<size_t>(row + haloBefore) * static_cast<size_t>(m_stride) + static_cast<size_t>(x + haloBefore));
     };
     const int blocks = (rings + lanes - 1) / lanes;
-    parallelRows(blocks, job, [&](int first, int last) {
-        std::vector<Lanes> circle(static_cast<size_t>(samples));
-        for (int block = first; block < last; ++block) {
-            const int x0 = block * lanes, width = std::min(lanes, rings - x0);
-            for (int c = 0; c < 4; ++c) {
-                const double* map = (c < 3 ? filtered.rgb[static_cast<size_t>(c)] : filtered.norm).data();
-                // Down the meridian at x, then up the one opposite to it.
-                for (int i = 0; i < samples; ++i) {
-                    const double* row = map + static_cast<size_t>(i < rings ? i : samples - 1 - i) * static_cast<size_t>(samples) +
-                                        (i < rings ? 0 : rings) + x0;
-                    for (int j = 0; j < width; ++j)
-                        circle[static_cast<size_t>(i)][static_cast<size_t>(j)] = row[j];
-                }
-                prefilterCircles(circle);
-                for (int i = -haloBefore; i < rings + haloAfter; ++i)
-                    for (int j = 0; j < width; ++j) {
-                        const auto lane = static_cast<size_t>(j);
-                        at(i, x0 + j)[c] = static_cast<float>(circle[static_cast<size_t>((i + samples) % samples)][lane]);
-                        at(i, x0 + j + rings)[c] =
-                            static_cast<float>(circle[static_cast<size_t>((2 * samples - 1 - i) % samples)][lane]);
+    parallelRows(
+        blocks, job,
+        [&](int first, int last) {
+            std::vector<Lanes> circle(static_cast<size_t>(samples));
+            for (int block = first; block < last; ++block) {
+                const int x0 = block * lanes, width = std::min(lanes, rings - x0);
+                for (int c = 0; c < 4; ++c) {
+                    const double* map = (c < 3 ? filtered.rgb[static_cast<size_t>(c)] : filtered.norm).data();
+                    // Down the meridian at x, then up the one opposite to it.
+                    for (int i = 0; i < samples; ++i) {
+                        const double* row = map + static_cast<size_t>(i < rings ? i : samples - 1 - i) * static_cast<size_t>(samples) +
+                                            (i < rings ? 0 : rings) + x0;
+                        for (int j = 0; j < width; ++j)
+                            circle[static_cast<size_t>(i)][static_cast<size_t>(j)] = row[j];
                     }
+                    prefilterCircles(circle);
+                    for (int i = -haloBefore; i < rings + haloAfter; ++i)
+                        for (int j = 0; j < width; ++j) {
+                            const auto lane = static_cast<size_t>(j);
+                            at(i, x0 + j)[c] = static_cast<float>(circle[static_cast<size_t>((i + samples) % samples)][lane]);
+                            at(i, x0 + j + rings)[c] =
+                                static_cast<float>(circle[static_cast<size_t>((2 * samples - 1 - i) % samples)][lane]);
+                        }
+                }
             }
-        }
-    }, 4);
+        },
+        4);
     for (int row = -haloBefore; row < rings + haloAfter; ++row) {
         for (int x = -haloBefore; x < 0; ++x)
             std::copy_n(at(row, x + samples), 4, at(row, x));
@@ -168,7 +171,8 @@ RingGrid::RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int r
 }
 
 MIRRORBALL_CLONES // the loop over taps is the hot one of every export
-void interpolate(const float* texels, int stride, double perRadian, std::span<const SpherePoint> points, float* rgbn)
+    void
+    interpolate(const float* texels, int stride, double perRadian, std::span<const SpherePoint> points, float* rgbn)
 {
     for (const SpherePoint& p : points) {
         const double x = p.azimuth * perRadian, y = p.colatitude * perRadian - 0.5;

@@ -2,8 +2,8 @@
 
 #include "spectrum.h"
 
-#include "core/image/environment_map.h"
 #include "core/base/job.h"
+#include "core/image/environment_map.h"
 
 #include <array>
 #include <glm/glm.hpp>

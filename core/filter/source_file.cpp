@@ -73,8 +73,8 @@ OpenedSource openFilterSource(const std::string& probe, const ReadProbeOptions& 
     FilterSource source = timedStage(stages, "resample to latlong", [&] { return FilterSource(std::move(whole.map), job); });
     std::ostringstream why;
     why.precision(2);
-    why << "the filters run over " << source.width() << " x " << source.height() << " latlong texels; that step's own error at the probe's texels is rel_rms "
-        << source.resamplingError();
+    why << "the filters run over " << source.width() << " x " << source.height()
+        << " latlong texels; that step's own error at the probe's texels is rel_rms " << source.resamplingError();
     stages.back().why = why.str();
     return {std::move(source), whole.repaired, whole.origin, false};
 }

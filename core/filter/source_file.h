@@ -14,7 +14,7 @@ namespace mirrorball {
 struct OpenedSource {
     FilterSource source;
     RepairReport repaired{};
-    std::string origin{};   ///< how the parameterization was found, in words
+    std::string origin{}; ///< how the parameterization was found, in words
     bool streamed = false;
 };
 

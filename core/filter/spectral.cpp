@@ -66,7 +66,8 @@ int extendForTheDark(const std::vector<double>& k, int bandLimit, double toleran
     return bandLimit;
 }
 
-BandLimitPlan finishPlan(const std::vector<double>& k, int bandLimit, double tolerance, const std::function<double(int)>& term, double scale)
+BandLimitPlan finishPlan(const std::vector<double>& k, int bandLimit, double tolerance, const std::function<double(int)>& term,
+                         double scale)
 {
     const int last = static_cast<int>(k.size()) - 1;
     bandLimit = extendForTheDark(k, bandLimit, tolerance);
@@ -134,7 +135,8 @@ BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance, cons
     const double scale = std::sqrt(total);
     if (scale <= 0.0) // a black probe
         return {0, {1.0}, {1.0}, 0.0};
-    const int bandLimit = std::min({std::max(least, limitForTail(term, length, truncationShare * tolerance * scale)), length, largestBandLimit});
+    const int bandLimit =
+        std::min({std::max(least, limitForTail(term, length, truncationShare * tolerance * scale)), length, largestBandLimit});
     return finishPlan(k, bandLimit, tolerance, term, scale);
 }
 

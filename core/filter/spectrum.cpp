@@ -94,10 +94,7 @@ std::vector<double> ringColatitudes(int rings)
 }
 
 /// Solid angle of the band of colatitudes that row j of a latlong map covers, over 2 pi: cos(a) - cos(b) without cancellation.
-double bandHeight(int j, int rings)
-{
-    return 2.0 * std::sin(pi * (j + 0.5) / rings) * std::sin(0.5 * pi / rings);
-}
+double bandHeight(int j, int rings) { return 2.0 * std::sin(pi * (j + 0.5) / rings) * std::sin(0.5 * pi / rings); }
 
 /// FFTW's planner is not thread-safe; its executors are.
 std::mutex& plannerMutex()

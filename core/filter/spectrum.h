@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/image/environment_map.h"
 #include "core/base/job.h"
+#include "core/image/environment_map.h"
 
 #include <array>
 #include <complex>

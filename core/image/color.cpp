@@ -60,8 +60,8 @@ Image toDisplay(const Image& linear, double exposureEv, ToneCurve curve)
             const bool isOpacity = linear.channels == 4 && i % 4 == 3;
             const float opacity = linear.channels == 4 ? linear.texels[i - i % 4 + 3] : 1.0f;
             const double light = opacity > 0.0f && opacity < 1.0f ? linear.texels[i] / static_cast<double>(opacity) : linear.texels[i];
-            display.texels[i] = isOpacity ? toneMapped(opacity, ToneCurve::None)
-                                          : encodeSrgb(toneMapped(static_cast<float>(scale * light), curve));
+            display.texels[i] =
+                isOpacity ? toneMapped(opacity, ToneCurve::None) : encodeSrgb(toneMapped(static_cast<float>(scale * light), curve));
         }
     });
     return display;

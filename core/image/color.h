@@ -37,8 +37,8 @@ std::optional<ToneCurve> toneCurveFromName(std::string_view word);
 float toneMapped(float x, ToneCurve curve);
 
 /// The display picture of a linear image: encodeSrgb(toneMapped(2^exposureEv x)) of the first three channels, all in [0, 1].
-/// A fourth channel is opacity and only clamped; the colours, which come multiplied by it, are divided by it first, because what is encoded cannot
-/// be divided any more. So those of the display picture are not multiplied, as 8-bit files have them.
+/// A fourth channel is opacity and only clamped; the colours, which come multiplied by it, are divided by it first, because what is encoded
+/// cannot be divided any more. So those of the display picture are not multiplied, as 8-bit files have them.
 Image toDisplay(const Image& linear, double exposureEv, ToneCurve curve);
 
 /// The nearest of 256 levels: round(255 x), with x clamped to [0, 1] and NaN taken as 0.

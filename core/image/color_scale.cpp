@@ -9,14 +9,12 @@ namespace mirrorball {
 
 namespace {
 
-constexpr std::array<std::uint32_t, 10> viridis{0x440154, 0x482878, 0x3E4A89, 0x31688E, 0x26828E, 0x1F9E89, 0x35B779, 0x6DCD59, 0xB4DE2C, 0xFDE725};
+constexpr std::array<std::uint32_t, 10> viridis{0x440154, 0x482878, 0x3E4A89, 0x31688E, 0x26828E,
+                                                0x1F9E89, 0x35B779, 0x6DCD59, 0xB4DE2C, 0xFDE725};
 /// -1, -1/2, 0, 1/2, 1; in the same lightness pairwise.
 constexpr std::array<std::uint32_t, 5> blueToOrange{0x74C7FF, 0x2F6FB0, 0x2B2B2B, 0xB0632A, 0xFFB469};
 
-glm::vec3 fromHex(std::uint32_t rgb)
-{
-    return glm::vec3((rgb >> 16) & 0xff, (rgb >> 8) & 0xff, rgb & 0xff) / 255.0f;
-}
+glm::vec3 fromHex(std::uint32_t rgb) { return glm::vec3((rgb >> 16) & 0xff, (rgb >> 8) & 0xff, rgb & 0xff) / 255.0f; }
 
 template <size_t count>
 glm::vec3 between(const std::array<std::uint32_t, count>& colors, double t)

@@ -305,10 +305,7 @@ struct Pass {
 };
 
 /// Whether the last word of a dotted name is `word`.
-bool endsInWord(const std::string& name, const std::string& word)
-{
-    return name == word || name.ends_with("." + word);
-}
+bool endsInWord(const std::string& name, const std::string& word) { return name == word || name.ends_with("." + word); }
 
 /// The first pass of that name in any part. Source: Blender's multilayer files, LAYER.PASS.CHANNEL.
 std::optional<Pass> findPass(const Imf::MultiPartInputFile& file, const std::string& pass)
@@ -319,9 +316,11 @@ std::optional<Pass> findPass(const Imf::MultiPartInputFile& file, const std::str
             continue;
         std::vector<std::string> layers = layersByPreference(header.channels());
         if (!header.hasName() || !endsInWord(header.name(), pass))
-            std::erase_if(layers, [&](const std::string& layer) { return layer.empty() || !endsInWord(layer.substr(0, layer.size() - 1), pass); });
+            std::erase_if(layers,
+                          [&](const std::string& layer) { return layer.empty() || !endsInWord(layer.substr(0, layer.size() - 1), pass); });
         for (const std::string& layer : layers) {
-            const ColourChannels found{{findChannel(header.channels(), layer, "r", "red"), findChannel(header.channels(), layer, "g", "green"),
+            const ColourChannels found{{findChannel(header.channels(), layer, "r", "red"),
+                                        findChannel(header.channels(), layer, "g", "green"),
                                         findChannel(header.channels(), layer, "b", "blue")}};
             if (std::count(found.rgb.begin(), found.rgb.end(), std::string()) == 0)
                 return Pass{part, found};
@@ -575,7 +574,8 @@ void writePasses(AtomicFile& file, const std::vector<ImagePassData>& passes, con
             if (isHalf)
                 samples.push_back(halfRows(pass.image, 0, pass.image.height));
             const size_t sample = isHalf ? sizeof(half) : sizeof(float), texel = 3 * sample;
-            const auto* texels = isHalf ? reinterpret_cast<const char*>(samples.back().data()) : reinterpret_cast<const char*>(pass.image.texels.data());
+            const auto* texels =
+                isHalf ? reinterpret_cast<const char*>(samples.back().data()) : reinterpret_cast<const char*>(pass.image.texels.data());
             for (const char channel : {'R', 'G', 'B'}) {
                 const std::string name = pass.name + "." + channel;
                 header.channels().insert(name, Imf::Channel(isHalf ? Imf::HALF : Imf::FLOAT));

@@ -143,10 +143,7 @@ std::unique_ptr<ImageReader> openImage(const std::filesystem::path& path) { retu
 
 Image readImage(const std::filesystem::path& path, const JobControl& job) { return readAll(*openLevel(path, 0), job); }
 
-std::string encodePng(const Image& display)
-{
-    return openimageio::encodePng(display);
-}
+std::string encodePng(const Image& display) { return openimageio::encodePng(display); }
 
 std::optional<Image> readImagePass(const std::filesystem::path& path, const std::string& pass, const JobControl& job)
 {

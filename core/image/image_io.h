@@ -18,18 +18,18 @@ namespace mirrorball {
 /// What a file says about itself, read from its header only.
 struct ImageFileInfo {
     std::filesystem::path path{};
-    std::string format{};         ///< "openexr", "hdr", "tiff", "png", ...
+    std::string format{}; ///< "openexr", "hdr", "tiff", "png", ...
     int width = 0;
     int height = 0;
-    int offsetX = 0;              ///< of the texels in OpenEXR's display window: a cropped picture has one; the window itself is not padded
+    int offsetX = 0; ///< of the texels in OpenEXR's display window: a cropped picture has one; the window itself is not padded
     int offsetY = 0;
-    int channels = 0;             ///< as stored in the file
-    std::string sampleType{};     ///< "float", "half", "uint8", ...
+    int channels = 0;         ///< as stored in the file
+    std::string sampleType{}; ///< "float", "half", "uint8", ...
     bool tiled = false;
-    int levels = 1;               ///< mip levels in the file
+    int levels = 1; ///< mip levels in the file
     int parts = 1;
     std::string compression{};
-    std::string envmap{};         ///< OpenEXR's envmap attribute: "latlong", "cube" or empty
+    std::string envmap{};                            ///< OpenEXR's envmap attribute: "latlong", "cube" or empty
     std::map<std::string, std::string> attributes{}; ///< the strings that Mirrorball wrote ("mirrorball:parameterization", ...)
 };
 
@@ -50,14 +50,14 @@ std::unique_ptr<ImageReader> openImage(const std::filesystem::path& path);
 /// The whole image as linear RGB. @throws FileError
 Image readImage(const std::filesystem::path& path, const JobControl& job = {});
 
-/// A pass of a layered OpenEXR file (Blender's matcaps have `diffuse` and `specular`), as linear RGB. Nothing where the file has no pass of that
-/// name, which no other format has. @throws FileError
+/// A pass of a layered OpenEXR file (Blender's matcaps have `diffuse` and `specular`), as linear RGB. Nothing where the file has no pass of
+/// that name, which no other format has. @throws FileError
 std::optional<Image> readImagePass(const std::filesystem::path& path, const std::string& pass, const JobControl& job = {});
 
 enum class SampleType { Float, Half };
 
-/// What the texels to be written are: linear radiance, multiplied by opacity where there is a fourth channel, or a picture already encoded for a
-/// display (color.h), in [0, 1] and not multiplied, which only 8-bit formats take and which goes into them as it is.
+/// What the texels to be written are: linear radiance, multiplied by opacity where there is a fourth channel, or a picture already encoded
+/// for a display (color.h), in [0, 1] and not multiplied, which only 8-bit formats take and which goes into them as it is.
 enum class Encoding { Linear, Display };
 
 struct WriteOptions {

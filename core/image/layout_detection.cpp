@@ -171,8 +171,8 @@ Detection detectLayout(const ImageFileInfo& info, std::optional<Parameterization
         const auto own = fromOwnAttributes(info);
         auto detection = own && own->layout.kind == *forced ? own : asKind(info, *forced, 0);
         if (!detection)
-            throw FileError(info.path.string(), "an image of " + sizeText(info) + " texels is no " + std::string(name(*forced)) + " map: that needs " +
-                                  sizesOf(*forced));
+            throw FileError(info.path.string(), "an image of " + sizeText(info) + " texels is no " + std::string(name(*forced)) +
+                                                    " map: that needs " + sizesOf(*forced));
         detection->reason = "read as " + std::string(name(*forced)) + " on request";
         return *detection;
     }
@@ -191,9 +191,10 @@ Detection detectLayout(const ImageFileInfo& info, std::optional<Parameterization
                 false};
     if (auto cube = asKind(info, Parameterization::Cube, 0))
         return *cube;
-    throw FileError(info.path.string(), "an image of " + sizeText(info) +
-                          " texels fits no map: a latlong or paraboloid is 2N x N, a sphere, angular or octahedral map N x N, a cube " +
-                          sizesOf(Parameterization::Cube));
+    throw FileError(info.path.string(),
+                    "an image of " + sizeText(info) +
+                        " texels fits no map: a latlong or paraboloid is 2N x N, a sphere, angular or octahedral map N x N, a cube " +
+                        sizesOf(Parameterization::Cube));
 }
 
 EnvironmentMap toEnvironmentMap(Image image, const Detection& detection, const JobControl& job)

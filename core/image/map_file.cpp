@@ -66,7 +66,8 @@ std::vector<std::filesystem::path> levelFiles(const std::filesystem::path& out, 
     return files;
 }
 
-std::vector<std::filesystem::path> writeLevels(const std::filesystem::path& out, const std::vector<Image>& levels, const WriteOptions& options)
+std::vector<std::filesystem::path> writeLevels(const std::filesystem::path& out, const std::vector<Image>& levels,
+                                               const WriteOptions& options)
 {
     std::vector<Edges> edges;
     for (const Image& level : levels)
@@ -122,10 +123,7 @@ Probe readProbe(const std::string& probe, const ReadProbeOptions& options, const
     return result;
 }
 
-bool namesLevels(const std::filesystem::path& out)
-{
-    return out.filename().string().find(levelMark) != std::string::npos;
-}
+bool namesLevels(const std::filesystem::path& out) { return out.filename().string().find(levelMark) != std::string::npos; }
 
 std::vector<std::filesystem::path> mapFiles(const std::filesystem::path& out, const std::vector<MapLayout>& levels)
 {
@@ -175,7 +173,8 @@ std::vector<std::filesystem::path> writePictures(const std::filesystem::path& ou
 {
     faceFiles(out, Parameterization::Sphere); // says that a picture has no faces
     std::string extension = out.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     constexpr std::array floats{".exr", ".hdr", ".pic", ".rgbe", ".tif", ".tiff", ".tx", ".pfm"};
     if (std::find(floats.begin(), floats.end(), extension) != floats.end())
         return writeLevels(out, levels, options);

@@ -16,15 +16,15 @@
 namespace mirrorball {
 
 struct ReadProbeOptions {
-    std::optional<Parameterization> from{};            ///< forces the parameterization; empty: found out from the file
+    std::optional<Parameterization> from{}; ///< forces the parameterization; empty: found out from the file
     NegativePolicy negatives = NegativePolicy::Keep;
 };
 
 struct Probe {
     EnvironmentMap map{};
     RepairReport repaired{};
-    std::string origin{};    ///< how the parameterization was found, in words
-    bool certain = true;     ///< false: a guess by shape alone (a square may be angular, sphere or octahedral)
+    std::string origin{}; ///< how the parameterization was found, in words
+    bool certain = true;  ///< false: a guess by shape alone (a square may be angular, sphere or octahedral)
 };
 
 /// Reads `probe`, a path or `builtin:NAME`, repairs it (repair.h) and finds out its parameterization (layout_detection.h).
@@ -40,14 +40,16 @@ bool namesLevels(const std::filesystem::path& out);
 std::vector<std::filesystem::path> mapFiles(const std::filesystem::path& out, const std::vector<MapLayout>& levels);
 
 /// Writes a map, or a chain of levels (each its own map, largest first), to `out`: one file; the levels inside it where the format
-/// holds them (.exr, .tif), else one file a level, NAME.0.EXT, NAME.1.EXT, ... A `%d` in the name stands for the level's number and makes one
-/// file a level of any format; a `%s` in the name of a cube makes six files, px nx py ny pz nz. The parameterization and border are stored in the file's attributes where it can hold them, beside those in `options`.
-/// Each file appears whole or not at all. @return the files written, in order
+/// holds them (.exr, .tif), else one file a level, NAME.0.EXT, NAME.1.EXT, ... A `%d` in the name stands for the level's number and makes
+/// one file a level of any format; a `%s` in the name of a cube makes six files, px nx py ny pz nz. The parameterization and border are
+/// stored in the file's attributes where it can hold them, beside those in `options`. Each file appears whole or not at all. @return the
+/// files written, in order
 std::vector<std::filesystem::path> writeMap(const std::filesystem::path& out, const std::vector<EnvironmentMap>& levels,
                                             const WriteOptions& options = {});
 
 /// Writes a picture, or its mip levels, largest first, where there is no map to speak of: the same rules for names. Linear light goes into
-/// formats that hold floats; into the others goes the picture clipped to [0, 1] and sRGB-encoded, since a painted colour should stay what it is.
+/// formats that hold floats; into the others goes the picture clipped to [0, 1] and sRGB-encoded, since a painted colour should stay what
+/// it is.
 /// @throws as writeImage(); InvalidArgument for a `%s` in the name
 std::vector<std::filesystem::path> writePictures(const std::filesystem::path& out, const std::vector<Image>& levels,
                                                  const WriteOptions& options = {});

@@ -84,10 +84,7 @@ void blend(float* pixel, const glm::vec3& color, float alpha)
 }
 
 /// Cover of a line of `width` pixels whose middle is `distance` pixels away, with an edge of one pixel.
-float lineCover(double distance, double width)
-{
-    return static_cast<float>(std::clamp(0.5 * width + 0.5 - distance, 0.0, 1.0));
-}
+float lineCover(double distance, double width) { return static_cast<float>(std::clamp(0.5 * width + 0.5 - distance, 0.0, 1.0)); }
 
 /// The direction grid at one image position: how near, in pixels, the closest lines are.
 struct GridDistances {
@@ -107,8 +104,8 @@ GridDistances gridDistances(const glm::dvec3& d, const glm::dvec3& right, const 
         near.principal = std::min(near.principal, line(d[axis], right[axis], down[axis]));
     const double latitude = std::asin(std::clamp(d.y, -1.0, 1.0)), level = stepRadians * std::round(latitude / stepRadians);
     near.step = line(latitude - level, std::asin(std::clamp(right.y, -1.0, 1.0)) - level, std::asin(std::clamp(down.y, -1.0, 1.0)) - level);
-    // A meridian is the plane through +Y of its longitude: the distance to that plane has no jump at 180 degrees. Those beside the poles are
-    // left out where they would run together.
+    // A meridian is the plane through +Y of its longitude: the distance to that plane has no jump at 180 degrees. Those beside the poles
+    // are left out where they would run together.
     const double meridian = stepRadians * std::round(std::atan2(d.x, d.z) / stepRadians);
     const glm::dvec3 normal(std::cos(meridian), 0.0, -std::sin(meridian));
     if (std::abs(latitude) < 0.5 * pi - stepRadians)
@@ -165,8 +162,12 @@ Image windowColors(const Image& window, const MapColoring& coloring, const JobCo
                     for (int c = 0; c < 3; ++c)
                         color[c] = encodeSrgb(toneMapped(gain * in[c], coloring.tone));
                     break;
-                case MapColors::Luminance: color = falseColor(l > 0.0 ? (std::log2(l) - logLow) / logWidth : 0.0); break;
-                case MapColors::Signed: color = signedColor(l / coloring.high); break;
+                case MapColors::Luminance:
+                    color = falseColor(l > 0.0 ? (std::log2(l) - logLow) / logWidth : 0.0);
+                    break;
+                case MapColors::Signed:
+                    color = signedColor(l / coloring.high);
+                    break;
                 }
                 for (int c = 0; c < 3; ++c)
                     out[c] = color[c];
@@ -183,10 +184,11 @@ Image mapOverlay(const MapWindow& window, const MapOverlays& overlays, const Job
         throw InvalidArgument("gridStepDeg: must be above 0 and at most 90 degrees");
     const MapLayout& layout = window.layout;
     const bool halves = layout.kind == Parameterization::Paraboloid;
-    const double mean = 4.0 * pi / (layout.kind == Parameterization::Sphere || layout.kind == Parameterization::Angular
-                                        ? 0.25 * pi * layout.size * layout.size
-                                        : halves ? 0.5 * pi * std::pow(layout.size - 2.0 * layout.border, 2.0)
-                                                 : static_cast<double>(layout.width()) * layout.height());
+    const double mean =
+        4.0 * pi /
+        (layout.kind == Parameterization::Sphere || layout.kind == Parameterization::Angular ? 0.25 * pi * layout.size * layout.size
+         : halves ? 0.5 * pi * std::pow(layout.size - 2.0 * layout.border, 2.0)
+                  : static_cast<double>(layout.width()) * layout.height());
     const double pixel = 1.0 / window.scale, step = overlays.gridStepDeg * pi / 180.0;
     return painted(window, job, [&](float* out, const glm::dvec2& p) {
         const bool inside = density(layout, p) > 0.0;

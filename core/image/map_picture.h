@@ -63,10 +63,10 @@ inline constexpr double tintStops = 3.0;
 
 struct MapOverlays {
     MapTint tint = MapTint::None;
-    bool grid = false;           ///< latitudes and longitudes every gridStepDeg; the planes x = 0, y = 0 and z = 0 are brighter
-    bool seams = false;          ///< where charts meet or end
-    double gridStepDeg = 15.0;   ///< (0, 90]
-    double lineWidth = 1.0;      ///< pixels
+    bool grid = false;         ///< latitudes and longitudes every gridStepDeg; the planes x = 0, y = 0 and z = 0 are brighter
+    bool seams = false;        ///< where charts meet or end
+    double gridStepDeg = 15.0; ///< (0, 90]
+    double lineWidth = 1.0;    ///< pixels
     bool operator==(const MapOverlays&) const = default;
 };
 
@@ -77,8 +77,8 @@ Image mapOverlay(const MapWindow& window, const MapOverlays& overlays, const Job
 /// a minus b in a's layout: b is looked up at a's texels. Zero outside a disc.
 EnvironmentMap difference(const EnvironmentMap& a, const EnvironmentMap& b, const JobControl& job = {});
 
-/// A range of luminance that shows a map well: all but the darkest 0.1 % and the brightest 0.01 % of its texels, at least one octave wide and at most
-/// 2^24 wide; [1/2, 1] for a black map.
+/// A range of luminance that shows a map well: all but the darkest 0.1 % and the brightest 0.01 % of its texels, at least one octave wide
+/// and at most 2^24 wide; [1/2, 1] for a black map.
 struct LuminanceRange {
     double low = 0.5;
     double high = 1.0;

@@ -3,8 +3,8 @@
 #include "core/base/error.h"
 
 #include <algorithm>
-#include <bit>
 #include <array>
+#include <bit>
 #include <cmath>
 
 /// Both wishes for a level, that a constant stays and that energy stays, are wishes for a matrix M (source texel i to box X): row sums the
@@ -261,10 +261,7 @@ EnvironmentMap halve(const EnvironmentMap& fine, const JobControl& job)
 
 } // namespace
 
-int levelCount(const MapLayout& base)
-{
-    return std::bit_width(static_cast<unsigned>(base.size));
-}
+int levelCount(const MapLayout& base) { return std::bit_width(static_cast<unsigned>(base.size)); }
 
 MapLayout levelLayout(const MapLayout& base, int level)
 {
@@ -294,7 +291,8 @@ MipPyramid buildFacePyramid(const EnvironmentMap& cube, const JobControl& job)
 {
     validate(cube.layout);
     if (cube.layout.kind != Parameterization::Cube)
-        throw InvalidArgument("mip pyramid: only a cube has faces to filter by themselves; this is a " + std::string(name(cube.layout.kind)) + " map");
+        throw InvalidArgument("mip pyramid: only a cube has faces to filter by themselves; this is a " +
+                              std::string(name(cube.layout.kind)) + " map");
     MipPyramid pyramid;
     pyramid.levels.push_back(cube);
     while (pyramid.levels.back().layout.size > 1) {
@@ -306,8 +304,9 @@ MipPyramid buildFacePyramid(const EnvironmentMap& cube, const JobControl& job)
             const int fineY = y / half * n + 2 * (y % half);
             for (int x = 0; x < half; ++x)
                 for (int c = 0; c < 3; ++c)
-                    coarse.image.texel(x, y)[c] = 0.25f * (fine.image.texel(2 * x, fineY)[c] + fine.image.texel(2 * x + 1, fineY)[c] +
-                                                           fine.image.texel(2 * x, fineY + 1)[c] + fine.image.texel(2 * x + 1, fineY + 1)[c]);
+                    coarse.image.texel(x, y)[c] =
+                        0.25f * (fine.image.texel(2 * x, fineY)[c] + fine.image.texel(2 * x + 1, fineY)[c] +
+                                 fine.image.texel(2 * x, fineY + 1)[c] + fine.image.texel(2 * x + 1, fineY + 1)[c]);
         }
         pyramid.levels.push_back(std::move(coarse));
     }

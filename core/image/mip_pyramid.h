@@ -26,9 +26,9 @@ MapLayout levelLayout(const MapLayout& base, int level);
 /// @throws InvalidArgument for a layout out of range; Cancelled
 MipPyramid buildMipPyramid(const EnvironmentMap& map, const JobControl& job = {});
 
-/// The pyramid of a cube as gluBuild2DMipmaps and the drivers of 2002 made it: each face by itself, in boxes of 2 x 2 texels without weights,
-/// so that levels do not fit together at the edges of faces. It is what 002 section 3 warns of; for comparison only. An odd last row or
-/// column is dropped. A constant map stays constant.
+/// The pyramid of a cube as gluBuild2DMipmaps and the drivers of 2002 made it: each face by itself, in boxes of 2 x 2 texels without
+/// weights, so that levels do not fit together at the edges of faces. It is what 002 section 3 warns of; for comparison only. An odd last
+/// row or column is dropped. A constant map stays constant.
 /// @throws InvalidArgument unless the map is a cube; Cancelled
 MipPyramid buildFacePyramid(const EnvironmentMap& cube, const JobControl& job = {});
 

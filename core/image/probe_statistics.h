@@ -18,8 +18,8 @@ struct ProbeStatistics {
     glm::dvec3 brightestDirection{0.0, 1.0, 0.0};
     /// Share of the energy (luminance times solid angle) that the brightest 0.01 % of the texels hold, at least one; 0 for a black probe.
     double sunShare = 0.0;
-    double largestValue = 0.0;       ///< of any channel
-    std::int64_t beyondHalf = 0;     ///< channel values above 65504, which a half float cannot hold
+    double largestValue = 0.0;   ///< of any channel
+    std::int64_t beyondHalf = 0; ///< channel values above 65504, which a half float cannot hold
 };
 
 ProbeStatistics statistics(const EnvironmentMap& map);
@@ -43,8 +43,8 @@ private:
 
     MapLayout m_layout;
     SolidAngles m_solidAngles;
-    size_t m_mostBright;           ///< more than can count in the end
-    double m_threshold;            ///< no texel below it can
+    size_t m_mostBright; ///< more than can count in the end
+    double m_threshold;  ///< no texel below it can
     std::vector<Bright> m_bright{};
     size_t m_texels = 0;
     double m_solidAngle = 0.0, m_energy = 0.0;

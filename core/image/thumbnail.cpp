@@ -17,12 +17,14 @@ constexpr std::string_view builtinPrefix = "builtin:";
 constexpr int blockTexels = 1 << 18;
 constexpr std::int64_t heldTexels = std::int64_t{1} << 25;
 
-/// Averages an image over areas while its rows arrive: each texel of the small image is the mean of the part of the large one that it covers.
+/// Averages an image over areas while its rows arrive: each texel of the small image is the mean of the part of the large one that it
+/// covers.
 class AreaReducer {
 public:
     AreaReducer(int width, int height, int smallWidth, int smallHeight)
         : m_width(width), m_height(height), m_small(smallWidth, smallHeight, 3),
-          m_sums(static_cast<size_t>(smallWidth) * static_cast<size_t>(smallHeight) * 3, 0.0), m_rowSums(static_cast<size_t>(smallWidth) * 3)
+          m_sums(static_cast<size_t>(smallWidth) * static_cast<size_t>(smallHeight) * 3, 0.0),
+          m_rowSums(static_cast<size_t>(smallWidth) * 3)
     {
     }
 
@@ -162,7 +164,8 @@ ReducedProbe reducedBuiltin(const std::string& probe, const ThumbnailOptions& op
     ReducedProbe result;
     const MapLayout layout{Parameterization::Latlong, std::min(options.height, builtinProbeLayout.size), 0};
     result.image = renderBuiltinProbe(std::string_view(probe).substr(builtinPrefix.size()), layout, job).image;
-    result.info = {.path = probe, .format = "builtin", .width = builtinProbeLayout.width(), .height = builtinProbeLayout.height(), .channels = 3};
+    result.info = {
+        .path = probe, .format = "builtin", .width = builtinProbeLayout.width(), .height = builtinProbeLayout.height(), .channels = 3};
     result.detection = {builtinProbeLayout, Arrangement::Whole, "built in", true};
     return result;
 }
@@ -184,8 +187,7 @@ ReducedProbe reduceProbe(const std::string& probe, const ThumbnailOptions& optio
 EnvironmentMap thumbnailOf(const ReducedProbe& probe, int height, std::optional<Parameterization> kind, const JobControl& job)
 {
     const Detection full = kind && *kind != probe.detection.layout.kind ? detectLayout(probe.info, kind) : probe.detection;
-    const EnvironmentMap map =
-        toEnvironmentMap(probe.image, scaled(full, probe.info.width, probe.image.width, probe.image.height), job);
+    const EnvironmentMap map = toEnvironmentMap(probe.image, scaled(full, probe.info.width, probe.image.width, probe.image.height), job);
     return reproject(map, {.target = {Parameterization::Latlong, height, 0}}, job);
 }
 

@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
-/// Small pictures and figures of probes, for browsers of them. Files are streamed: memory holds some rows and the small image, whatever the size
-/// of the file, but where surveyProbe() says otherwise.
+/// Small pictures and figures of probes, for browsers of them. Files are streamed: memory holds some rows and the small image, whatever the
+/// size of the file, but where surveyProbe() says otherwise.
 namespace mirrorball {
 
 struct ThumbnailOptions {
-    int height = 128;                        ///< of the latlong that thumbnailOf() makes, 1 to 1024 texels
+    int height = 128;                       ///< of the latlong that thumbnailOf() makes, 1 to 1024 texels
     std::optional<Parameterization> from{}; ///< forces the parameterization; empty: found out from the file
 };
 
@@ -27,7 +27,7 @@ struct ReducedProbe {
     Detection detection{}; ///< of the file as it is
     Image image{};         ///< the reduced image, in detection.arrangement
     RepairReport repaired{};
-    bool fromMip = false;  ///< reduced from a mip level of the file: `repaired` tells of that level only
+    bool fromMip = false; ///< reduced from a mip level of the file: `repaired` tells of that level only
 };
 
 /// Reads and reduces a probe until it is just finer than options.height asks for. A coarser mip level is read where the file has one.
@@ -43,7 +43,7 @@ std::vector<Parameterization> possibleKinds(const ReducedProbe& probe);
 
 /// What a probe holds, from all of its texels.
 struct ProbeSurvey {
-    ReducedProbe reduced{};       ///< never from a mip level
+    ReducedProbe reduced{}; ///< never from a mip level
     ProbeStatistics statistics{};
 };
 

@@ -9,10 +9,7 @@
 
 namespace mirrorball::preview {
 
-glm::vec3 Camera::eye() const
-{
-    return target + distance * cameraToWorld()[2];
-}
+glm::vec3 Camera::eye() const { return target + distance * cameraToWorld()[2]; }
 
 // The derivatives of directionFromLonLat along longitude (divided by its cosine) and latitude are the axes to the right and up: at
 // the poles, too, where a look-at construction has no up.

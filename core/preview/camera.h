@@ -9,11 +9,11 @@ enum class Projection { Perspective, Orthographic };
 /// A camera that orbits a target. A value. Yaw and pitch are the longitude and latitude of the eye seen from the target: 0, 0 looks from
 /// +Z towards -Z with +X on the right; yaw turns the eye towards +X, pitch towards +Y.
 struct Camera {
-    float yaw = 0.0f;                ///< radians
-    float pitch = 0.0f;              ///< radians, in [-pi/2, pi/2]
-    float roll = 0.0f;               ///< radians about the view, counterclockwise seen from behind the camera
-    float distance = 3.2f;           ///< from the target, > 0
-    float fieldOfView = 0.7f;        ///< radians, from bottom to top, in (0, pi)
+    float yaw = 0.0f;         ///< radians
+    float pitch = 0.0f;       ///< radians, in [-pi/2, pi/2]
+    float roll = 0.0f;        ///< radians about the view, counterclockwise seen from behind the camera
+    float distance = 3.2f;    ///< from the target, > 0
+    float fieldOfView = 0.7f; ///< radians, from bottom to top, in (0, pi)
     glm::vec3 target{0.0f};
     Projection projection = Projection::Perspective; ///< orthographic shows the target at the same size
 

@@ -47,7 +47,8 @@ void Renderer::Resources::drawComposite(const RenderSettings& settings, const Re
         break;
     }
 
-    const ShaderProgram& shader = programs.get({"preview/composite.vert", "preview/composite.frag"}, defines, outputPrelude(settings, output));
+    const ShaderProgram& shader =
+        programs.get({"preview/composite.vert", "preview/composite.frag"}, defines, outputPrelude(settings, output));
     displayTables.bind(shader, displayUnit);
     if (texture)
         bindMap(shader, "background", 2, *texture, yawToMap(settings.yaw));

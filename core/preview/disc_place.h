@@ -11,8 +11,8 @@ namespace mirrorball::preview {
 /// Whose axes a lookup is measured in.
 enum class DiscSpace { Eye, World };
 
-/// Seen edge-on an interpolated normal can lean away, and would mirror the view ray straight on, to a place on the rim that only rounding chooses.
-/// It is taken for one that hardly faces the eye, whose place on the rim lies where it points.
+/// Seen edge-on an interpolated normal can lean away, and would mirror the view ray straight on, to a place on the rim that only rounding
+/// chooses. It is taken for one that hardly faces the eye, whose place on the rim lies where it points.
 inline constexpr double leastFacing = 1e-3;
 
 /// Where a surface looks a painted sphere map up: a place in the disc of radius 1, x to the right, y up.

@@ -8,8 +8,8 @@
 
 namespace mirrorball::preview {
 
-/// Where each pixel of a picture looks the painted sphere map up (disc_place.h), kept for a camera that stands still while a pen moves: what the
-/// pen touches is then known without drawing anything.
+/// Where each pixel of a picture looks the painted sphere map up (disc_place.h), kept for a camera that stands still while a pen moves:
+/// what the pen touches is then known without drawing anything.
 struct DiscPlaces {
     /// Two channels, the place in the disc of radius 1, x to the right, y up. Beside the object: noPlace, twice.
     Image places{};

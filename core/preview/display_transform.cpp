@@ -15,7 +15,8 @@ namespace {
 
 std::string oneLine(std::string text)
 {
-    std::replace_if(text.begin(), text.end(), [](unsigned char c) { return c < 32; }, ' ');
+    std::replace_if(
+        text.begin(), text.end(), [](unsigned char c) { return c < 32; }, ' ');
     return text.substr(0, 240);
 }
 
@@ -49,8 +50,8 @@ ocio::ConstConfigRcPtr openConfig(const std::string& config)
 /// The configuration's name for our working space.
 std::string workingSpace(const ocio::Config& config)
 {
-    for (const char* name : {"lin_rec709", "lin_srgb", "Linear Rec.709 (sRGB)", "lin_rec709_scene", "Utility - Linear - sRGB", "Linear", "linear",
-                             ocio::ROLE_SCENE_LINEAR})
+    for (const char* name : {"lin_rec709", "lin_srgb", "Linear Rec.709 (sRGB)", "lin_rec709_scene", "Utility - Linear - sRGB", "Linear",
+                             "linear", ocio::ROLE_SCENE_LINEAR})
         if (const auto space = config.getColorSpace(name))
             return space->getName();
     throw InvalidArgument("view.display.config: has no linear Rec.709 space and no scene_linear role; use another configuration");

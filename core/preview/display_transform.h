@@ -18,7 +18,7 @@ struct DisplayChoice {
 
 /// A table that the shader reads.
 struct DisplayTable {
-    std::string sampler{}; ///< the uniform's name
+    std::string sampler{};                ///< the uniform's name
     int width = 0, height = 0, depth = 0; ///< height 1 and depth 1: one dimension; depth 1: two
     int channels = 3;
     bool isNearest = false;
@@ -26,7 +26,7 @@ struct DisplayTable {
 };
 
 struct DisplayTransform {
-    std::string glsl{};            ///< defines vec4 ocioDisplay(vec4 scene)
+    std::string glsl{}; ///< defines vec4 ocioDisplay(vec4 scene)
     std::vector<DisplayTable> tables{};
     std::string display{}, view{}; ///< as chosen or by default
 };

@@ -8,10 +8,7 @@ namespace mirrorball::preview {
 
 namespace {
 
-glm::vec3 unitFloats(const glm::uvec3& hash)
-{
-    return glm::vec3(hash >> 8u) * (1.0f / 16777216.0f);
-}
+glm::vec3 unitFloats(const glm::uvec3& hash) { return glm::vec3(hash >> 8u) * (1.0f / 16777216.0f); }
 
 glm::uvec3 cellHash(const glm::ivec3& cell, int seed)
 {

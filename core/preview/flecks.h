@@ -5,8 +5,8 @@
 #include <cstdint>
 
 /// Flecks: the surface in cells, some of which look a sphere map up elsewhere, as facets that are turned at random. Space is cut into cubes
-/// with a point in each; a place belongs to the cell of its nearest point. All that a cell is follows from its hash, so that it stays what it
-/// is however the camera moves. Twin: resources/shaders/lib/flecks.glsl. Source: 003 section 6.2
+/// with a point in each; a place belongs to the cell of its nearest point. All that a cell is follows from its hash, so that it stays what
+/// it is however the camera moves. Twin: resources/shaders/lib/flecks.glsl. Source: 003 section 6.2
 namespace mirrorball::preview {
 
 struct Flecks {

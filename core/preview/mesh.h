@@ -12,10 +12,10 @@ namespace mirrorball::preview {
 /// Indexed triangles, counterclockwise seen from outside. A value. +Y is up.
 struct Mesh {
     std::vector<glm::vec3> positions{};
-    std::vector<glm::vec3> normals{};       ///< unit, outward; one per position
-    std::vector<glm::vec2> texCoords{};     ///< one per position
-    std::vector<std::uint32_t> indices{};   ///< three per triangle
-    std::size_t openFrom = 0;               ///< triangles from this index on can be seen from behind, through a hole
+    std::vector<glm::vec3> normals{};     ///< unit, outward; one per position
+    std::vector<glm::vec2> texCoords{};   ///< one per position
+    std::vector<std::uint32_t> indices{}; ///< three per triangle
+    std::size_t openFrom = 0;             ///< triangles from this index on can be seen from behind, through a hole
 
     bool operator==(const Mesh&) const = default;
 };

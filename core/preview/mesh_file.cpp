@@ -130,15 +130,13 @@ bool isClosed(const Mesh& mesh)
 
 } // namespace
 
-std::span<const std::string_view> meshExtensions()
-{
-    return extensions;
-}
+std::span<const std::string_view> meshExtensions() { return extensions; }
 
 bool isMeshFile(const std::filesystem::path& path)
 {
     std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 

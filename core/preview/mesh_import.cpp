@@ -42,15 +42,9 @@ private:
     std::uintmax_t m_largest;
 };
 
-glm::vec3 vec3(const aiVector3D& v)
-{
-    return {v.x, v.y, v.z};
-}
+glm::vec3 vec3(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 
-bool isFinite(const glm::vec3& v)
-{
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
+bool isFinite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 void append(Mesh& mesh, const aiMesh& part)
 {
@@ -86,7 +80,8 @@ void append(Mesh& mesh, const aiMesh& part)
 std::string reasonOf(const Assimp::Importer& importer)
 {
     std::string reason = importer.GetErrorString();
-    std::replace_if(reason.begin(), reason.end(), [](unsigned char c) { return c < 32 || c == 127; }, ' ');
+    std::replace_if(
+        reason.begin(), reason.end(), [](unsigned char c) { return c < 32 || c == 127; }, ' ');
     return reason.empty() ? "it holds no mesh" : reason.substr(0, 160);
 }
 
@@ -102,11 +97,11 @@ Mesh importMesh(const std::filesystem::path& path, const MeshLimits& limits)
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_COLORS | aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_BONEWEIGHTS |
                                                             aiComponent_ANIMATIONS | aiComponent_TEXTURES | aiComponent_LIGHTS |
                                                             aiComponent_CAMERAS | aiComponent_MATERIALS);
-    const aiScene* scene = importer.ReadFile(std::filesystem::canonical(path).string(),
-                                             aiProcess_ValidateDataStructure | aiProcess_RemoveComponent | aiProcess_FindInvalidData |
-                                                 aiProcess_Triangulate | aiProcess_FindDegenerates | aiProcess_SortByPType |
-                                                 aiProcess_PreTransformVertices | aiProcess_GenSmoothNormals |
-                                                 aiProcess_JoinIdenticalVertices | aiProcess_ImproveCacheLocality);
+    const aiScene* scene =
+        importer.ReadFile(std::filesystem::canonical(path).string(),
+                          aiProcess_ValidateDataStructure | aiProcess_RemoveComponent | aiProcess_FindInvalidData | aiProcess_Triangulate |
+                              aiProcess_FindDegenerates | aiProcess_SortByPType | aiProcess_PreTransformVertices |
+                              aiProcess_GenSmoothNormals | aiProcess_JoinIdenticalVertices | aiProcess_ImproveCacheLocality);
     if (!scene)
         throw InvalidArgument("the mesh cannot be read (" + reasonOf(importer) + "); export it again, for example as .obj or .glb");
 
@@ -114,8 +109,8 @@ Mesh importMesh(const std::filesystem::path& path, const MeshLimits& limits)
     for (unsigned i = 0; i < scene->mNumMeshes; ++i)
         triangles += scene->mMeshes[i]->mNumFaces;
     if (triangles > limits.triangles)
-        throw InvalidArgument("the mesh has " + std::to_string(triangles) + " triangles and at most " +
-                                           std::to_string(limits.triangles) + " can be shown; reduce it in a modeller");
+        throw InvalidArgument("the mesh has " + std::to_string(triangles) + " triangles and at most " + std::to_string(limits.triangles) +
+                              " can be shown; reduce it in a modeller");
     Mesh mesh;
     for (unsigned i = 0; i < scene->mNumMeshes; ++i)
         append(mesh, *scene->mMeshes[i]);

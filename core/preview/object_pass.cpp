@@ -59,10 +59,7 @@ void beginDrawing(const RenderTarget& target, const glm::vec4& nothing = glm::ve
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-std::string number(int value)
-{
-    return std::to_string(value);
-}
+std::string number(int value) { return std::to_string(value); }
 
 } // namespace
 
@@ -192,8 +189,8 @@ void Renderer::Resources::drawBuffers(const RenderSettings& settings, const Rend
     glDisable(GL_SCISSOR_TEST);
     beginDrawing(target);
     const bool isPick = target.colors.size() > 3;
-    const ShaderProgram& shader = programs.get({"preview/object.vert", "preview/buffers.frag"},
-                                               {{"HAS_TEXCOORD", isPick ? "1" : "0"}, {"SPHERE_VERTEX", "0"}});
+    const ShaderProgram& shader =
+        programs.get({"preview/object.vert", "preview/buffers.frag"}, {{"HAS_TEXCOORD", isPick ? "1" : "0"}, {"SPHERE_VERTEX", "0"}});
     shader.set("specularRotation", mapRotation(settings));
     drawMesh(settings, shader);
     glDisable(GL_DEPTH_TEST);

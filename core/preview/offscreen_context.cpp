@@ -20,10 +20,7 @@ bool hasWord(const char* words, std::string_view word)
     return all.find(' ' + std::string(word) + ' ') != std::string::npos;
 }
 
-[[noreturn]] void fail(const std::string& what)
-{
-    throw WorkError("no OpenGL 4.5 context without a display: " + what + "; " + remedy);
-}
+[[noreturn]] void fail(const std::string& what) { throw WorkError("no OpenGL 4.5 context without a display: " + what + "; " + remedy); }
 
 // The EXT entry point, not eglGetPlatformDisplay: libepoxy looks that one up by EGL version, which needs a display first, and ends
 // the process when there is none.
@@ -50,13 +47,9 @@ OffscreenContext::OffscreenContext()
         fail("EGL cannot make a context without a surface");
     if (!eglBindAPI(EGL_OPENGL_API))
         fail("EGL offers no desktop OpenGL");
-    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                 4,
-                                 EGL_CONTEXT_MINOR_VERSION,
-                                 5,
-                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                 EGL_NONE};
+    const EGLint attributes[] = {
+        EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
     if (context == EGL_NO_CONTEXT)
         fail("the driver offers no OpenGL 4.5 core profile");

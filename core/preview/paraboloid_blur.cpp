@@ -48,10 +48,11 @@ std::vector<float> sampleLobe(const Lobe& lobe, double longestChord)
 class DirectionList {
 public:
     explicit DirectionList(double tapsPerDirection, size_t count)
-        : m_rows(static_cast<int>(std::clamp(std::min(tapsAtATime / (listWidth * std::max(1.0, tapsPerDirection)),
-                                                      std::ceil(static_cast<double>(count) / listWidth)),
-                                             1.0, 1024.0))),
-          m_directions(floatTexture(listWidth, m_rows, GL_RGBA32F, GL_RGBA, nullptr)), m_target(listWidth, m_rows, 1, GL_RGBA32F, 1, GL_NONE)
+        : m_rows(static_cast<int>(std::clamp(
+              std::min(tapsAtATime / (listWidth * std::max(1.0, tapsPerDirection)), std::ceil(static_cast<double>(count) / listWidth)), 1.0,
+              1024.0))),
+          m_directions(floatTexture(listWidth, m_rows, GL_RGBA32F, GL_RGBA, nullptr)),
+          m_target(listWidth, m_rows, 1, GL_RGBA32F, 1, GL_NONE)
     {
     }
 
@@ -151,7 +152,8 @@ std::vector<glm::vec3> ParaboloidBlur::Resources::sumBlended(const ParaboloidHal
         blend.set("directions", 0);
         blend.set("smallMap", 1);
         blend.set("largeMap", 2);
-        blend.set("halves", glm::vec4(float(halves.side), float(halves.radius), float(halves.sizes.smallShrink), float(halves.sizes.largeShrink)));
+        blend.set("halves",
+                  glm::vec4(float(halves.side), float(halves.radius), float(halves.sizes.smallShrink), float(halves.sizes.largeShrink)));
         cover(target, blend);
     });
 }
@@ -202,8 +204,8 @@ std::vector<glm::vec3> ParaboloidBlur::sum(const ParaboloidHalves& halves, std::
     if (2 * halves.side > largest)
         throw WorkError("paraboloid: halves of " + std::to_string(halves.side) + " texels are more than the OpenGL driver takes (" +
                         std::to_string(largest / 2) + "); use a smaller paraboloid_half or paraboloid_kernel");
-    std::vector<glm::vec3> result = halves.kernel == ParaboloidKernel::Blended ? gl.sumBlended(halves, directions, job)
-                                                                               : gl.sumExact(halves, directions, job);
+    std::vector<glm::vec3> result =
+        halves.kernel == ParaboloidKernel::Blended ? gl.sumBlended(halves, directions, job) : gl.sumExact(halves, directions, job);
     if (glGetError() == GL_OUT_OF_MEMORY)
         throw WorkError("paraboloid: the OpenGL driver is out of memory; use a smaller paraboloid_half or paraboloid_kernel");
     return result;

@@ -21,7 +21,8 @@ namespace {
 bool holdsRadiance(const std::filesystem::path& path)
 {
     std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     constexpr std::array formats{".exr", ".hdr", ".tif", ".tiff", ".pfm"};
     if (extension.empty())
         throw InvalidArgument(path.string() + ": has no extension that tells the format; use .png or .exr");
@@ -70,7 +71,8 @@ void savePicture(const Scene& scene, const Plan& plan, const std::filesystem::pa
     else if (!radiance)
         divideByOpacity(picture);
     job.checkStop();
-    timedStage(record.stages, "save picture", [&] { writeImage(path, picture, {.encoding = radiance ? Encoding::Linear : Encoding::Display}); });
+    timedStage(record.stages, "save picture",
+               [&] { writeImage(path, picture, {.encoding = radiance ? Encoding::Linear : Encoding::Display}); });
 }
 
 } // namespace mirrorball::preview

@@ -68,13 +68,13 @@ enum class FaceEdges { Seamless, Clamped };
 struct MaterialSettings {
     glm::vec3 specular{1.0f};
     glm::vec3 diffuse{0.0f};
-    Fresnel fresnel{};                ///< F; None: F = 1
-    Combine combine = Combine::Add;   ///< Add: F L_m + L_d; Coat: F L_m + (1 - F) L_d
-    float lambda = 0.0f;              ///< least mip level of the specular lookup: max(lod + lodBias, lambda). Source: 002 section 2
-    float lambdaGrazing = 0.0f;       ///< how much sharper at grazing angles: lambdaAt() of core/shading/lambda.h
+    Fresnel fresnel{};              ///< F; None: F = 1
+    Combine combine = Combine::Add; ///< Add: F L_m + L_d; Coat: F L_m + (1 - F) L_d
+    float lambda = 0.0f;            ///< least mip level of the specular lookup: max(lod + lodBias, lambda). Source: 002 section 2
+    float lambdaGrazing = 0.0f;     ///< how much sharper at grazing angles: lambdaAt() of core/shading/lambda.h
     FaceEdges faceEdges = FaceEdges::Seamless;
-    float lodBias = 0.0f;             ///< moves that level where lambda does not hold it
-    int anisotropy = 1;               ///< most lookups along the longer side of a pixel's footprint, where the map has levels; 1 to 16
+    float lodBias = 0.0f; ///< moves that level where lambda does not hold it
+    int anisotropy = 1;   ///< most lookups along the longer side of a pixel's footprint, where the map has levels; 1 to 16
     LookupSpace space = LookupSpace::World;
     PaintSettings paint{};
 
@@ -106,18 +106,18 @@ glm::vec3 levelColor(float level);
 struct RenderSettings {
     int width = 1280;
     int height = 720;
-    int samples = 4;          ///< per pixel: 1, 2 or 4, as the driver has them
-    float pixelRatio = 1.0f;  ///< device pixels to a pixel of the window: the width of lines follows it
+    int samples = 4;         ///< per pixel: 1, 2 or 4, as the driver has them
+    float pixelRatio = 1.0f; ///< device pixels to a pixel of the window: the width of lines follows it
     Geometry geometry{};
     Shading shading = Shading::Material;
     Parameterization seamsOf = Parameterization::Cube; ///< for Shading::Seams
-    glm::vec3 windowDepths{4.0f, 12.0f, 1000.0f}; ///< GeometryKind::Window: of the layers outside, nearest first
-    std::optional<glm::vec3> marker{}; ///< ringed where the object mirrors it: a direction in the specular map
+    glm::vec3 windowDepths{4.0f, 12.0f, 1000.0f};      ///< GeometryKind::Window: of the layers outside, nearest first
+    std::optional<glm::vec3> marker{};                 ///< ringed where the object mirrors it: a direction in the specular map
     Camera camera{};
     MaterialSettings material{};
     Background background{};
-    float yaw = 0.0f;         ///< radians, turns the environment about +Y as direction.h says
-    float exposure = 0.0f;    ///< EV: display pictures are multiplied by 2^exposure; radiance pictures are not
+    float yaw = 0.0f;                        ///< radians, turns the environment about +Y as direction.h says
+    float exposure = 0.0f;                   ///< EV: display pictures are multiplied by 2^exposure; radiance pictures are not
     ToneCurve toneCurve = ToneCurve::Filmic; ///< display pictures only
     /// In place of tone curve and sRGB, display pictures only; a new pointer means a new transform.
     std::shared_ptr<const DisplayTransform> display = nullptr;

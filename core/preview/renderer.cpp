@@ -120,16 +120,14 @@ Renderer::Resources& Renderer::resources()
 {
     if (!m_resources) {
         if (epoxy_gl_version() < 45 || !epoxy_is_desktop_gl())
-            throw WorkError("the preview needs OpenGL 4.5 and this context has less; install a newer driver or set LIBGL_ALWAYS_SOFTWARE=1");
+            throw WorkError(
+                "the preview needs OpenGL 4.5 and this context has less; install a newer driver or set LIBGL_ALWAYS_SOFTWARE=1");
         m_resources = std::make_unique<Resources>(m_format);
     }
     return *m_resources;
 }
 
-void Renderer::release()
-{
-    m_resources.reset();
-}
+void Renderer::release() { m_resources.reset(); }
 
 void Renderer::patchSphereMap(const Image& texels, int x, int y, int level)
 {
@@ -168,8 +166,7 @@ GeometryBuffers Renderer::renderBuffers(const RenderSettings& settings)
 {
     validate(settings);
     Resources& r = resources();
-    const RenderTarget& buffers =
-        r.target(r.bufferTarget, settings.width, settings.height, 1, GL_RGBA32F, 3, GL_DEPTH_COMPONENT32F);
+    const RenderTarget& buffers = r.target(r.bufferTarget, settings.width, settings.height, 1, GL_RGBA32F, 3, GL_DEPTH_COMPONENT32F);
     r.drawBuffers(settings, buffers, {0, 0});
     return {readImage(buffers, 0), readImage(buffers, 1), readImage(buffers, 2)};
 }
@@ -188,11 +185,7 @@ std::optional<SurfaceHit> Renderer::pick(const RenderSettings& settings, int x, 
     const glm::vec4 position = read(0);
     if (position.w == 0.0f)
         return std::nullopt;
-    return SurfaceHit{.position = position,
-                      .normal = read(1),
-                      .texCoord = glm::vec2(read(3)),
-                      .reflected = read(4),
-                      .lookup = read(2)};
+    return SurfaceHit{.position = position, .normal = read(1), .texCoord = glm::vec2(read(3)), .reflected = read(4), .lookup = read(2)};
 }
 
 DiscPlaces Renderer::discPlaces(const RenderSettings& settings, SphereMapIndex index)

@@ -17,11 +17,11 @@ struct GeometryBuffers {
 
 /// What the object shows in one pixel. Directions are unit vectors.
 struct SurfaceHit {
-    glm::vec3 position{};     ///< world space
-    glm::vec3 normal{};       ///< world space, turned towards the viewer
+    glm::vec3 position{}; ///< world space
+    glm::vec3 normal{};   ///< world space, turned towards the viewer
     glm::vec2 texCoord{};
-    glm::vec3 reflected{};    ///< mirror direction, world space
-    glm::vec3 lookup{};       ///< mirror direction in the space of the specular map (yaw or eye space applied)
+    glm::vec3 reflected{}; ///< mirror direction, world space
+    glm::vec3 lookup{};    ///< mirror direction in the space of the specular map (yaw or eye space applied)
 };
 
 /// Pixels [x, x + width) x [y, y + height), from the lower left.
@@ -71,7 +71,8 @@ public:
     /// What one pixel of the picture shows, x and y from the upper left; nothing beside the object. Draws that pixel only.
     std::optional<SurfaceHit> pick(const RenderSettings& settings, int x, int y);
 
-    /// Where each pixel looks a painted sphere map up that is indexed so; through a window, the nearest layer outside. One sample per pixel.
+    /// Where each pixel looks a painted sphere map up that is indexed so; through a window, the nearest layer outside. One sample per
+    /// pixel.
     DiscPlaces discPlaces(const RenderSettings& settings, SphereMapIndex index);
 
     /// Puts new texels into one level of the painted sphere map that the last picture read, their upper left one at (x, y): what a stroke

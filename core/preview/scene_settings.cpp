@@ -8,10 +8,7 @@ namespace mirrorball::preview {
 
 namespace {
 
-float toRadians(double degrees)
-{
-    return static_cast<float>(degrees * pi / 180.0);
-}
+float toRadians(double degrees) { return static_cast<float>(degrees * pi / 180.0); }
 
 GeometryKind geometryKind(const std::string& word)
 {
@@ -26,10 +23,7 @@ GeometryKind geometryKind(const std::string& word)
 
 /// Finer the larger the picture is: the outline of a body of revolution stays within a pixel of its circle. Vertices are a third of a
 /// frame's time on a software renderer.
-int tessellation(int height)
-{
-    return std::clamp(height / 80, 9, 48);
-}
+int tessellation(int height) { return std::clamp(height / 80, 9, 48); }
 
 PaintSettings paintSettings(const mirrorball::SphereMapSettings& map)
 {
@@ -68,7 +62,8 @@ RenderSettings renderSettings(const Scene& scene, const Plan& plan, std::shared_
 {
     const ViewSettings& view = scene.view;
     RenderSettings settings{.width = view.width, .height = view.height};
-    settings.geometry = {.kind = geometryKind(view.geometry), .level = view.tessellation > 0 ? view.tessellation : tessellation(view.height)};
+    settings.geometry = {.kind = geometryKind(view.geometry),
+                         .level = view.tessellation > 0 ? view.tessellation : tessellation(view.height)};
     if (!isBuiltinGeometry(view.geometry)) {
         if (!mesh)
             throw InvalidArgument("view.geometry: the mesh of '" + view.geometry + "' must be read first");

@@ -158,33 +158,15 @@ const ShaderProgram& ProgramCache::get(const ShaderStages& stages, const std::ve
     return found != m_programs.end() ? found->second : m_programs.emplace(key, ShaderProgram(stages, defines, prelude)).first->second;
 }
 
-void ShaderProgram::use() const
-{
-    glUseProgram(m_program);
-}
+void ShaderProgram::use() const { glUseProgram(m_program); }
 
-GLint ShaderProgram::location(const char* name) const
-{
-    return glGetUniformLocation(m_program, name);
-}
+GLint ShaderProgram::location(const char* name) const { return glGetUniformLocation(m_program, name); }
 
 // A location of -1 is ignored by OpenGL.
-void ShaderProgram::set(const char* name, int value) const
-{
-    glProgramUniform1i(m_program, location(name), value);
-}
-void ShaderProgram::set(const char* name, float value) const
-{
-    glProgramUniform1f(m_program, location(name), value);
-}
-void ShaderProgram::set(const char* name, const glm::vec3& value) const
-{
-    glProgramUniform3fv(m_program, location(name), 1, &value.x);
-}
-void ShaderProgram::set(const char* name, const glm::vec4& value) const
-{
-    glProgramUniform4fv(m_program, location(name), 1, &value.x);
-}
+void ShaderProgram::set(const char* name, int value) const { glProgramUniform1i(m_program, location(name), value); }
+void ShaderProgram::set(const char* name, float value) const { glProgramUniform1f(m_program, location(name), value); }
+void ShaderProgram::set(const char* name, const glm::vec3& value) const { glProgramUniform3fv(m_program, location(name), 1, &value.x); }
+void ShaderProgram::set(const char* name, const glm::vec4& value) const { glProgramUniform4fv(m_program, location(name), 1, &value.x); }
 void ShaderProgram::set(const char* name, const glm::mat3& value) const
 {
     glProgramUniformMatrix3fv(m_program, location(name), 1, GL_FALSE, &value[0].x);

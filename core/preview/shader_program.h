@@ -45,7 +45,8 @@ struct ShaderStages {
     const char* geometry = nullptr;
 };
 
-/// A linked vertex and fragment shader, with a geometry shader between them where there is one. Setters skip names that the compiler left out because nothing reads them.
+/// A linked vertex and fragment shader, with a geometry shader between them where there is one. Setters skip names that the compiler left
+/// out because nothing reads them.
 class ShaderProgram {
 public:
     /// @throws WorkError with the compiler's log, in which the source numbers are replaced by file names

@@ -22,7 +22,8 @@ void check(const std::vector<Image>& levels, const char* role)
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     if (levels[0].width > largest)
-        throw WorkError(std::string(role) + ": a texture of " + std::to_string(levels[0].width) + " texels is more than the OpenGL driver takes");
+        throw WorkError(std::string(role) + ": a texture of " + std::to_string(levels[0].width) +
+                        " texels is more than the OpenGL driver takes");
 }
 
 } // namespace
@@ -69,7 +70,8 @@ void SphereMapTexture::patch(const Image& texels, int x, int y, int level)
     const size_t row = static_cast<size_t>(texels.width) * 4;
     parallelRows(texels.height, {}, [&](int first, int last) {
         std::transform(texels.row(first), texels.row(first) + static_cast<size_t>(last - first) * row,
-                       halves.begin() + static_cast<std::ptrdiff_t>(static_cast<size_t>(first) * row), [](float value) { return half(value); });
+                       halves.begin() + static_cast<std::ptrdiff_t>(static_cast<size_t>(first) * row),
+                       [](float value) { return half(value); });
     });
     glTextureSubImage2D(m_texture, level, x, y, texels.width, texels.height, GL_RGBA, GL_HALF_FLOAT, halves.data());
 }

@@ -13,7 +13,8 @@ public:
     /// larger than the GPU takes
     void update(const SphereMapChain& map, const char* role);
     void release();
-    /// @param anisotropy most lookups along the longer side of a footprint that the hardware measures itself, where it can; 1: filtered evenly
+    /// @param anisotropy most lookups along the longer side of a footprint that the hardware measures itself, where it can; 1: filtered
+    /// evenly
     void bind(GLuint unit, int anisotropy) const;
     const SphereMapChain& source() const { return m_source; }
 

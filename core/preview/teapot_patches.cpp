@@ -39,12 +39,24 @@ struct Section {
 using Tube = std::array<Section, 4>;
 
 constexpr Tube handle[] = {
-    {{{{-1.6, 2.025}, {-1.5, 2.25}, 0.3}, {{-2.3, 2.025}, {-2.5, 2.25}, 0.3}, {{-2.7, 2.025}, {-3.0, 2.25}, 0.3}, {{-2.7, 1.8}, {-3.0, 1.8}, 0.3}}},
-    {{{{-2.7, 1.8}, {-3.0, 1.8}, 0.3}, {{-2.7, 1.575}, {-3.0, 1.35}, 0.3}, {{-2.5, 1.125}, {-2.65, 0.9375}, 0.3}, {{-2.0, 0.9}, {-1.9, 0.6}, 0.3}}},
+    {{{{-1.6, 2.025}, {-1.5, 2.25}, 0.3},
+      {{-2.3, 2.025}, {-2.5, 2.25}, 0.3},
+      {{-2.7, 2.025}, {-3.0, 2.25}, 0.3},
+      {{-2.7, 1.8}, {-3.0, 1.8}, 0.3}}},
+    {{{{-2.7, 1.8}, {-3.0, 1.8}, 0.3},
+      {{-2.7, 1.575}, {-3.0, 1.35}, 0.3},
+      {{-2.5, 1.125}, {-2.65, 0.9375}, 0.3},
+      {{-2.0, 0.9}, {-1.9, 0.6}, 0.3}}},
 };
 constexpr Tube spout[] = {
-    {{{{1.7, 1.425}, {1.7, 0.6}, 0.66}, {{2.6, 1.425}, {3.1, 0.825}, 0.66}, {{2.3, 2.1}, {2.4, 2.025}, 0.25}, {{2.7, 2.4}, {3.3, 2.4}, 0.25}}},
-    {{{{2.7, 2.4}, {3.3, 2.4}, 0.25}, {{2.8, 2.475}, {3.525, 2.49375}, 0.25}, {{2.9, 2.475}, {3.45, 2.5125}, 0.15}, {{2.8, 2.4}, {3.2, 2.4}, 0.15}}},
+    {{{{1.7, 1.425}, {1.7, 0.6}, 0.66},
+      {{2.6, 1.425}, {3.1, 0.825}, 0.66},
+      {{2.3, 2.1}, {2.4, 2.025}, 0.25},
+      {{2.7, 2.4}, {3.3, 2.4}, 0.25}}},
+    {{{{2.7, 2.4}, {3.3, 2.4}, 0.25},
+      {{2.8, 2.475}, {3.525, 2.49375}, 0.25},
+      {{2.9, 2.475}, {3.45, 2.5125}, 0.15},
+      {{2.8, 2.4}, {3.2, 2.4}, 0.15}}},
 };
 
 // A profile swept through the quarter from +X to -Z, then turned on about +Y by `quarter` right angles.
@@ -71,10 +83,8 @@ TeapotPatch halfTube(const Tube& tube, int side, double uShare, double vShare)
     TeapotPatch patch{.points = {}, .uShare = uShare, .vShare = vShare};
     for (size_t v = 0; v < 4; ++v) {
         const Section& section = tube[v];
-        const glm::dvec3 row[4] = {{section.first, 0.0},
-                                   {section.first, side * section.halfWidth},
-                                   {section.last, side * section.halfWidth},
-                                   {section.last, 0.0}};
+        const glm::dvec3 row[4] = {
+            {section.first, 0.0}, {section.first, side * section.halfWidth}, {section.last, side * section.halfWidth}, {section.last, 0.0}};
         for (size_t u = 0; u < 4; ++u)
             patch.points[4 * v + u] = row[side < 0 ? u : 3 - u];
     }

@@ -11,10 +11,7 @@ namespace mirrorball {
 
 namespace {
 
-double median(std::vector<double> values)
-{
-    return RunTimes{std::move(values)}.median();
-}
+double median(std::vector<double> values) { return RunTimes{std::move(values)}.median(); }
 
 std::string times(double ratio)
 {
@@ -24,15 +21,9 @@ std::string times(double ratio)
     return std::to_string(std::llround(ratio / unit) * std::llround(unit)) + " times";
 }
 
-std::string milliseconds(double seconds)
-{
-    return seconds >= 1.0 ? shortNumber(seconds, 3) + " s" : shortNumber(1e3 * seconds, 3) + " ms";
-}
+std::string milliseconds(double seconds) { return seconds >= 1.0 ? shortNumber(seconds, 3) + " s" : shortNumber(1e3 * seconds, 3) + " ms"; }
 
-std::string megabytes(double bytes)
-{
-    return std::to_string(std::lround(bytes / 1e6)) + " MB";
-}
+std::string megabytes(double bytes) { return std::to_string(std::lround(bytes / 1e6)) + " MB"; }
 
 std::string list(const std::vector<std::string>& items)
 {
@@ -42,10 +33,7 @@ std::string list(const std::vector<std::string>& items)
     return text;
 }
 
-std::string plural(size_t count, const std::string& noun)
-{
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
+std::string plural(size_t count, const std::string& noun) { return std::to_string(count) + " " + noun + (count == 1 ? "" : "s"); }
 
 /// Which method is fastest at a tolerance, lobe by lobe.
 void fastestMethods(const Report& report, std::vector<std::string>& sentences)
@@ -63,9 +51,10 @@ void fastestMethods(const Report& report, std::vector<std::string>& sentences)
         seconds[lobe].push_back(v.fastestSeconds);
     }
     for (const std::string& lobe : lobes) {
-        const auto best = std::max_element(wins[lobe].begin(), wins[lobe].end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-        std::string sentence = "For " + lobe + " at rel_rms " + shortNumber(report.tolerance) + " the fastest method is " + std::string(name(best->first)) +
-                               " (" + milliseconds(median(seconds[lobe])) + ")";
+        const auto best =
+            std::max_element(wins[lobe].begin(), wins[lobe].end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+        std::string sentence = "For " + lobe + " at rel_rms " + shortNumber(report.tolerance) + " the fastest method is " +
+                               std::string(name(best->first)) + " (" + milliseconds(median(seconds[lobe])) + ")";
         if (seconds[lobe].size() > 1)
             sentence += ", on " + std::to_string(best->second) + " of " + plural(seconds[lobe].size(), "probe");
         // What the next best method pays.
@@ -81,7 +70,8 @@ void fastestMethods(const Report& report, std::vector<std::string>& sentences)
                         others[method].push_back(other->seconds / winner->times.median());
                 }
             }
-        const auto next = std::min_element(others.begin(), others.end(), [](const auto& a, const auto& b) { return median(a.second) < median(b.second); });
+        const auto next = std::min_element(others.begin(), others.end(),
+                                           [](const auto& a, const auto& b) { return median(a.second) < median(b.second); });
         if (next != others.end())
             sentence += "; next comes " + std::string(name(next->first)) + " at " + times(median(next->second)) + " that";
         sentences.push_back(sentence + ".");
@@ -105,8 +95,8 @@ void methodsThatMiss(const Report& report, std::vector<std::string>& sentences)
         if (error > report.tolerance)
             missing.push_back(std::string(name(method)) + " (best " + shortNumber(error, 2) + ")");
     if (!missing.empty())
-        sentences.push_back("Within the knobs and the time tried, " + list(missing) + " never " + (missing.size() == 1 ? "reaches" : "reach") +
-                            " rel_rms " + shortNumber(report.tolerance) + ".");
+        sentences.push_back("Within the knobs and the time tried, " + list(missing) + " never " +
+                            (missing.size() == 1 ? "reaches" : "reach") + " rel_rms " + shortNumber(report.tolerance) + ".");
 }
 
 void autoVerdicts(const Report& report, std::vector<std::string>& sentences)
@@ -126,8 +116,8 @@ void autoVerdicts(const Report& report, std::vector<std::string>& sentences)
     std::string sentence = "auto meets rel_rms " + shortNumber(report.tolerance) + " in " + std::to_string(met) + " of " +
                            plural(report.verdicts.size(), "case");
     if (compared > 0)
-        sentence += " and is within 1.3 times the fastest method that meets it in " + std::to_string(near) + " of " + std::to_string(compared) +
-                    " (at worst " + times(worst) + ")";
+        sentence += " and is within 1.3 times the fastest method that meets it in " + std::to_string(near) + " of " +
+                    std::to_string(compared) + " (at worst " + times(worst) + ")";
     sentences.push_back(sentence + ".");
 }
 
@@ -145,14 +135,16 @@ void spectralAgainst(const Report& report, std::vector<std::string>& sentences)
     }
     std::vector<std::string> parts;
     if (!importance.empty())
-        parts.push_back((bound ? "at least " : "") + times(median(importance)) + " faster than importance sampling at equal error" +
-                        (importance.size() > 1 ? " (lowest " + shortNumber(*std::min_element(importance.begin(), importance.end())) + ")" : ""));
+        parts.push_back(
+            (bound ? "at least " : "") + times(median(importance)) + " faster than importance sampling at equal error" +
+            (importance.size() > 1 ? " (lowest " + shortNumber(*std::min_element(importance.begin(), importance.end())) + ")" : ""));
     if (!reference.empty())
-        parts.push_back(times(median(reference)) + " faster than the reference sum" +
-                        (reference.size() > 1 ? " (lowest " + shortNumber(*std::min_element(reference.begin(), reference.end())) + ")" : ""));
+        parts.push_back(
+            times(median(reference)) + " faster than the reference sum" +
+            (reference.size() > 1 ? " (lowest " + shortNumber(*std::min_element(reference.begin(), reference.end())) + ")" : ""));
     if (!parts.empty())
-        sentences.push_back("At rel_rms " + shortNumber(report.tolerance) + ", median over " + plural(std::max(importance.size(), reference.size()), "case") +
-                            ", spectral is " + list(parts) + ".");
+        sentences.push_back("At rel_rms " + shortNumber(report.tolerance) + ", median over " +
+                            plural(std::max(importance.size(), reference.size()), "case") + ", spectral is " + list(parts) + ".");
 }
 
 /// How far predictions are from what was measured.
@@ -173,8 +165,8 @@ void predictions(const Report& report, std::vector<std::string>& sentences)
         }
     if (count > 0 && !timeFactors.empty())
         sentences.push_back("The measured error stays below the predicted one in " + std::to_string(count - optimistic) + " of " +
-                            plural(count, "setting") + "; predicted times are off by a factor of " + shortNumber(std::exp(median(timeFactors)), 2) +
-                            " in the median.");
+                            plural(count, "setting") + "; predicted times are off by a factor of " +
+                            shortNumber(std::exp(median(timeFactors)), 2) + " in the median.");
 }
 
 void seams(const Report& report, std::vector<std::string>& sentences)
@@ -185,8 +177,8 @@ void seams(const Report& report, std::vector<std::string>& sentences)
             if (m.state == MeasurementState::Measured)
                 for (const double ratio : m.seamRatios)
                     if (std::isfinite(ratio)) {
-                        const std::string who = std::string(name(m.setting.method)) +
-                                                (m.setting.method == Method::Mip ? " (" + m.setting.label + ")" : "");
+                        const std::string who =
+                            std::string(name(m.setting.method)) + (m.setting.method == Method::Mip ? " (" + m.setting.label + ")" : "");
                         worst[who] = std::max(worst[who], ratio);
                     }
     const auto most = std::max_element(worst.begin(), worst.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
@@ -196,7 +188,8 @@ void seams(const Report& report, std::vector<std::string>& sentences)
     constexpr double tellable = 1000.0; // beyond it there is hardly a step inside, as in a level of a few texels
     sentences.push_back("Seams show most in maps by " + most->first + ", which change " +
                         (most->second > tellable ? "over " + times(tellable) : "up to " + times(most->second)) +
-                        " as much across a seam as beside it; least in those by " + least->first + " (" + shortNumber(least->second) + ").");
+                        " as much across a seam as beside it; least in those by " + least->first + " (" + shortNumber(least->second) +
+                        ").");
 }
 
 void parameterizations(const Report& report, std::vector<std::string>& sentences)
@@ -205,15 +198,17 @@ void parameterizations(const Report& report, std::vector<std::string>& sentences
         if (study.rows.empty())
             continue;
         const auto lowest = [&](auto member) {
-            return *std::min_element(study.rows.begin(), study.rows.end(), [&](const auto& a, const auto& b) { return a.*member < b.*member; });
+            return *std::min_element(study.rows.begin(), study.rows.end(),
+                                     [&](const auto& a, const auto& b) { return a.*member < b.*member; });
         };
-        const ParameterizationRow mirror = lowest(&ParameterizationRow::mirrorError), filtered = lowest(&ParameterizationRow::filteredError),
-                                  even = lowest(&ParameterizationRow::densityRatio);
+        const ParameterizationRow mirror = lowest(&ParameterizationRow::mirrorError),
+                                  filtered = lowest(&ParameterizationRow::filteredError), even = lowest(&ParameterizationRow::densityRatio);
         sentences.push_back("At about " + std::to_string(study.rows.front().texels) + " texels, mirror lookups lose least in the " +
-                            std::string(name(mirror.layout.kind)) + " map (rel_rms " + shortNumber(mirror.mirrorError, 2) + "), lookups of the filtered map (" +
-                            describe(study.lobe) + ") least in the " + std::string(name(filtered.layout.kind)) + " map (" +
-                            shortNumber(filtered.filteredError, 2) + "); texels are most even in the " + std::string(name(even.layout.kind)) +
-                            " map (" + shortNumber(even.densityRatio, 3) + " to 1).");
+                            std::string(name(mirror.layout.kind)) + " map (rel_rms " + shortNumber(mirror.mirrorError, 2) +
+                            "), lookups of the filtered map (" + describe(study.lobe) + ") least in the " +
+                            std::string(name(filtered.layout.kind)) + " map (" + shortNumber(filtered.filteredError, 2) +
+                            "); texels are most even in the " + std::string(name(even.layout.kind)) + " map (" +
+                            shortNumber(even.densityRatio, 3) + " to 1).");
     }
 }
 
@@ -227,10 +222,12 @@ void growth(const Report& report, std::vector<std::string>& sentences)
     if (spectral.size() >= 2) {
         const GrowthPoint &first = *spectral.front(), &last = *spectral.back();
         const double power = std::log(last.times.median() / first.times.median()) / std::log(last.at / first.at);
-        std::string sentence = "From " + shortNumber(first.at, 5) + " to " + shortNumber(last.at, 5) + " columns of the probe, spectral grows as the width to the power " +
-                               shortNumber(power, 2) + ", to " + milliseconds(last.times.median());
+        std::string sentence = "From " + shortNumber(first.at, 5) + " to " + shortNumber(last.at, 5) +
+                               " columns of the probe, spectral grows as the width to the power " + shortNumber(power, 2) + ", to " +
+                               milliseconds(last.times.median());
         if (last.peakBytes)
-            sentence += " and " + megabytes(static_cast<double>(*last.peakBytes)) + (last.streamed ? " in all, the probe streamed" : " beside the probe");
+            sentence += " and " + megabytes(static_cast<double>(*last.peakBytes)) +
+                        (last.streamed ? " in all, the probe streamed" : " beside the probe");
         sentences.push_back(sentence + ".");
     }
 }
@@ -247,8 +244,8 @@ void stability(const Report& report, std::vector<std::string>& sentences)
         if (row.refused.empty() && !row.holds() && failing.size() < 5)
             failing.push_back(std::string(name(row.method)) + " on " + row.name);
     }
-    std::string sentence = "Of " + plural(report.stability.size(), "extreme case") + " (a case and a method each), " + std::to_string(holds) +
-                           " hold and " + std::to_string(refused) + " are refused with a reason";
+    std::string sentence = "Of " + plural(report.stability.size(), "extreme case") + " (a case and a method each), " +
+                           std::to_string(holds) + " hold and " + std::to_string(refused) + " are refused with a reason";
     if (holds + refused < report.stability.size())
         sentence += "; " + std::to_string(report.stability.size() - holds - refused) + " do not hold, among them " + list(failing);
     sentences.push_back(sentence + ".");
@@ -271,7 +268,8 @@ std::vector<std::string> conclusions(const Report& report)
     const double load = std::max(report.machine.load, report.loadAtEnd);
     if (load > report.threads + 0.5)
         sentences.push_back("The machine was busy while this was measured (up to " + shortNumber(load) + " processes wanted its " +
-                            plural(static_cast<size_t>(report.machine.cores), "core") + "): compare times within the report, and repeat it on a quiet one.");
+                            plural(static_cast<size_t>(report.machine.cores), "core") +
+                            "): compare times within the report, and repeat it on a quiet one.");
     return sentences;
 }
 

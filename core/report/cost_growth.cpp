@@ -21,13 +21,17 @@ constexpr int blockRows = 64;
 /// Rows of the probe at another width, read bilinearly: what a file of that size would hold.
 void makeRows(const EnvironmentMap& probe, const MapLayout& layout, int firstRow, int rows, std::vector<float>& rgb, const JobControl& job)
 {
-    parallelRows(rows, job, [&](int first, int last) {
-        for (int y = first; y < last; ++y)
-            for (int x = 0; x < layout.width(); ++x) {
-                const glm::vec3 value = probe.radiance(texelDirection(layout, x, firstRow + y));
-                std::copy_n(&value.x, 3, &rgb[3 * (static_cast<size_t>(y) * static_cast<size_t>(layout.width()) + static_cast<size_t>(x))]);
-            }
-    }, 1);
+    parallelRows(
+        rows, job,
+        [&](int first, int last) {
+            for (int y = first; y < last; ++y)
+                for (int x = 0; x < layout.width(); ++x) {
+                    const glm::vec3 value = probe.radiance(texelDirection(layout, x, firstRow + y));
+                    std::copy_n(&value.x, 3,
+                                &rgb[3 * (static_cast<size_t>(y) * static_cast<size_t>(layout.width()) + static_cast<size_t>(x))]);
+                }
+        },
+        1);
 }
 
 class Grower {
@@ -86,11 +90,8 @@ private:
     void measure(GrowthAxis axis, double at, const FilterSource& probe, const Lobe& lobe, Method method)
     {
         m_job.checkStop();
-        GrowthPoint point{.axis = axis,
-                          .at = at,
-                          .method = method,
-                          .ran = method,
-                          .probeBytes = std::int64_t{12} * probe.width() * probe.height()};
+        GrowthPoint point{
+            .axis = axis, .at = at, .method = method, .ran = method, .probeBytes = std::int64_t{12} * probe.width() * probe.height()};
         const PrefilterOptions options = usual(lobe, method);
         const auto leaveOut = [&](MeasurementState state, std::string why) {
             point.state = state;

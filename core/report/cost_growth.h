@@ -2,8 +2,8 @@
 
 #include "report.h"
 
-#include "core/filter/filter_source.h"
 #include "core/base/job.h"
+#include "core/filter/filter_source.h"
 
 #include <memory>
 #include <vector>
@@ -15,10 +15,10 @@ struct CostGrowthOptions {
     Lobe lobe{};
     MapLayout target{.kind = Parameterization::Cube, .size = 64};
     double tolerance = 1e-3;
-    int largestWidth = 2048;   ///< columns of the largest probe: a power of two, 256 to 16384
+    int largestWidth = 2048; ///< columns of the largest probe: a power of two, 256 to 16384
     int repeats = 3;
     std::shared_ptr<ParaboloidDevice> device{}; ///< of the paraboloid method, for the probes of other widths
-    double longest = 3.0;      ///< seconds; a method that took longer is not tried further up
+    double longest = 3.0;                       ///< seconds; a method that took longer is not tried further up
 };
 
 /// How time and memory of each method grow, with its usual knobs: with the probe's width from 256 by doublings, and with the exponent of

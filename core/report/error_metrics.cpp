@@ -30,7 +30,9 @@ ErrorMetrics errorMetrics(std::span<const glm::dvec3> values, std::span<const gl
         }
     }
     if (referencePower <= 0.0 || total <= 0.0)
-        return {.relRms = differencePower > 0.0 ? HUGE_VAL : 0.0, .maxAbs = largest > 0.0 ? HUGE_VAL : 0.0, .p99Rel = largest > 0.0 ? HUGE_VAL : 0.0};
+        return {.relRms = differencePower > 0.0 ? HUGE_VAL : 0.0,
+                .maxAbs = largest > 0.0 ? HUGE_VAL : 0.0,
+                .p99Rel = largest > 0.0 ? HUGE_VAL : 0.0};
     mean /= total;
 
     std::vector<Weighted> relative;

@@ -10,13 +10,14 @@ namespace mirrorball {
 
 /// Error of values E against reference values R at the same directions, over all channels, weighted by solid angle (DESIGN 4).
 struct ErrorMetrics {
-    double relRms = 0.0;  ///< rms(E - R) / rms(R); 0 where both are 0
-    double maxAbs = 0.0;  ///< max|E - R| / rms(R)
-    double p99Rel = 0.0;  ///< 99th percentile of |E - R| / max(R, 1e-6 mean(R)): shows ringing in the dark beside a sun
+    double relRms = 0.0; ///< rms(E - R) / rms(R); 0 where both are 0
+    double maxAbs = 0.0; ///< max|E - R| / rms(R)
+    double p99Rel = 0.0; ///< 99th percentile of |E - R| / max(R, 1e-6 mean(R)): shows ringing in the dark beside a sun
 };
 
 /// @param solidAngles one a direction; empty: all equal
-ErrorMetrics errorMetrics(std::span<const glm::dvec3> values, std::span<const glm::dvec3> reference, std::span<const double> solidAngles = {});
+ErrorMetrics errorMetrics(std::span<const glm::dvec3> values, std::span<const glm::dvec3> reference,
+                          std::span<const double> solidAngles = {});
 
 /// The same for two maps of one layout; texels outside a disc do not count. @throws InvalidArgument when the layouts differ
 ErrorMetrics errorMetrics(const EnvironmentMap& map, const EnvironmentMap& reference);

@@ -24,10 +24,7 @@ constexpr double longRun = 0.5;
 /// Seam ratios are measured at smaller maps too where those cost less than this.
 constexpr double cheapRun = 1.0;
 
-double sum(const glm::dvec3& rgb)
-{
-    return rgb.r + rgb.g + rgb.b;
-}
+double sum(const glm::dvec3& rgb) { return rgb.r + rgb.g + rgb.b; }
 
 /// One setting after the other, with what they share.
 class Bench {
@@ -169,7 +166,8 @@ private:
 
 std::string tooLong(double seconds, double longest)
 {
-    return "a run is predicted to take " + shortNumber(seconds, 2) + " s, more than the " + shortNumber(longest, 2) + " s that a report gives it";
+    return "a run is predicted to take " + shortNumber(seconds, 2) + " s, more than the " + shortNumber(longest, 2) +
+           " s that a report gives it";
 }
 
 ReportCase measureCase(const FilterSource& probe, const std::string& name, const Lobe& lobe, const ErrorTimeOptions& options,
@@ -192,9 +190,7 @@ ReportCase measureCase(const FilterSource& probe, const std::string& name, const
 
     Bench bench(probe, lobe, options, job);
     step();
-    ReportCase result{.lobe = lobe,
-                      .referenceDirections = bench.reference().weighted(),
-                      .referenceComplete = bench.reference().complete};
+    ReportCase result{.lobe = lobe, .referenceDirections = bench.reference().weighted(), .referenceComplete = bench.reference().complete};
     std::vector<EnvironmentMap> maps;
     if (withReference) {
         result.measurements.push_back(bench.measureReference(name));

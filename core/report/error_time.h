@@ -14,10 +14,10 @@ struct ErrorTimeOptions {
     MapLayout target{.kind = Parameterization::Cube, .size = 64};
     std::vector<Method> methods{allMethods.begin(), allMethods.end()};
     Sweep sweep = Sweep::Usual;
-    double tolerance = 1e-3;  ///< rel_rms of the verdicts and of the settings that are shown
-    int repeats = 5;          ///< timed runs of each setting
-    double longest = 3.0;     ///< seconds; a setting predicted to take longer is left out, a dear one is repeated no longer than this
-    int directions = 512;     ///< at which the reference is summed
+    double tolerance = 1e-3; ///< rel_rms of the verdicts and of the settings that are shown
+    int repeats = 5;         ///< timed runs of each setting
+    double longest = 3.0;    ///< seconds; a setting predicted to take longer is left out, a dear one is repeated no longer than this
+    int directions = 512;    ///< at which the reference is summed
 };
 
 /// Measures every setting of every method against the reference. Each run starts from a source that holds nothing but the probe; memory

@@ -17,10 +17,10 @@ std::string htmlPage(const std::string& json)
     }
     const PageParts parts = pageParts();
     const std::array<std::pair<std::string_view, std::string_view>, 5> places{{{"@STYLE@", parts.style},
-                                                                                {"@CHART_LICENCE@", parts.chartLicence},
-                                                                                {"@CHART_LIBRARY@", parts.chartLibrary},
-                                                                                {"@REPORT@", safe},
-                                                                                {"@SCRIPT@", parts.script}}};
+                                                                               {"@CHART_LICENCE@", parts.chartLicence},
+                                                                               {"@CHART_LIBRARY@", parts.chartLibrary},
+                                                                               {"@REPORT@", safe},
+                                                                               {"@SCRIPT@", parts.script}}};
     std::string page;
     std::string_view rest = parts.html;
     for (const auto& [place, text] : places) { // in the order of the template, so that no part is searched for places

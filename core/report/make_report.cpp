@@ -56,8 +56,9 @@ OpenProbe openProbe(const ReportOptions& options, const std::string& name, const
     if (!name.starts_with("builtin:")) {
         const auto info = openImage(name)->info();
         if (std::int64_t{info.width} * info.height > largestReportProbe)
-            throw InvalidArgument(name + ": has " + std::to_string(info.width) + " x " + std::to_string(info.height) +
-                                  " texels, more than a report holds; give a smaller one, and --growth-to 16384 to see how large ones stream");
+            throw InvalidArgument(
+                name + ": has " + std::to_string(info.width) + " x " + std::to_string(info.height) +
+                " texels, more than a report holds; give a smaller one, and --growth-to 16384 to see how large ones stream");
     }
     std::vector<Stage> stages;
     Probe probe = readProbe(name, {}, inner, stages);
@@ -105,8 +106,8 @@ void validate(const ReportOptions& options)
     ReportOptions::visitFields(options, [](const Field& field, const auto& value) {
         const auto number = static_cast<double>(value);
         if (!(number >= field.low && number <= field.high))
-            throw InvalidArgument(std::string(field.name) + ": must lie in " + shortNumber(field.low, 6) + " to " + shortNumber(field.high, 6) +
-                                  "; it is " + shortNumber(number, 6));
+            throw InvalidArgument(std::string(field.name) + ": must lie in " + shortNumber(field.low, 6) + " to " +
+                                  shortNumber(field.high, 6) + "; it is " + shortNumber(number, 6));
     });
     if (options.growthTo != 0 && options.growthTo < 256)
         throw InvalidArgument("growth-to: must be 0 or 256 to 16384 columns; it is " + std::to_string(options.growthTo));

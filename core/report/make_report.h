@@ -3,8 +3,8 @@
 #include "report.h"
 
 #include "core/base/fields.h"
-#include "core/filter/paraboloid.h"
 #include "core/base/job.h"
+#include "core/filter/paraboloid.h"
 
 #include <memory>
 #include <string>
@@ -27,7 +27,7 @@ struct ReportOptions {
     bool stability = false;
     std::shared_ptr<ParaboloidDevice> device{}; ///< of the paraboloid method; null: the CPU
     std::string deviceName{};
-    std::string command{};                      ///< as typed, for the record
+    std::string command{}; ///< as typed, for the record
     std::string version{};
 
     /// The numbers that the command line offers, each under its name.

@@ -16,7 +16,8 @@ MethodRace::MethodRace(FilterSource probe, Lobe lobe, const MethodRaceOptions& o
     if (m_lobe.isMirror())
         throw InvalidArgument("lobe: the material is a mirror, whose map is the environment itself; nothing is filtered");
     if (!m_probe.latlong())
-        throw InvalidArgument("probe: it is too large to hold, so only the spectral method can filter it; compare methods on a smaller one");
+        throw InvalidArgument(
+            "probe: it is too large to hold, so only the spectral method can filter it; compare methods on a smaller one");
     m_reference = referenceSamples(m_probe, m_lobe, options.target, options.directions, job);
     for (const Method method : allMethods)
         if (method != Method::Reference)
@@ -59,8 +60,8 @@ RacePoint MethodRace::measure(const MethodSetting& setting, const JobControl& jo
         point.predictedSeconds = plan.predictedSeconds;
         if (plan.predictedSeconds > m_options.longest) {
             point.state = MeasurementState::LeftOut;
-            point.why = "predicted to take " + shortNumber(plan.predictedSeconds, 2) + " s, more than the " + shortNumber(m_options.longest, 2) +
-                        " s that a live comparison gives it";
+            point.why = "predicted to take " + shortNumber(plan.predictedSeconds, 2) + " s, more than the " +
+                        shortNumber(m_options.longest, 2) + " s that a live comparison gives it";
             return point;
         }
         PrefilterOutcome outcome;

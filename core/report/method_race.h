@@ -2,8 +2,8 @@
 
 #include "report.h"
 
-#include "core/filter/filter_source.h"
 #include "core/base/job.h"
+#include "core/filter/filter_source.h"
 #include "reference_samples.h"
 
 #include <memory>
@@ -25,10 +25,10 @@ struct MethodRaceOptions {
 struct RacePoint {
     MethodSetting setting{};
     MeasurementState state = MeasurementState::Measured;
-    std::string why{};                ///< why refused, left out or failed
-    Method ran = Method::Auto;        ///< what auto chose
-    double seconds = 0.0;             ///< median; spectrum or pyramid included
-    bool scaled = false;              ///< the time was measured at a part of the texels
+    std::string why{};         ///< why refused, left out or failed
+    Method ran = Method::Auto; ///< what auto chose
+    double seconds = 0.0;      ///< median; spectrum or pyramid included
+    bool scaled = false;       ///< the time was measured at a part of the texels
     ErrorMetrics error{};
     double predictedSeconds = 0.0, predictedError = 0.0;
     std::shared_ptr<const EnvironmentMap> map{}; ///< null for the reference, which is known at some texels only

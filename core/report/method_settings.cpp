@@ -50,16 +50,18 @@ MethodSetting paraboloidSetting(ParaboloidKernel kernel, double clamp, int large
 {
     return {.method = Method::Paraboloid,
             .knobs = {.paraboloid = {.kernel = kernel, .clamp = clamp, .largestKernel = largest}},
-            .label = std::string(words(kernel)[static_cast<size_t>(kernel)]) + " clamp " + shortNumber(clamp) + " kernel " + std::to_string(largest)};
+            .label = std::string(words(kernel)[static_cast<size_t>(kernel)]) + " clamp " + shortNumber(clamp) + " kernel " +
+                     std::to_string(largest)};
 }
 
 /// As published (000 section 3.2.5), wider, and with the exact kernel at three sizes.
 std::vector<MethodSetting> paraboloidSweep(Sweep sweep)
 {
-    std::vector<MethodSetting> settings{paraboloidSetting(ParaboloidKernel::Blended, 0.1, 7), paraboloidSetting(ParaboloidKernel::Exact, 1e-3, 17)};
+    std::vector<MethodSetting> settings{paraboloidSetting(ParaboloidKernel::Blended, 0.1, 7),
+                                        paraboloidSetting(ParaboloidKernel::Exact, 1e-3, 17)};
     if (sweep == Sweep::Usual)
-        settings = {settings[0], paraboloidSetting(ParaboloidKernel::Blended, 0.01, 15), paraboloidSetting(ParaboloidKernel::Exact, 1e-3, 9), settings[1],
-                    paraboloidSetting(ParaboloidKernel::Exact, 1e-4, 33)};
+        settings = {settings[0], paraboloidSetting(ParaboloidKernel::Blended, 0.01, 15),
+                    paraboloidSetting(ParaboloidKernel::Exact, 1e-3, 9), settings[1], paraboloidSetting(ParaboloidKernel::Exact, 1e-4, 33)};
     return settings;
 }
 
@@ -92,12 +94,17 @@ PrefilterOptions MethodSetting::options(const Lobe& lobe, const MapLayout& targe
 std::vector<MethodSetting> methodSettings(Method method, Sweep sweep, double tolerance)
 {
     switch (method) {
-    case Method::Importance: return sampleSweep(sweep);
-    case Method::Mip: return mipSweep();
-    case Method::Paraboloid: return paraboloidSweep(sweep);
+    case Method::Importance:
+        return sampleSweep(sweep);
+    case Method::Mip:
+        return mipSweep();
+    case Method::Paraboloid:
+        return paraboloidSweep(sweep);
     case Method::Reference:
-    case Method::Sh9: return {{.method = method}};
-    default: return toleranceSweep(method, sweep, tolerance);
+    case Method::Sh9:
+        return {{.method = method}};
+    default:
+        return toleranceSweep(method, sweep, tolerance);
     }
 }
 
@@ -144,10 +151,17 @@ std::string filterCommand(const std::string& probe, const PrefilterOptions& opti
     command.precision(17);
     command << "mirrorball filter " << shellWord(probe) << " -o map.exr --lobe ";
     switch (options.lobe.kind) {
-    case LobeKind::Phong: command << "phong --exponent " << exactNumber(options.lobe.exponent); break;
-    case LobeKind::Diffuse: command << "diffuse"; break;
-    case LobeKind::Ggx: command << "ggx --alpha " << exactNumber(options.lobe.alpha); break;
-    case LobeKind::Tabulated: return {};
+    case LobeKind::Phong:
+        command << "phong --exponent " << exactNumber(options.lobe.exponent);
+        break;
+    case LobeKind::Diffuse:
+        command << "diffuse";
+        break;
+    case LobeKind::Ggx:
+        command << "ggx --alpha " << exactNumber(options.lobe.alpha);
+        break;
+    case LobeKind::Tabulated:
+        return {};
     }
     command << " --to " << name(options.target.kind) << " --size " << options.target.size;
     if (options.target.border > 0)

@@ -13,7 +13,7 @@ struct MethodSetting {
     Method method = Method::Auto;
     double tolerance = 1e-5; ///< the knob of methods that have no other
     MethodKnobs knobs{};
-    std::string label{};     ///< "tolerance 1e-3", "1024 samples", "lambda by width per-face"; empty: the method has no knob
+    std::string label{}; ///< "tolerance 1e-3", "1024 samples", "lambda by width per-face"; empty: the method has no knob
 
     /// The options of prefilter().
     PrefilterOptions options(const Lobe& lobe, const MapLayout& target) const;

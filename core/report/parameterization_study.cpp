@@ -36,7 +36,7 @@ struct MirrorLookups {
 };
 
 ErrorMetrics lookupError(const EnvironmentMap& map, std::span<const glm::dvec3> directions, std::span<const glm::dvec3> truth,
-                   std::span<const double> solidAngles = {})
+                         std::span<const double> solidAngles = {})
 {
     std::vector<glm::dvec3> values;
     for (const glm::dvec3& d : directions)
@@ -74,9 +74,8 @@ ParameterizationStudy studyParameterizations(const FilterSource& probe, const Lo
     const EnvironmentMap& whole = *probe.latlong();
     const MirrorLookups mirror(whole);
     const std::vector<glm::dvec3> fewer = evenDirections(referenceDirections);
-    ParameterizationStudy study{.lobe = lobe,
-                                .directions = static_cast<int>(mirror.directions.size()),
-                                .referenceDirections = referenceDirections};
+    ParameterizationStudy study{
+        .lobe = lobe, .directions = static_cast<int>(mirror.directions.size()), .referenceDirections = referenceDirections};
     const bool looksUp = lobe.isMirror() || isUnresolved(lobe, whole.image.width);
     std::vector<glm::dvec3> filteredTruth;
     if (looksUp)
@@ -101,7 +100,8 @@ ParameterizationStudy studyParameterizations(const FilterSource& probe, const Lo
                 }
         row.densityRatio = largest / smallest;
         row.solidAngle = solidAngleByAngle(layout, row.used);
-        const ErrorMetrics mirrorError = lookupError(reproject(whole, {.target = layout}, inner), mirror.directions, mirror.truth, mirror.solidAngles);
+        const ErrorMetrics mirrorError =
+            lookupError(reproject(whole, {.target = layout}, inner), mirror.directions, mirror.truth, mirror.solidAngles);
         row.mirrorError = mirrorError.relRms;
         row.mirrorP99 = mirrorError.p99Rel;
         const PrefilterOptions exact{.lobe = lobe, .target = layout, .method = Method::Spectral, .tolerance = 1e-6};

@@ -2,8 +2,8 @@
 
 #include "report.h"
 
-#include "core/filter/filter_source.h"
 #include "core/base/job.h"
+#include "core/filter/filter_source.h"
 
 namespace mirrorball {
 

@@ -2,9 +2,9 @@
 
 #include "error_metrics.h"
 
+#include "core/base/job.h"
 #include "core/filter/filter_source.h"
 #include "core/filter/lobe.h"
-#include "core/base/job.h"
 
 #include <glm/glm.hpp>
 
@@ -22,8 +22,8 @@ struct ReferenceSamples {
     std::vector<glm::dvec3> values{};
     /// Steradians that each stands for. 0: only the largest error looks at it (around the brightest direction, at poles and corners)
     std::vector<double> weights{};
-    bool complete = false;  ///< every texel of the map
-    double seconds = 0.0;   ///< what the sum took
+    bool complete = false; ///< every texel of the map
+    double seconds = 0.0;  ///< what the sum took
 
     int weighted() const; ///< texels with a weight
 };

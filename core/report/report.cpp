@@ -11,14 +11,8 @@ constexpr std::array<std::string_view, 2> axisWords{"probe-width", "exponent"};
 
 } // namespace
 
-std::span<const std::string_view> words(MeasurementState)
-{
-    return stateWords;
-}
+std::span<const std::string_view> words(MeasurementState) { return stateWords; }
 
-std::span<const std::string_view> words(GrowthAxis)
-{
-    return axisWords;
-}
+std::span<const std::string_view> words(GrowthAxis) { return axisWords; }
 
 } // namespace mirrorball

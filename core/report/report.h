@@ -30,43 +30,43 @@ std::span<const std::string_view> words(MeasurementState); // measured refused l
 struct Measurement {
     MethodSetting setting{};
     MeasurementState state = MeasurementState::Measured;
-    std::string why{};                           ///< why refused or left out; why auto chose what it chose
-    Method ran = Method::Auto;                   ///< what auto chose
-    bool filtered = true;                        ///< false: the lobe is unresolved, the map is a lookup
+    std::string why{};         ///< why refused or left out; why auto chose what it chose
+    Method ran = Method::Auto; ///< what auto chose
+    bool filtered = true;      ///< false: the lobe is unresolved, the map is a lookup
     int bandLimit = 0;
-    RunTimes times{};                            ///< of the first lobe of a probe: spectrum or pyramid included
-    RunTimes nextLobe{};                         ///< of a further one, which finds them made
-    bool scaled = false;                         ///< the times were measured at a part of the texels and scaled to all
-    std::optional<std::int64_t> peakBytes{};     ///< beside the probe
+    RunTimes times{};                        ///< of the first lobe of a probe: spectrum or pyramid included
+    RunTimes nextLobe{};                     ///< of a further one, which finds them made
+    bool scaled = false;                     ///< the times were measured at a part of the texels and scaled to all
+    std::optional<std::int64_t> peakBytes{}; ///< beside the probe
     ErrorMetrics error{};
-    double energy = 1.0;                         ///< mean of the map over mean of the probe
-    std::vector<double> seamRatios{};            ///< (seam_ratio.h) of the map, and of the maps of half the size, a quarter, ...
+    double energy = 1.0;              ///< mean of the map over mean of the probe
+    std::vector<double> seamRatios{}; ///< (seam_ratio.h) of the map, and of the maps of half the size, a quarter, ...
     double predictedError = 0.0;
     double predictedSeconds = 0.0;
-    bool onFront = false;                        ///< no other method was both faster and more accurate
+    bool onFront = false; ///< no other method was both faster and more accurate
     std::string command{};
-    std::string errorPicture{};                  ///< signed error; empty but for one setting a method
-    double errorPictureLimit = 0.0;              ///< its full colours, over the reference's root mean square
+    std::string errorPicture{};     ///< signed error; empty but for one setting a method
+    double errorPictureLimit = 0.0; ///< its full colours, over the reference's root mean square
 };
 
 /// One probe with one lobe.
 struct ReportCase {
-    size_t probe = 0;                ///< index into Report::probes
+    size_t probe = 0; ///< index into Report::probes
     Lobe lobe{};
-    int referenceDirections = 0;     ///< weighted texels at which the error is measured
-    bool referenceComplete = false;  ///< all texels of the map
-    double standInError = 0.0;       ///< rel_rms of the map that error pictures are taken against
-    std::string standIn{};           ///< how that map was made
-    std::string picture{};           ///< the filtered map, tone-mapped
+    int referenceDirections = 0;    ///< weighted texels at which the error is measured
+    bool referenceComplete = false; ///< all texels of the map
+    double standInError = 0.0;      ///< rel_rms of the map that error pictures are taken against
+    std::string standIn{};          ///< how that map was made
+    std::string picture{};          ///< the filtered map, tone-mapped
     std::vector<Measurement> measurements{};
 };
 
 struct ReportProbe {
-    std::string name{};              ///< as given
-    std::string origin{};            ///< how its parameterization was found
-    int width = 0, height = 0;       ///< of its latlong form
+    std::string name{};        ///< as given
+    std::string origin{};      ///< how its parameterization was found
+    int width = 0, height = 0; ///< of its latlong form
     double resamplingError = 0.0;
-    double sunShare = 0.0;           ///< of the energy, in the brightest 0.01 % of the texels
+    double sunShare = 0.0; ///< of the energy, in the brightest 0.01 % of the texels
     double meanLuminance = 0.0, maxLuminance = 0.0;
     RepairReport repaired{};
     std::string picture{};
@@ -75,13 +75,13 @@ struct ReportProbe {
 /// One parameterization at about as many texels as the others.
 struct ParameterizationRow {
     MapLayout layout{};
-    int texels = 0;                  ///< of the image; `used` of them lie on the map
+    int texels = 0; ///< of the image; `used` of them lie on the map
     int used = 0;
-    double mirrorError = 0.0;        ///< rel_rms of bilinear lookups of the probe resampled to it
-    double mirrorP99 = 0.0;          ///< p99_rel of them, in which a sun does not drown the rest
-    double filteredError = 0.0;      ///< rel_rms of bilinear lookups of the filtered map
-    double densityRatio = 0.0;       ///< largest solid angle of a texel over the smallest
-    std::vector<double> solidAngle{};///< of a texel over its mean, at angles 0 .. 180 degrees from +Z towards +Y, equally spaced
+    double mirrorError = 0.0;         ///< rel_rms of bilinear lookups of the probe resampled to it
+    double mirrorP99 = 0.0;           ///< p99_rel of them, in which a sun does not drown the rest
+    double filteredError = 0.0;       ///< rel_rms of bilinear lookups of the filtered map
+    double densityRatio = 0.0;        ///< largest solid angle of a texel over the smallest
+    std::vector<double> solidAngle{}; ///< of a texel over its mean, at angles 0 .. 180 degrees from +Z towards +Y, equally spaced
 };
 
 struct ParameterizationStudy {
@@ -98,16 +98,16 @@ std::span<const std::string_view> words(GrowthAxis); // probe-width exponent
 
 struct GrowthPoint {
     GrowthAxis axis = GrowthAxis::ProbeWidth;
-    double at = 0.0;                 ///< columns of the probe, or exponent
+    double at = 0.0; ///< columns of the probe, or exponent
     Method method = Method::Auto;
     MeasurementState state = MeasurementState::Measured;
     std::string why{};
     Method ran = Method::Auto;
     bool filtered = true;
-    bool streamed = false;           ///< the probe's rows were made on the fly and never held
+    bool streamed = false; ///< the probe's rows were made on the fly and never held
     RunTimes times{};
     std::optional<std::int64_t> peakBytes{}; ///< beside the probe in memory
-    std::int64_t probeBytes = 0;     ///< of the probe in memory
+    std::int64_t probeBytes = 0;             ///< of the probe in memory
 };
 
 /// What is asked of `auto`, for one probe and lobe (verdicts.h).
@@ -130,13 +130,13 @@ struct Verdict {
 
 struct Report {
     std::string version{};
-    std::string command{};           ///< as typed
+    std::string command{}; ///< as typed
     Machine machine{};
     double loadAtEnd = 0.0;
     int threads = 0;
-    std::string device{};            ///< of the paraboloid method; empty: none
-    bool complete = true;            ///< false: it was stopped
-    double seconds = 0.0;            ///< the whole report
+    std::string device{}; ///< of the paraboloid method; empty: none
+    bool complete = true; ///< false: it was stopped
+    double seconds = 0.0; ///< the whole report
     MapLayout target{};
     double tolerance = 1e-3;
     int repeats = 0;

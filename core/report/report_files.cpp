@@ -26,10 +26,7 @@ std::string word(E value)
     return std::string(words(value)[static_cast<size_t>(value)]);
 }
 
-Json optionalNumber(const auto& value)
-{
-    return value ? Json(*value) : Json(nullptr);
-}
+Json optionalNumber(const auto& value) { return value ? Json(*value) : Json(nullptr); }
 
 Json pictureJson(const std::string& png, Pictures pictures)
 {
@@ -43,13 +40,18 @@ Json timesJson(const RunTimes& times)
 
 Json layoutJson(const MapLayout& layout)
 {
-    return {{"kind", name(layout.kind)}, {"size", layout.size}, {"border", layout.border}, {"width", layout.width()}, {"height", layout.height()}};
+    return {{"kind", name(layout.kind)},
+            {"size", layout.size},
+            {"border", layout.border},
+            {"width", layout.width()},
+            {"height", layout.height()}};
 }
 
 Json machineJson(const Machine& m)
 {
-    return {{"processor", m.processor}, {"cores", m.cores}, {"memory_bytes", m.memoryBytes}, {"system", m.system},
-            {"compiler", m.compiler},   {"build", m.build}, {"date", m.date},                {"load", m.load}};
+    return {{"processor", m.processor}, {"cores", m.cores},       {"memory_bytes", m.memoryBytes},
+            {"system", m.system},       {"compiler", m.compiler}, {"build", m.build},
+            {"date", m.date},           {"load", m.load}};
 }
 
 Json probeJson(const ReportProbe& p, Pictures pictures)
@@ -68,7 +70,8 @@ Json probeJson(const ReportProbe& p, Pictures pictures)
 
 Json measurementJson(const Measurement& m, Pictures pictures)
 {
-    Json json{{"method", name(m.setting.method)}, {"setting", m.setting.label}, {"state", word(m.state)}, {"why", m.why}, {"command", m.command}};
+    Json json{
+        {"method", name(m.setting.method)}, {"setting", m.setting.label}, {"state", word(m.state)}, {"why", m.why}, {"command", m.command}};
     if (m.state != MeasurementState::Measured)
         return json;
     json.update({{"ran", name(m.ran)},
@@ -244,10 +247,7 @@ private:
 
 constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
-double bytesOrAbsent(const std::optional<std::int64_t>& bytes)
-{
-    return bytes ? static_cast<double>(*bytes) : absent;
-}
+double bytesOrAbsent(const std::optional<std::int64_t>& bytes) { return bytes ? static_cast<double>(*bytes) : absent; }
 
 void writeText(const std::filesystem::path& path, const std::string& text)
 {
@@ -286,22 +286,52 @@ std::string reportJson(const Report& report, Pictures pictures)
 
 std::string measurementsCsv(const Report& report)
 {
-    Csv csv({"probe",           "lobe",       "method",  "setting",     "state",     "ran",     "filtered", "band_limit",
-             "median_seconds",  "shortest_seconds", "longest_seconds", "runs", "scaled", "next_lobe_seconds", "predicted_seconds", "peak_bytes",
-             "rel_rms",         "max_abs",    "p99_rel", "predicted_error", "energy",  "seam_ratio", "largest_level_seam_ratio", "on_front",
-             "why",             "command"});
+    Csv csv({"probe",
+             "lobe",
+             "method",
+             "setting",
+             "state",
+             "ran",
+             "filtered",
+             "band_limit",
+             "median_seconds",
+             "shortest_seconds",
+             "longest_seconds",
+             "runs",
+             "scaled",
+             "next_lobe_seconds",
+             "predicted_seconds",
+             "peak_bytes",
+             "rel_rms",
+             "max_abs",
+             "p99_rel",
+             "predicted_error",
+             "energy",
+             "seam_ratio",
+             "largest_level_seam_ratio",
+             "on_front",
+             "why",
+             "command"});
     for (const ReportCase& c : report.cases)
         for (const Measurement& m : c.measurements) {
-            csv.cell(report.probes[c.probe].name).cell(describe(c.lobe)).cell(name(m.setting.method)).cell(m.setting.label).cell(word(m.state));
+            csv.cell(report.probes[c.probe].name)
+                .cell(describe(c.lobe))
+                .cell(name(m.setting.method))
+                .cell(m.setting.label)
+                .cell(word(m.state));
             if (m.state != MeasurementState::Measured) {
                 csv.empty(19);
             } else {
                 csv.cell(name(m.ran)).cell(m.filtered ? "yes" : "no").cell(m.bandLimit);
-                csv.cell(m.times.median()).cell(m.times.shortest()).cell(m.times.longest()).cell(static_cast<double>(m.times.seconds.size()));
+                csv.cell(m.times.median())
+                    .cell(m.times.shortest())
+                    .cell(m.times.longest())
+                    .cell(static_cast<double>(m.times.seconds.size()));
                 csv.cell(m.scaled ? "yes" : "no").cell(m.nextLobe.empty() ? absent : m.nextLobe.median()).cell(m.predictedSeconds);
                 csv.cell(bytesOrAbsent(m.peakBytes)).cell(m.error.relRms).cell(m.error.maxAbs).cell(m.error.p99Rel).cell(m.predictedError);
                 csv.cell(m.energy).cell(m.seamRatios.empty() ? absent : m.seamRatios.front());
-                csv.cell(m.seamRatios.empty() ? absent : *std::max_element(m.seamRatios.begin(), m.seamRatios.end())).cell(m.onFront ? "yes" : "no");
+                csv.cell(m.seamRatios.empty() ? absent : *std::max_element(m.seamRatios.begin(), m.seamRatios.end()))
+                    .cell(m.onFront ? "yes" : "no");
             }
             csv.cell(m.why).cell(m.command).endRow();
         }
@@ -316,8 +346,13 @@ std::string growthCsv(const Report& report)
         if (p.state != MeasurementState::Measured)
             csv.empty(7);
         else
-            csv.cell(name(p.ran)).cell(p.filtered ? "yes" : "no").cell(p.streamed ? "yes" : "no").cell(p.times.median())
-                .cell(static_cast<double>(p.times.seconds.size())).cell(bytesOrAbsent(p.peakBytes)).cell(static_cast<double>(p.probeBytes));
+            csv.cell(name(p.ran))
+                .cell(p.filtered ? "yes" : "no")
+                .cell(p.streamed ? "yes" : "no")
+                .cell(p.times.median())
+                .cell(static_cast<double>(p.times.seconds.size()))
+                .cell(bytesOrAbsent(p.peakBytes))
+                .cell(static_cast<double>(p.probeBytes));
         csv.cell(p.why).endRow();
     }
     return std::move(csv).text();
@@ -325,10 +360,15 @@ std::string growthCsv(const Report& report)
 
 std::string parameterizationsCsv(const Report& report)
 {
-    Csv csv({"probe", "lobe", "parameterization", "width", "height", "texels_used", "mirror_rel_rms", "mirror_p99_rel", "filtered_rel_rms", "largest_over_smallest_texel"});
+    Csv csv({"probe", "lobe", "parameterization", "width", "height", "texels_used", "mirror_rel_rms", "mirror_p99_rel", "filtered_rel_rms",
+             "largest_over_smallest_texel"});
     for (const ParameterizationStudy& study : report.parameterizations)
         for (const ParameterizationRow& r : study.rows) {
-            csv.cell(report.probes[study.probe].name).cell(describe(study.lobe)).cell(name(r.layout.kind)).cell(r.layout.width()).cell(r.layout.height());
+            csv.cell(report.probes[study.probe].name)
+                .cell(describe(study.lobe))
+                .cell(name(r.layout.kind))
+                .cell(r.layout.width())
+                .cell(r.layout.height());
             csv.cell(r.used).cell(r.mirrorError).cell(r.mirrorP99).cell(r.filteredError).cell(r.densityRatio).endRow();
         }
     return std::move(csv).text();
@@ -336,14 +376,20 @@ std::string parameterizationsCsv(const Report& report)
 
 std::string stabilityCsv(const Report& report)
 {
-    Csv csv({"case", "method", "outcome", "finite", "rel_rms", "max_abs", "p99_rel", "predicted_error", "energy", "lowest", "constant_error", "seconds", "why"});
+    Csv csv({"case", "method", "outcome", "finite", "rel_rms", "max_abs", "p99_rel", "predicted_error", "energy", "lowest",
+             "constant_error", "seconds", "why"});
     for (const StabilityRow& r : report.stability) {
         csv.cell(r.name).cell(name(r.method)).cell(!r.refused.empty() ? "refused" : r.holds() ? "holds" : "fails");
         if (!r.refused.empty()) {
             csv.empty(9).cell(r.refused).endRow();
             continue;
         }
-        csv.cell(r.finite ? "yes" : "no").cell(r.error.relRms).cell(r.error.maxAbs).cell(r.error.p99Rel).cell(r.predictedError).cell(r.energy);
+        csv.cell(r.finite ? "yes" : "no")
+            .cell(r.error.relRms)
+            .cell(r.error.maxAbs)
+            .cell(r.error.p99Rel)
+            .cell(r.predictedError)
+            .cell(r.energy);
         csv.cell(r.lowest).cell(r.constantError).cell(r.seconds);
         std::string why;
         for (const std::string& failure : r.failures)

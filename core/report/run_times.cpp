@@ -14,15 +14,9 @@ double RunTimes::median() const
     return sorted.size() % 2 == 1 ? sorted[half] : 0.5 * (sorted[half - 1] + sorted[half]);
 }
 
-double RunTimes::shortest() const
-{
-    return seconds.empty() ? 0.0 : *std::min_element(seconds.begin(), seconds.end());
-}
+double RunTimes::shortest() const { return seconds.empty() ? 0.0 : *std::min_element(seconds.begin(), seconds.end()); }
 
-double RunTimes::longest() const
-{
-    return seconds.empty() ? 0.0 : *std::max_element(seconds.begin(), seconds.end());
-}
+double RunTimes::longest() const { return seconds.empty() ? 0.0 : *std::max_element(seconds.begin(), seconds.end()); }
 
 RunTimes repeated(int times, double limit, const std::function<double()>& run)
 {

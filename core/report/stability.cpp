@@ -44,7 +44,8 @@ EnvironmentMap sunMap(const MapLayout& layout, const glm::dvec3& d)
 {
     EnvironmentMap map = noiseMap(layout, 1e-3, 7);
     const glm::dvec2 p = coordinate(layout, d);
-    float* sun = map.image.texel(std::min(static_cast<int>(p.x), map.image.width - 1), std::min(static_cast<int>(p.y), map.image.height - 1));
+    float* sun =
+        map.image.texel(std::min(static_cast<int>(p.x), map.image.width - 1), std::min(static_cast<int>(p.y), map.image.height - 1));
     for (int c = 0; c < 3; ++c)
         sun[c] = 1e6f * (1.0f - 0.1f * static_cast<float>(c));
     return map;
@@ -88,10 +89,8 @@ void addExponents(std::vector<StabilityCase>& cases)
     lobes.push_back(diffuseLobe());
     lobes.push_back(tabulatedLobe({0.0, 1.0, 0.0, 2.0}));
     for (const Lobe& lobe : lobes) {
-        cases.push_back({.name = "sun of 1e6 on a sky of 1e-3, " + describe(lobe),
-                         .source = whole(sun),
-                         .lobe = lobe,
-                         .target = smallCube});
+        cases.push_back(
+            {.name = "sun of 1e6 on a sky of 1e-3, " + describe(lobe), .source = whole(sun), .lobe = lobe, .target = smallCube});
         cases.push_back({.name = "constant 0.7, " + describe(lobe),
                          .source = whole(constantMap(smallLatlong, 0.7f)),
                          .lobe = lobe,
@@ -129,7 +128,11 @@ void addProbes(std::vector<StabilityCase>& cases, StabilityScale scale)
     const Lobe lobe = phongLobe(20.0);
     for (const Lobe& l : {lobe, diffuseLobe(), ggxLobe(0.25)}) {
         EnvironmentMap two = constantMap({Parameterization::Latlong, 1, 0}, 0.5f);
-        cases.push_back({.name = "a probe of one radiance, 2 x 1, " + describe(l), .source = whole(two), .lobe = l, .target = smallCube, .constant = 0.5});
+        cases.push_back({.name = "a probe of one radiance, 2 x 1, " + describe(l),
+                         .source = whole(two),
+                         .lobe = l,
+                         .target = smallCube,
+                         .constant = 0.5});
         two.image.texel(1, 0)[0] = 1.5f;
         cases.push_back({.name = "a probe of 2 x 1, " + describe(l), .source = whole(two), .lobe = l, .target = smallCube});
 
@@ -138,9 +141,14 @@ void addProbes(std::vector<StabilityCase>& cases, StabilityScale scale)
         broken.image.texel(40, 20)[0] = std::numeric_limits<float>::infinity();
         broken.image.texel(41, 20)[0] = -0.5f;
         repair(broken.image, NegativePolicy::Keep);
-        cases.push_back({.name = "NaN, Inf and negative texels, repaired, " + describe(l), .source = whole(broken), .lobe = l, .target = smallCube, .nonNegative = false});
+        cases.push_back({.name = "NaN, Inf and negative texels, repaired, " + describe(l),
+                         .source = whole(broken),
+                         .lobe = l,
+                         .target = smallCube,
+                         .nonNegative = false});
 
-        cases.push_back({.name = "a black probe, " + describe(l), .source = whole(constantMap(smallLatlong, 0.0f)), .lobe = l, .target = smallCube});
+        cases.push_back(
+            {.name = "a black probe, " + describe(l), .source = whole(constantMap(smallLatlong, 0.0f)), .lobe = l, .target = smallCube});
     }
     cases.push_back({.name = "lambda past the last level",
                      .source = whole(noiseMap(smallLatlong, 1.0, 5)),
@@ -178,10 +186,7 @@ EnvironmentMap expectedMap(const StabilityCase& test, FilterSource& source, cons
     return map;
 }
 
-double brightness(const glm::dvec3& rgb)
-{
-    return (rgb.x + rgb.y + rgb.z) / 3.0;
-}
+double brightness(const glm::dvec3& rgb) { return (rgb.x + rgb.y + rgb.z) / 3.0; }
 
 } // namespace
 
@@ -202,21 +207,28 @@ StabilityBounds stabilityBounds(Method method, const StabilityCase& test, double
     // that their means differ though the filters keep the energy.
     constexpr double sampling = 2e-3;
     switch (method) {
-    case Method::Reference: return {.tolerance = 1e-7 / test.tolerance, .energy = 1e-6};
+    case Method::Reference:
+        return {.tolerance = 1e-7 / test.tolerance, .energy = 1e-6};
     case Method::Direct:
-    case Method::Hierarchical: return {.tolerance = 1.0, .energy = 1e-3};
+    case Method::Hierarchical:
+        return {.tolerance = 1.0, .energy = 1e-3};
     case Method::Auto:
-    case Method::Spectral: return {.tolerance = 1.0, .energy = 1e-3, .negative = 10.0 * test.tolerance};
+    case Method::Spectral:
+        return {.tolerance = 1.0, .energy = 1e-3, .negative = 10.0 * test.tolerance};
     // A sun in a pole's row is smeared around the pole, which no spectrum tells. Samples that meet a sun or miss it scatter by hundredths.
-    case Method::Importance: return {.prediction = 5.0, .energy = 0.01 + sampling};
+    case Method::Importance:
+        return {.prediction = 5.0, .energy = 0.01 + sampling};
     // Bilinear weights take a coarse level's texels for equal, which differ by up to 3 sqrt(3): a sun gains or loses what its texel has
     // less or more than those around it.
-    case Method::Mip: return {.prediction = 2.0, .energy = 0.12};
+    case Method::Mip:
+        return {.prediction = 2.0, .energy = 0.12};
     // The kernel is read between texels by a cubic that overshoots where it bends: by no more than it errs at all.
-    case Method::Paraboloid: return {.prediction = 1.0, .energy = sampling, .negative = predictedError};
+    case Method::Paraboloid:
+        return {.prediction = 1.0, .energy = sampling, .negative = predictedError};
     // The kernel of nine coefficients, (1 + 2c + (5/8)(3c^2 - 1)) / 4 pi, dips to -0.1583 / 4 pi at c = -8/15, beside the lobe's
     // own peak of 4 / 4 pi, which a texel sees a little less of than the sun stands for.
-    case Method::Sh9: return {.prediction = 1.1, .energy = sampling, .negative = 0.04};
+    case Method::Sh9:
+        return {.prediction = 1.1, .energy = sampling, .negative = 0.04};
     }
     return {};
 }

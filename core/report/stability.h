@@ -2,8 +2,8 @@
 
 #include "error_metrics.h"
 
-#include "core/filter/prefilter.h"
 #include "core/base/job.h"
+#include "core/filter/prefilter.h"
 
 #include <functional>
 #include <optional>
@@ -19,15 +19,15 @@ enum class StabilityScale { Small, Large };
 
 /// One case: a probe, a lobe and a target.
 struct StabilityCase {
-    std::string name{};                                         ///< "sun of 1e6 on a sky of 1e-3, phong:50"
-    std::function<FilterSource(const JobControl&)> source{};    ///< makes the probe
+    std::string name{};                                      ///< "sun of 1e6 on a sky of 1e-3, phong:50"
+    std::function<FilterSource(const JobControl&)> source{}; ///< makes the probe
     Lobe lobe{};
     MapLayout target{};
     MethodKnobs knobs{};
     double tolerance = 1e-5;
-    std::optional<double> constant{};                           ///< of a constant probe: the radiance that must come out
-    bool nonNegative = true;                                    ///< the probe has no negative texel
-    std::function<glm::dvec3(const glm::dvec3& r)> expected{};  ///< closed form, where the probe has one; empty: the reference sum
+    std::optional<double> constant{};                          ///< of a constant probe: the radiance that must come out
+    bool nonNegative = true;                                   ///< the probe has no negative texel
+    std::function<glm::dvec3(const glm::dvec3& r)> expected{}; ///< closed form, where the probe has one; empty: the reference sum
 };
 
 std::vector<StabilityCase> stabilityCases(StabilityScale scale = StabilityScale::Small);
@@ -37,8 +37,8 @@ std::vector<StabilityCase> stabilityCases(StabilityScale scale = StabilityScale:
 struct StabilityBounds {
     std::optional<double> tolerance{};  ///< factor of the case's tolerance that rel_rms keeps within
     std::optional<double> prediction{}; ///< factor of the predicted error that rel_rms keeps within, where there is no tolerance
-    double energy = 0.0;               ///< largest |energy - 1|
-    double negative = 0.0;             ///< largest -lowest, see StabilityRow
+    double energy = 0.0;                ///< largest |energy - 1|
+    double negative = 0.0;              ///< largest -lowest, see StabilityRow
 };
 /// @param predictedError  the method's own, see informedError()
 StabilityBounds stabilityBounds(Method method, const StabilityCase& test, double predictedError);
@@ -47,13 +47,13 @@ StabilityBounds stabilityBounds(Method method, const StabilityCase& test, double
 struct StabilityRow {
     std::string name{};
     Method method = Method::Auto;
-    std::string refused{};        ///< the reason, where the method cannot do the case; the rest is then empty
+    std::string refused{}; ///< the reason, where the method cannot do the case; the rest is then empty
     bool finite = true;
     ErrorMetrics error{};
     double predictedError = 0.0;
-    double energy = 1.0;          ///< mean of the map over the mean of what is expected
-    double lowest = 0.0;          ///< smallest value of the map over the largest expected one; negative: ringing
-    double constantError = 0.0;   ///< largest |value / constant - 1|; 0 where the probe is not constant
+    double energy = 1.0;        ///< mean of the map over the mean of what is expected
+    double lowest = 0.0;        ///< smallest value of the map over the largest expected one; negative: ringing
+    double constantError = 0.0; ///< largest |value / constant - 1|; 0 where the probe is not constant
     double seconds = 0.0;
     std::vector<std::string> failures{}; ///< what does not hold, in words
 

@@ -56,7 +56,8 @@ std::optional<TimeForError> timeForError(std::span<const Measurement> measuremen
         if (i == 0 || settings[i]->error.relRms <= 0.0)
             return TimeForError{time};
         const double cheaper = settings[i - 1]->times.median();
-        const double share = std::log(settings[i - 1]->error.relRms / relRms) / std::log(settings[i - 1]->error.relRms / settings[i]->error.relRms);
+        const double share =
+            std::log(settings[i - 1]->error.relRms / relRms) / std::log(settings[i - 1]->error.relRms / settings[i]->error.relRms);
         return TimeForError{cheaper * std::pow(time / cheaper, share)};
     }
     return TimeForError{settings.back()->times.median(), false};

@@ -15,7 +15,8 @@ void markFront(std::span<Measurement> measurements);
 /// Seconds a method needs for an error, by the settings measured.
 struct TimeForError {
     double seconds = 0.0;
-    bool reached = true; ///< false: even the most accurate setting has a larger error; `seconds` is then the longest measured, a lower bound
+    bool reached =
+        true; ///< false: even the most accurate setting has a larger error; `seconds` is then the longest measured, a lower bound
 };
 
 /// Between two settings of a method the logarithms of time and error are taken to lie on a line; a method whose cheapest setting is more

@@ -27,10 +27,7 @@ struct Written {
     std::string description{};
 };
 
-SampleType samplesOf(const ExportTarget& target)
-{
-    return target.half ? SampleType::Half : SampleType::Float;
-}
+SampleType samplesOf(const ExportTarget& target) { return target.half ? SampleType::Half : SampleType::Float; }
 
 Written writeFiltered(const Scene& scene, const ExportPlan& planned, SceneProbe& probe, const std::filesystem::path& folder,
                       const JobControl& job, WorkRecord& work)
@@ -63,12 +60,12 @@ Written writePainted(const Scene& scene, const ExportPlan& planned, const std::f
 }
 
 /// Builds, writes and describes one export.
-void exportOne(const Scene& scene, const ExportPlan& planned, SceneProbe& probe, const std::filesystem::path& folder,
-               const JobControl& job, ExportOutcome& outcome)
+void exportOne(const Scene& scene, const ExportPlan& planned, SceneProbe& probe, const std::filesystem::path& folder, const JobControl& job,
+               ExportOutcome& outcome)
 {
     WorkRecord work;
-    Written written = planned.painted ? writePainted(scene, planned, folder, job, work)
-                                      : writeFiltered(scene, planned, probe, folder, job, work);
+    Written written =
+        planned.painted ? writePainted(scene, planned, folder, job, work) : writeFiltered(scene, planned, probe, folder, job, work);
     const std::filesystem::path description = folder / (planned.target.name + ".json");
     writeText(description, written.description);
     std::vector<std::filesystem::path>& files = written.files;
@@ -88,7 +85,8 @@ void exportOne(const Scene& scene, const ExportPlan& planned, SceneProbe& probe,
 ExportOutcome exportScene(const Scene& scene, const std::filesystem::path& folder, const ExportOptions& options, const JobControl& job)
 {
     if (scene.exports.empty())
-        throw InvalidArgument("exports: the scene lists none; add at least {\"name\": \"specular\", \"kind\": \"specular\"} to \"exports\"");
+        throw InvalidArgument(
+            "exports: the scene lists none; add at least {\"name\": \"specular\", \"kind\": \"specular\"} to \"exports\"");
     const PlanRequest request{.picture = false, .exports = options.only};
     const Plan plan = makePlan(scene, probeLayout(scene, request), request);
     ExportOutcome outcome;

@@ -9,6 +9,7 @@ namespace mirrorball {
 
 /// `mirrorball export SCENE -o DIR [--only=NAME...]`: writes the same bytes as exportScene() on the scene that was saved as `sceneFile`.
 /// @param only  names of exports; empty: all of them, and no --only
-std::string exportCommand(const std::filesystem::path& sceneFile, const std::filesystem::path& folder, const std::vector<std::string>& only = {});
+std::string exportCommand(const std::filesystem::path& sceneFile, const std::filesystem::path& folder,
+                          const std::vector<std::string>& only = {});
 
 } // namespace mirrorball

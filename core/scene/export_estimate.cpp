@@ -19,13 +19,15 @@ struct Storage {
     double ratio = 1.0;
 };
 
-/// Ratios of files to texels: means over four 1k probes (studio, sky, night, interior) as cube and latlong of 256; `smooth`: filtered with phong
+/// Ratios of files to texels: means over four 1k probes (studio, sky, night, interior) as cube and latlong of 256; `smooth`: filtered with
+/// phong
 /// 50. Of painted maps: means over the built-in ones at 256.
 Storage storage(const ExportTarget& target, bool smooth)
 {
     const std::filesystem::path file = target.fileName();
     std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     const bool painted = target.kind == ExportKind::Painted;
     if (holdsMips(file)) {
         if (target.half)

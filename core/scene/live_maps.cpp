@@ -27,16 +27,10 @@ void shrink(MapLayout& layout, int size)
 }
 
 /// Side of a square of a texel's mean solid angle, radians.
-double texelAngle(const MapLayout& layout)
-{
-    return std::sqrt(4.0 * pi / (double(layout.width()) * layout.height()));
-}
+double texelAngle(const MapLayout& layout) { return std::sqrt(4.0 * pi / (double(layout.width()) * layout.height())); }
 
 /// Angle across the lobe at half its peak.
-double lobeAngle(const Lobe& lobe)
-{
-    return lobe.isMirror() ? 0.0 : 2.0 * LobeShape(lobe).halfWidth();
-}
+double lobeAngle(const Lobe& lobe) { return lobe.isMirror() ? 0.0 : 2.0 * LobeShape(lobe).halfWidth(); }
 
 /// A map without coarser levels may be made smaller: lookups do not notice but for sharpness. Levels are counted from the largest, so
 /// a pyramid keeps its size.
@@ -68,7 +62,9 @@ MapPlan keyOf(MapPlan plan, const SceneProbe& probe)
 {
     for (PrefilterOptions& filter : plan.filters)
         if (isLookup(filter, probe))
-            filter = {.lobe = probe.source && !filter.lobe.isMirror() ? phongLobe(1e9) : ggxLobe(0.0), .target = filter.target, .yaw = filter.yaw};
+            filter = {.lobe = probe.source && !filter.lobe.isMirror() ? phongLobe(1e9) : ggxLobe(0.0),
+                      .target = filter.target,
+                      .yaw = filter.yaw};
     plan.bandLimits.clear();
     return plan;
 }
@@ -98,10 +94,7 @@ LiveMaps::ProbeKey LiveMaps::probeKey(const Scene& scene)
     return key;
 }
 
-void LiveMaps::forgetMaps()
-{
-    m_specular = m_diffuse = m_background = {};
-}
+void LiveMaps::forgetMaps() { m_specular = m_diffuse = m_background = {}; }
 
 void LiveMaps::openHeader(const Scene& scene)
 {
@@ -197,7 +190,9 @@ MapLevels LiveMaps::levels(KeptMap& kept, const std::optional<MapPlan>& plan, Sc
         kept = {};
         return nullptr;
     }
-    const auto isKept = [&] { record.stages.push_back({.name = plan->name, .leftOut = true, .why = "kept: nothing that it depends on has changed"}); };
+    const auto isKept = [&] {
+        record.stages.push_back({.name = plan->name, .leftOut = true, .why = "kept: nothing that it depends on has changed"});
+    };
     MapPlan key = keyOf(*plan, probe);
     if (kept.levels && kept.key == key && kept.exposure == exposure) {
         isKept();

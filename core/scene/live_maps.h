@@ -13,11 +13,11 @@ namespace mirrorball {
 
 /// How good the maps of a scene must be.
 struct MapDetail {
-    int largestSize = 16384; ///< texels: maps without coarser levels are made no larger
-    double tolerance = 1e-5; ///< rel_rms of the filters, (0, 1]
+    int largestSize = 16384;                                        ///< texels: maps without coarser levels are made no larger
+    double tolerance = 1e-5;                                        ///< rel_rms of the filters, (0, 1]
     double texelsPerLobe = std::numeric_limits<double>::infinity(); ///< maps are made smaller where their lobe spans more at half its peak
-    /// Texels of the probe that a lobe spans at half its peak: for one that spans no more, the probe's own texels in their own layout may stand
-    /// in, which costs nothing; 0: never.
+    /// Texels of the probe that a lobe spans at half its peak: for one that spans no more, the probe's own texels in their own layout may
+    /// stand in, which costs nothing; 0: never.
     double probeItselfUpTo = 0.0;
     bool operator==(const MapDetail&) const = default;
 };
@@ -27,14 +27,14 @@ struct MadeScene {
     Scene scene{};
     Plan plan{};
     SceneMaps maps{};
-    WorkRecord record{};                                 ///< of this update only
+    WorkRecord record{}; ///< of this update only
     MapDetail detail{};
     MapLayout probeLayout{};
     std::shared_ptr<const EnvironmentMap> environment{}; ///< the probe as it is; null when nothing needs it or it was streamed
     RepairReport repaired{};
-    std::string origin{};                                ///< how its parameterization was found, in words
-    bool certain = true;                                 ///< false: a guess by the shape alone
-    std::string problem{};                               ///< why the probe could not be read: the maps then show the placeholder
+    std::string origin{};  ///< how its parameterization was found, in words
+    bool certain = true;   ///< false: a guess by the shape alone
+    std::string problem{}; ///< why the probe could not be read: the maps then show the placeholder
 };
 
 /// The maps of a scene that is being edited: an update makes what an edit touched and keeps the rest. A map that did not change comes
@@ -66,7 +66,7 @@ private:
         std::string path{};
         std::filesystem::file_time_type time{};
         SphereMapChain texels{};
-        std::string problem{};                 ///< why the file could not be read, or what of it is left out
+        std::string problem{};                   ///< why the file could not be read, or what of it is left out
         std::shared_ptr<SphereMapCache> cache{}; ///< of a document inside the scene, which may change with every movement of a slider
     };
 

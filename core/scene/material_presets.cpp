@@ -8,20 +8,11 @@ namespace mirrorball {
 
 namespace {
 
-FresnelSettings metal(const char* name)
-{
-    return {.kind = FresnelKind::Conductor, .metal = name};
-}
+FresnelSettings metal(const char* name) { return {.kind = FresnelKind::Conductor, .metal = name}; }
 
-SpecularSettings ggx(double roughness)
-{
-    return {.lobe = SurfaceLobe::Ggx, .roughness = roughness};
-}
+SpecularSettings ggx(double roughness) { return {.lobe = SurfaceLobe::Ggx, .roughness = roughness}; }
 
-DiffuseSettings paint(double red, double green, double blue)
-{
-    return {.weight = 1.0, .color = {red, green, blue}};
-}
+DiffuseSettings paint(double red, double green, double blue) { return {.weight = 1.0, .color = {red, green, blue}}; }
 
 /// A surface that only reflects.
 Material reflecting(SpecularSettings specular, FresnelSettings fresnel = {})
@@ -38,10 +29,7 @@ Material coated(SpecularSettings specular, double index, DiffuseSettings below)
             .diffuse = std::move(below)};
 }
 
-Material matt(DiffuseSettings diffuse)
-{
-    return {.specular = {.weight = 0.0}, .diffuse = std::move(diffuse)};
-}
+Material matt(DiffuseSettings diffuse) { return {.specular = {.weight = 0.0}, .diffuse = std::move(diffuse)}; }
 
 std::vector<MaterialPreset> makePresets()
 {

@@ -30,15 +30,9 @@ std::string text(const Parts&... parts)
     return stream.str();
 }
 
-std::string sizeText(const MapLayout& layout)
-{
-    return text(name(layout.kind), ' ', layout.width(), " x ", layout.height());
-}
+std::string sizeText(const MapLayout& layout) { return text(name(layout.kind), ' ', layout.width(), " x ", layout.height()); }
 
-std::string plural(int count, const std::string& thing)
-{
-    return text(count, ' ', thing, count == 1 ? "" : "s");
-}
+std::string plural(int count, const std::string& thing) { return text(count, ' ', thing, count == 1 ? "" : "s"); }
 
 /// The document of a sphere map where it is known without opening a file, else null.
 const SphereMapDocument* documentAtHand(const SphereMapPlan& map)
@@ -59,10 +53,7 @@ const char* levelsText(const SphereMapPlan& map)
     return hasAuthoredLevels(*document) ? "authored levels" : "plain levels, for no layer is made for levels";
 }
 
-std::string sourceText(const SphereMapPlan& map)
-{
-    return map.document ? "the scene's own" : map.source;
-}
+std::string sourceText(const SphereMapPlan& map) { return map.document ? "the scene's own" : map.source; }
 
 /// Which sphere map it is and how its levels are made, as far as that is known without opening a file.
 std::string sphereMapText(const SphereMapPlan& map)
@@ -79,10 +70,7 @@ std::string paintedText(const SphereMapPlan& map, const ExportTarget& target)
                 target.mips ? levelsText(map) : "one level");
 }
 
-bool isBlack(const glm::dvec3& color)
-{
-    return color == glm::dvec3(0.0);
-}
+bool isBlack(const glm::dvec3& color) { return color == glm::dvec3(0.0); }
 
 MapLayout withSize(MapLayout layout, int size)
 {
@@ -210,9 +198,8 @@ private:
         map.filters.push_back(filter);
         map.bandLimits.push_back(prediction.filtered ? static_cast<size_t>(std::max(prediction.bandLimit, 1)) : 0);
         if (prediction.filtered) {
-            const std::string how = prediction.method == Method::Spectral
-                                        ? text("spectral, band limit ", prediction.bandLimit, " at most")
-                                        : text(mirrorball::name(prediction.method));
+            const std::string how = prediction.method == Method::Spectral ? text("spectral, band limit ", prediction.bandLimit, " at most")
+                                                                          : text(mirrorball::name(prediction.method));
             need("filter " + name, text(describe(filter.lobe), " into ", sizeText(filter.target), ": ", how, note),
                  filteringCost(filter, probeWidth()));
         } else {
@@ -372,11 +359,12 @@ private:
         map.filtering = perFace ? MipFiltering::PerFace : MipFiltering::AcrossSeams;
         const std::string stage = "mip levels of specular map";
         if (map.pyramid)
-            need(stage, text(lambda > 0.0  ? text("lambda ", lambda)
-                             : bias > 0.0 ? text("LOD bias ", bias)
-                                          : "asked for, where reflections shrink",
-                             ": ", plural(levelCount(filter.target), "level"),
-                             perFace ? ", each face halved by itself: seams will show" : ", halved across seams"),
+            need(stage,
+                 text(lambda > 0.0 ? text("lambda ", lambda)
+                      : bias > 0.0 ? text("LOD bias ", bias)
+                                   : "asked for, where reflections shrink",
+                      ": ", plural(levelCount(filter.target), "level"),
+                      perFace ? ", each face halved by itself: seams will show" : ", halved across seams"),
                  pyramidCost(filter.target));
         else
             leaveOut(stage, "lambda is 0: only the finest level is read");
@@ -390,7 +378,9 @@ private:
             return;
         }
         MapPlan map{.name = "irradiance map"};
-        addLevel(map, {.lobe = diffuseLobe(), .target = makesAll() ? mapLayout() : withSize(mapLayout(), irradianceSize), .yaw = bakedYaw()}, map.name);
+        addLevel(map,
+                 {.lobe = diffuseLobe(), .target = makesAll() ? mapLayout() : withSize(mapLayout(), irradianceSize), .yaw = bakedYaw()},
+                 map.name);
         m_plan.diffuse = std::move(map);
     }
 
@@ -404,8 +394,12 @@ private:
             return;
         }
         switch (background.kind) {
-        case Backdrop::Color: leaveOut("background", "one colour: no map"); return;
-        case Backdrop::None: leaveOut("background", "none: the picture is transparent beside the object"); return;
+        case Backdrop::Color:
+            leaveOut("background", "one colour: no map");
+            return;
+        case Backdrop::None:
+            leaveOut("background", "none: the picture is transparent beside the object");
+            return;
         case Backdrop::Environment:
             addLevel(map, {.lobe = ggxLobe(0.0), .target = withSize(m_probe, tallestBackground)}, map.name);
             break;
@@ -438,7 +432,8 @@ private:
     {
         const SphereMapSettings& map = m_scene.material.sphereMap;
         if (map.isNone())
-            throw InvalidArgument(text("exports[", &target - m_scene.exports.data(), "].kind: painted writes the scene's sphere map, and it has none; "
+            throw InvalidArgument(text("exports[", &target - m_scene.exports.data(),
+                                       "].kind: painted writes the scene's sphere map, and it has none; "
                                        "give material.sphere_map.source a preset or a file, or choose another kind"));
         const SphereMapPlan painted{"material.sphere_map.source", map.source, map.document, target.size - 2 * target.border, map.levels};
         const SphereMapDocument* document = documentAtHand(painted);
@@ -454,11 +449,18 @@ private:
         MapPlan map{.name = target.name};
         PrefilterOptions filter{.target = target.layout(), .yaw = m_scene.probe.yawDeg * pi / 180.0};
         switch (target.kind) {
-        case ExportKind::Source: filter.lobe = ggxLobe(0.0); break;
-        case ExportKind::Specular: filter.lobe = lobe(m_scene.material.specular); break;
-        case ExportKind::Diffuse: filter.lobe = diffuseLobe(); break;
+        case ExportKind::Source:
+            filter.lobe = ggxLobe(0.0);
+            break;
+        case ExportKind::Specular:
+            filter.lobe = lobe(m_scene.material.specular);
+            break;
+        case ExportKind::Diffuse:
+            filter.lobe = diffuseLobe();
+            break;
         case ExportKind::Chain:
-        case ExportKind::Painted: break;
+        case ExportKind::Painted:
+            break;
         }
         if (target.kind == ExportKind::Chain) {
             const int all = levelCount(filter.target), levels = target.levels == 0 ? all : std::min(target.levels, all);
@@ -477,7 +479,9 @@ private:
             if (map.pyramid)
                 need("mip levels of " + map.name, plural(levelCount(filter.target), "level"), pyramidCost(filter.target));
             else
-                leaveOut("mip levels of " + map.name, target.mips ? target.fileName() + " holds none; .exr and .tif do, and a %d in the name makes one file a level" : "not asked for");
+                leaveOut("mip levels of " + map.name,
+                         target.mips ? target.fileName() + " holds none; .exr and .tif do, and a %d in the name makes one file a level"
+                                     : "not asked for");
         }
         need("save " + map.name, target.fileName(), savingCost(filter.target));
         m_plan.exports.push_back({.map = std::move(map), .target = target});
@@ -506,8 +510,8 @@ private:
                 bandLimit = std::max(bandLimit, prediction.filtered ? prediction.bandLimit : 0);
             }
             const bool large = std::int64_t{m_probe.width()} * m_probe.height() > streamedFrom;
-            const bool streamed = large && m_probe.kind == Parameterization::Latlong && !builtin &&
-                                  filtered == static_cast<int>(filters.size());
+            const bool streamed =
+                large && m_probe.kind == Parameterization::Latlong && !builtin && filtered == static_cast<int>(filters.size());
             std::string how = m_scene.probe.source + ", " + sizeText(m_probe);
             if (streamed)
                 how += text("; each row is truncated to band limit ", bandLimit, " while it is read, which is exact");
@@ -515,9 +519,8 @@ private:
                 how += "; held whole, because not every map is filtered";
             stages.push_back({.name = read, .why = how, .expected = readingCost(m_probe, builtin, streamed)});
             if (spectral > 0)
-                stages.push_back({.name = "spectrum",
-                                  .why = text("one forward transform for ", plural(spectral, "lobe")),
-                                  .expected = transform});
+                stages.push_back(
+                    {.name = "spectrum", .why = text("one forward transform for ", plural(spectral, "lobe")), .expected = transform});
             else
                 stages.push_back({.name = "spectrum",
                                   .leftOut = true,

@@ -2,8 +2,8 @@
 
 #include "scene.h"
 
-#include "core/filter/prefilter.h"
 #include "core/base/stage.h"
+#include "core/filter/prefilter.h"
 
 #include <optional>
 #include <string>
@@ -24,17 +24,17 @@ struct PlannedMaterial {
 
 /// One map to make.
 struct MapPlan {
-    std::string name{};                       ///< for stages: "specular map"
-    std::vector<PrefilterOptions> filters{};  ///< a filtered level each, largest first; ggx with alpha = 0: the environment itself
-    bool pyramid = false;                     ///< the levels below the first are its halvings
+    std::string name{};                      ///< for stages: "specular map"
+    std::vector<PrefilterOptions> filters{}; ///< a filtered level each, largest first; ggx with alpha = 0: the environment itself
+    bool pyramid = false;                    ///< the levels below the first are its halvings
     MipFiltering filtering = MipFiltering::AcrossSeams; ///< of the pyramid
-    std::vector<size_t> bandLimits{};         ///< expected of each filter; 0: not filtered
+    std::vector<size_t> bandLimits{};                   ///< expected of each filter; 0: not filtered
     bool operator==(const MapPlan&) const = default;
 };
 
 /// One sphere map to evaluate.
 struct SphereMapPlan {
-    std::string field{};  ///< for messages: "material.sphere_map.source"
+    std::string field{}; ///< for messages: "material.sphere_map.source"
     std::string source{};
     EmbeddedSphereMap document{}; ///< in place of the source
     int size = 512;
@@ -56,19 +56,19 @@ enum class PlanExtent {
 };
 
 struct PlanRequest {
-    bool picture = true;                                ///< the maps that the view shows
+    bool picture = true;                               ///< the maps that the view shows
     std::optional<std::vector<std::string>> exports{}; ///< names of exports; empty list: all of them; nothing: none
     PlanExtent extent = PlanExtent::Needed;
 };
 
 struct Plan {
-    std::vector<Stage> stages{};        ///< in order; seconds are 0
+    std::vector<Stage> stages{}; ///< in order; seconds are 0
     PlannedMaterial material{};
     std::optional<MapPlan> specular{};
     std::optional<MapPlan> diffuse{};
     std::optional<MapPlan> background{};
     std::vector<SphereMapPlan> sphereMaps{}; ///< the material's, and behind it the layers of a window
-    std::vector<MapPlan> others{};      ///< PlanExtent::Everything: the specular map in every other parameterization; not shown
+    std::vector<MapPlan> others{};           ///< PlanExtent::Everything: the specular map in every other parameterization; not shown
     std::vector<ExportPlan> exports{};
 
     bool needsProbe() const;
@@ -82,7 +82,8 @@ struct Plan {
 bool mayNeedProbe(const Scene& scene, const PlanRequest& request);
 
 /// @param probe  layout of the probe as its file's header tells it (probeLayout() in scene_maps.h); anything where !mayNeedProbe()
-/// @throws InvalidArgument naming the field; for a painted export of a scene without a sphere map; for unknown export names, naming the known ones
+/// @throws InvalidArgument naming the field; for a painted export of a scene without a sphere map; for unknown export names, naming the
+/// known ones
 Plan makePlan(const Scene& scene, const MapLayout& probe, const PlanRequest& request = {});
 
 /// F where it is the same at every angle and in every channel: 1 without a Fresnel term, 0 for an index of 1.

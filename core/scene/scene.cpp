@@ -140,10 +140,7 @@ void validate(const Scene& scene)
         throw InvalidArgument("view.geometry: must be teapot, torus, sphere, box, window or a mesh file; it is empty");
 }
 
-void validate(const Material& material)
-{
-    checkMaterial("", material);
-}
+void validate(const Material& material) { checkMaterial("", material); }
 
 std::string resolved(const Scene& scene, const std::string& path)
 {
@@ -166,9 +163,12 @@ CameraSettings initialCamera(std::string_view geometry)
 Lobe lobe(const SpecularSettings& specular)
 {
     switch (specular.lobe) {
-    case SurfaceLobe::Phong: return phongLobe(specular.exponent);
-    case SurfaceLobe::Ggx: return ggxLobe(specular.roughness * specular.roughness);
-    case SurfaceLobe::Mirror: break;
+    case SurfaceLobe::Phong:
+        return phongLobe(specular.exponent);
+    case SurfaceLobe::Ggx:
+        return ggxLobe(specular.roughness * specular.roughness);
+    case SurfaceLobe::Mirror:
+        break;
     }
     return ggxLobe(0.0);
 }

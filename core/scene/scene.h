@@ -86,10 +86,12 @@ struct MapSettings {
         visit(Field{"size", "edge of a face, disc or octahedron, or height of a latlong", 1, 16384, "texels"}, self.size);
         visit(Field{"border", "paraboloid: texels kept free outside each disc", 0, 4096, "texels"}, self.border);
         visit(Field{"mips", "coarser levels, read where a reflection shrinks: no shimmer on strongly curved parts"}, self.mips);
-        visit(Field{"mip_filtering", "cube with coarser levels: filtered across the seams of the faces, or each face by itself as the hardware of 2002 "
-                                     "did, which shows the seams"},
+        visit(Field{"mip_filtering",
+                    "cube with coarser levels: filtered across the seams of the faces, or each face by itself as the hardware of 2002 "
+                    "did, which shows the seams"},
               self.mipFiltering);
-        visit(Field{"anisotropy", "with coarser levels: lookups along the longer side of a pixel's footprint, sharper at grazing angles", 1, 16},
+        visit(Field{"anisotropy", "with coarser levels: lookups along the longer side of a pixel's footprint, sharper at grazing angles", 1,
+                    16},
               self.anisotropy);
         visit(Field{"space", "world: the environment stands still; eye: the map turns with the camera"}, self.space);
     }
@@ -228,10 +230,11 @@ struct Material {
               self.combine);
         visit(Field{"diffuse", "the matt part"}, self.diffuse);
         visit(Field{"lambda", "least mip level of the reflection: blurs it without filtering", 0, 16}, self.lambda);
-        visit(Field{"lambda_grazing", "with lambda: sharper where the surface is seen at a grazing angle; 1 as rough surfaces do, more exaggerates", 0,
-                    8},
+        visit(Field{"lambda_grazing",
+                    "with lambda: sharper where the surface is seen at a grazing angle; 1 as rough surfaces do, more exaggerates", 0, 8},
               self.lambdaGrazing);
-        visit(Field{"lod_bias", "moves the mip level of the reflection by this much; lambda then holds it from below", -16, 16}, self.lodBias);
+        visit(Field{"lod_bias", "moves the mip level of the reflection by this much; lambda then holds it from below", -16, 16},
+              self.lodBias);
         visit(Field{"sphere_map", "a painted sphere map"}, self.sphereMap);
     }
 };
@@ -253,7 +256,8 @@ struct CameraSettings {
     {
         visit(Field{"yaw", "longitude of the eye", -36000, 36000, "degrees"}, self.yawDeg);
         visit(Field{"pitch", "latitude of the eye", -90, 90, "degrees"}, self.pitchDeg);
-        visit(Field{"roll", "turns the camera about its view, counterclockwise seen from behind it", -36000, 36000, "degrees"}, self.rollDeg);
+        visit(Field{"roll", "turns the camera about its view, counterclockwise seen from behind it", -36000, 36000, "degrees"},
+              self.rollDeg);
         visit(Field{"distance", "from the target; the object's radius is 1", 0.01, 1000}, self.distance);
         visit(Field{"fov", "angle of view from bottom to top", 1, 170, "degrees"}, self.fieldOfViewDeg);
         visit(Field{"target", "point that the eye looks at and orbits; the object's centre is 0, 0, 0", -1000, 1000}, self.target);
@@ -337,9 +341,12 @@ struct ViewSettings {
     template <typename Self, typename Visit>
     static void visitFields(Self& self, Visit&& visit)
     {
-        visit(Field{"geometry", "teapot, torus, sphere, box, window, or a mesh file (.obj .ply .stl .off .gltf .glb .fbx .dae .3ds)"}, self.geometry);
-        visit(Field{"tessellation", "quads along a quarter of a circumference; 0: as fine as the picture needs", 0, 256}, self.tessellation);
-        visit(Field{"shading", "the material, or what it is computed from: triangles, normals, texture coordinates, seams or levels of the map"},
+        visit(Field{"geometry", "teapot, torus, sphere, box, window, or a mesh file (.obj .ply .stl .off .gltf .glb .fbx .dae .3ds)"},
+              self.geometry);
+        visit(Field{"tessellation", "quads along a quarter of a circumference; 0: as fine as the picture needs", 0, 256},
+              self.tessellation);
+        visit(Field{"shading",
+                    "the material, or what it is computed from: triangles, normals, texture coordinates, seams or levels of the map"},
               self.shading);
         visit(Field{"camera", "where the eye is"}, self.camera);
         visit(Field{"window", "the window of the geometry of that name"}, self.window);
@@ -370,17 +377,17 @@ struct ExportTarget {
     static void visitFields(Self& self, Visit&& visit)
     {
         visit(Field{"name", "letters, digits, - and _; names the files"}, self.name);
-        visit(Field{"kind",
-                    "source: the environment; specular: filtered with the material's lobe; diffuse: irradiance over pi; chain: ggx "
-                    "levels of roughness 0 to 1; painted: the sphere map"},
+        visit(Field{"kind", "source: the environment; specular: filtered with the material's lobe; diffuse: irradiance over pi; chain: ggx "
+                            "levels of roughness 0 to 1; painted: the sphere map"},
               self.kind);
         visit(Field{"parameterization", "kind of the map; painted: always a sphere map's disc"}, self.parameterization);
         visit(Field{"size", "edge of a face, disc or octahedron, or height of a latlong", 1, 16384, "texels"}, self.size);
-        visit(Field{"border", "paraboloid: texels kept free outside each disc; painted: texels between the disc and the picture's edge", 0, 4096,
-                    "texels"},
+        visit(Field{"border", "paraboloid: texels kept free outside each disc; painted: texels between the disc and the picture's edge", 0,
+                    4096, "texels"},
               self.border);
-        visit(Field{"file", "file name, whose extension is the format; empty: NAME.exr; %s in a cube's makes six files, %d one file a level"},
-              self.file);
+        visit(
+            Field{"file", "file name, whose extension is the format; empty: NAME.exr; %s in a cube's makes six files, %d one file a level"},
+            self.file);
         visit(Field{"half", "16-bit floats where the format has them"}, self.half);
         visit(Field{"mips", "coarser levels: halved, or as the painted map makes them"}, self.mips);
         visit(Field{"levels", "chain: how many levels; 0: down to one texel", 0, 16}, self.levels);

@@ -18,12 +18,13 @@ inline constexpr int sceneFileVersion = 1;
 
 /// @throws FileError
 Scene loadScene(const std::filesystem::path& path);
-/// Writes every field. Paths inside that are relative to scene.folder are written relative to the new file's folder, and so are absolute ones
-/// into that folder, those of an embedded sphere map too: the folder may be moved as a whole. The file appears whole or not at all. @throws InvalidArgument naming the field that is out of range (nothing is written); WorkError
+/// Writes every field. Paths inside that are relative to scene.folder are written relative to the new file's folder, and so are absolute
+/// ones into that folder, those of an embedded sphere map too: the folder may be moved as a whole. The file appears whole or not at all.
+/// @throws InvalidArgument naming the field that is out of range (nothing is written); WorkError
 void saveScene(const Scene& scene, const std::filesystem::path& path);
 
-/// The material of a material file, or of a scene file. Its relative paths, which start at that file's folder, become absolute: the material is
-/// for a scene elsewhere. @throws FileError
+/// The material of a material file, or of a scene file. Its relative paths, which start at that file's folder, become absolute: the
+/// material is for a scene elsewhere. @throws FileError
 Material loadMaterial(const std::filesystem::path& path);
 /// Writes the scene's material, with its paths as saveScene() does. @throws InvalidArgument, WorkError
 void saveMaterial(const Scene& scene, const std::filesystem::path& path);

@@ -90,12 +90,11 @@ std::vector<EnvironmentMap> buildMap(const MapPlan& plan, SceneProbe& probe, dou
         levels.push_back(buildLevel(plan.filters[i], plan.filters.size() > 1 ? plan.name + " level " + std::to_string(i) : plan.name, probe,
                                     partOf(job, static_cast<float>(i) / parts, static_cast<float>(i + 1) / parts), record));
     if (plan.pyramid)
-        levels = timedStage(record.stages, "mip levels of " + plan.name,
-                            [&] {
-                                const JobControl last = partOf(job, 1.0f - 1.0f / parts, 1.0f);
-                                return plan.filtering == MipFiltering::PerFace ? std::move(buildFacePyramid(levels.front(), last).levels)
-                                                                               : std::move(buildMipPyramid(levels.front(), last).levels);
-                            });
+        levels = timedStage(record.stages, "mip levels of " + plan.name, [&] {
+            const JobControl last = partOf(job, 1.0f - 1.0f / parts, 1.0f);
+            return plan.filtering == MipFiltering::PerFace ? std::move(buildFacePyramid(levels.front(), last).levels)
+                                                           : std::move(buildMipPyramid(levels.front(), last).levels);
+        });
     expose(levels, exposure);
     return levels;
 }
@@ -115,16 +114,16 @@ std::vector<SphereMapChain> buildSphereMaps(const Scene& scene, const Plan& plan
 {
     std::vector<SphereMapChain> maps;
     for (const SphereMapPlan& map : plan.sphereMaps)
-        maps.push_back(timedStage(record.stages, "sphere map " + map.source, [&] {
-            return std::make_shared<const SphereMapTexels>(buildSphereMap(scene, map, job));
-        }));
+        maps.push_back(timedStage(record.stages, "sphere map " + map.source,
+                                  [&] { return std::make_shared<const SphereMapTexels>(buildSphereMap(scene, map, job)); }));
     return maps;
 }
 
 SceneMaps buildMaps(const Scene& scene, const Plan& plan, SceneProbe& probe, const JobControl& job, WorkRecord& record)
 {
     const auto build = [&](const std::optional<MapPlan>& map) {
-        return map ? std::make_shared<const std::vector<EnvironmentMap>>(buildMap(*map, probe, scene.probe.exposure, job, record)) : nullptr;
+        return map ? std::make_shared<const std::vector<EnvironmentMap>>(buildMap(*map, probe, scene.probe.exposure, job, record))
+                   : nullptr;
     };
     SceneMaps maps{.specular = build(plan.specular), .diffuse = build(plan.diffuse), .background = build(plan.background)};
     maps.sphereMaps = buildSphereMaps(scene, plan, job, record);

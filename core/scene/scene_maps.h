@@ -3,9 +3,9 @@
 #include "plan.h"
 #include "sphere_map_source.h"
 
+#include "core/base/job.h"
 #include "core/image/environment_map.h"
 #include "core/image/repair.h"
-#include "core/base/job.h"
 
 #include <memory>
 #include <optional>
@@ -24,9 +24,9 @@ MapLayout probeLayout(const Scene& scene, const PlanRequest& request);
 /// What was done: for `--stats`.
 struct WorkRecord {
     std::vector<Stage> stages{};
-    std::string method{};          ///< those that ran: "spectral, direct"; empty when nothing was filtered
-    int bandLimit = 0;             ///< the largest
-    double predictedError = 0.0;   ///< the largest rel_rms
+    std::string method{};        ///< those that ran: "spectral, direct"; empty when nothing was filtered
+    int bandLimit = 0;           ///< the largest
+    double predictedError = 0.0; ///< the largest rel_rms
 
     void add(const PrefilterOutcome& outcome);
 };
@@ -36,7 +36,7 @@ struct SceneProbe {
     std::optional<FilterSource> source{};                ///< when something is filtered
     std::shared_ptr<const EnvironmentMap> environment{}; ///< when nothing is: the probe as it is
     RepairReport repaired{};
-    std::string origin{};                                ///< how its parameterization was found, in words
+    std::string origin{}; ///< how its parameterization was found, in words
 };
 
 /// @throws FileError, InvalidArgument, Cancelled
@@ -54,7 +54,7 @@ struct SceneMaps {
     MapLevels diffuse{};
     MapLevels background{};
     std::vector<SphereMapChain> sphereMaps{}; ///< those of the plan
-    std::vector<MapLevels> others{}; ///< of PlanExtent::Everything
+    std::vector<MapLevels> others{};          ///< of PlanExtent::Everything
 };
 
 /// The document of a planned sphere map. @throws as readSphereMap()

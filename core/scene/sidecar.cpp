@@ -19,9 +19,11 @@ const char* axesText(Parameterization kind)
 {
     switch (kind) {
     case Parameterization::Latlong:
-        return "the centre is +Z, the left quarter +X, the top +Y; d = (sin(lon) cos(lat), sin(lat), cos(lon) cos(lat)), lon = pi - 2 pi u, "
+        return "the centre is +Z, the left quarter +X, the top +Y; d = (sin(lon) cos(lat), sin(lat), cos(lon) cos(lat)), lon = pi - 2 pi "
+               "u, "
                "lat = pi/2 - pi v; texel centres at (i + 1/2)/N";
-    case Parameterization::Cube: return "faces +X -X +Y -Y +Z -Z, each with OpenGL's face axes (OpenGL 4.5, table 8.19)";
+    case Parameterization::Cube:
+        return "faces +X -X +Y -Y +Z -Z, each with OpenGL's face axes (OpenGL 4.5, table 8.19)";
     case Parameterization::Sphere:
         return "GL_SPHERE_MAP: (s, t) = r.xy / (2 sqrt(rx^2 + ry^2 + (rz + 1)^2)) + 1/2; the centre is +Z, right +X, top +Y";
     case Parameterization::Angular:
@@ -29,7 +31,8 @@ const char* axesText(Parameterization kind)
     case Parameterization::Paraboloid:
         return "front half (z >= 0) on the left: (x, y) = r.xy / (1 + r.z); back half on the right: (x, y) = r.xy / (1 - r.z); right is +X "
                "and top +Y in both";
-    case Parameterization::Octahedral: return "+Y at the centre, -Y at the corners; right is +X and down +Z";
+    case Parameterization::Octahedral:
+        return "+Y at the centre, -Y at the corners; right is +X and down +Z";
     }
     return "";
 }
@@ -47,13 +50,16 @@ std::string borderText(const MapLayout& layout)
 Json lobeJson(const Lobe& lobe)
 {
     switch (lobe.kind) {
-    case LobeKind::Phong: return {{"kind", "phong"}, {"exponent", lobe.exponent}};
-    case LobeKind::Diffuse: return {{"kind", "diffuse"}};
+    case LobeKind::Phong:
+        return {{"kind", "phong"}, {"exponent", lobe.exponent}};
+    case LobeKind::Diffuse:
+        return {{"kind", "diffuse"}};
     case LobeKind::Ggx:
         if (lobe.isMirror())
             return {{"kind", "mirror"}};
         return {{"kind", "ggx"}, {"roughness", std::sqrt(lobe.alpha)}, {"alpha", lobe.alpha}};
-    case LobeKind::Tabulated: return {{"kind", "tabulated"}};
+    case LobeKind::Tabulated:
+        return {{"kind", "tabulated"}};
     }
     return {};
 }
@@ -63,7 +69,8 @@ std::string sampleType(const ExportTarget& target)
 {
     const std::filesystem::path file = target.fileName();
     std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     if (holdsMips(file))
         return target.half ? "half" : "float";
     return extension == ".hdr" || extension == ".pic" || extension == ".rgbe" ? "rgbe" : extension == ".pfm" ? "float" : "uint8";
@@ -97,17 +104,15 @@ Json opened(const ExportTarget& target, const std::vector<std::filesystem::path>
     return json;
 }
 
-std::string closed(const Json& json)
-{
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
+std::string closed(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 std::string paintedAxesText(SphereMapIndex index, MapSpace space)
 {
     const std::string where = space == MapSpace::World ? " in world space" : " in eye space";
     return (index == SphereMapIndex::Normal
                 ? "(s, t) = n.xy / 2 + 1/2 in the disc's square, n the surface normal" + where
-                : "GL_SPHERE_MAP: (s, t) = r.xy / (2 sqrt(rx^2 + ry^2 + (rz + 1)^2)) + 1/2 in the disc's square, r the mirrored view ray" + where) +
+                : "GL_SPHERE_MAP: (s, t) = r.xy / (2 sqrt(rx^2 + ry^2 + (rz + 1)^2)) + 1/2 in the disc's square, r the mirrored view ray" +
+                      where) +
            "; the centre is +Z, right is +X and top +Y";
 }
 
@@ -117,7 +122,8 @@ const char* opacityText(const Image& picture, const std::string& samples)
         return "opaque everywhere";
     if (samples == "rgbe")
         return "none, for the format has no alpha channel: what is transparent is over black";
-    return samples == "uint8" ? "in the alpha channel; colours are not multiplied by it" : "in the alpha channel; colours are multiplied by it";
+    return samples == "uint8" ? "in the alpha channel; colours are not multiplied by it"
+                              : "in the alpha channel; colours are multiplied by it";
 }
 
 /// How the coarser levels came about.
@@ -158,8 +164,8 @@ std::string sidecar(const Scene& scene, const ExportPlan& planned, const std::ve
     json["levels"] = levelsJson(planned, levels);
     json["level_rule"] = target.kind == ExportKind::Chain ? "roughness = level / (levels - 1); alpha = roughness^2; each level is filtered "
                                                             "from the probe itself"
-                         : planned.map.pyramid ? "each level is the halving of the one before, weighted by solid angle"
-                                               : "one level";
+                         : planned.map.pyramid            ? "each level is the halving of the one before, weighted by solid angle"
+                                                          : "one level";
     json["probe"] = {{"source", scene.probe.source}, {"yaw_degrees", scene.probe.yawDeg}, {"exposure", scene.probe.exposure}};
     if (!work.method.empty())
         json["filter"] = {{"method", work.method}, {"band_limit", work.bandLimit}, {"predicted_rel_rms", work.predictedError}};

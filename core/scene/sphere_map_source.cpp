@@ -1,12 +1,12 @@
 #include "sphere_map_source.h"
 
 #include "core/base/error.h"
+#include "core/base/field_checks.h"
 #include "core/image/image_io.h"
-#include "core/spheremap/evaluation/evaluate.h"
-#include "core/spheremap/layers/image_layer.h"
 #include "core/spheremap/document/presets.h"
 #include "core/spheremap/document/sphere_map_file.h"
-#include "core/base/field_checks.h"
+#include "core/spheremap/evaluation/evaluate.h"
+#include "core/spheremap/layers/image_layer.h"
 
 #include <filesystem>
 
@@ -47,7 +47,8 @@ SphereMapDocument readSphereMapDocument(const Scene& scene, const std::string& f
 {
     if (isSphereMapFile(source)) {
         const std::string path = resolved(scene, source);
-        return isSphereMapPicture(source) ? SphereMapDocument{.layers = {{.content = ImageLayer{.source = path, .inset = 0.0}}}} : loadSphereMap(path);
+        return isSphereMapPicture(source) ? SphereMapDocument{.layers = {{.content = ImageLayer{.source = path, .inset = 0.0}}}}
+                                          : loadSphereMap(path);
     }
     if (const SphereMapPreset* preset = findSphereMapPreset(source))
         return preset->document;

@@ -8,10 +8,7 @@ namespace mirrorball {
 
 namespace {
 
-double texels(const MapLayout& layout)
-{
-    return static_cast<double>(layout.width()) * layout.height();
-}
+double texels(const MapLayout& layout) { return static_cast<double>(layout.width()) * layout.height(); }
 
 constexpr int bytesATexel = 12; // three floats
 
@@ -45,10 +42,7 @@ StageCost filteringCost(const PrefilterOptions& filter, int probeWidth)
     return {again.predictedSeconds, mapCost(filter.target, 0.0).bytes};
 }
 
-StageCost resamplingCost(const MapLayout& target)
-{
-    return mapCost(target, 1.5e-7);
-}
+StageCost resamplingCost(const MapLayout& target) { return mapCost(target, 1.5e-7); }
 
 StageCost pyramidCost(const MapLayout& base)
 {
@@ -59,14 +53,12 @@ StageCost pyramidCost(const MapLayout& base)
 StageCost paintingCost(int size, size_t layers, bool isAuthored)
 {
     const StageCost layer = mapCost({Parameterization::Sphere, size, 0}, 1.5e-8);
-    return {static_cast<double>(std::max<size_t>(layers, 1)) * layer.seconds * (isAuthored ? 1.0 + levelOversampling * levelOversampling / 3.0 : 1.0),
+    return {static_cast<double>(std::max<size_t>(layers, 1)) * layer.seconds *
+                (isAuthored ? 1.0 + levelOversampling * levelOversampling / 3.0 : 1.0),
             layer.bytes};
 }
 
-StageCost savingCost(const MapLayout& map)
-{
-    return {3e-8 * texels(map), 0};
-}
+StageCost savingCost(const MapLayout& map) { return {3e-8 * texels(map), 0}; }
 
 // Of the renderer without a GPU; its shaders take a fifth of a second to compile.
 StageCost drawingCost(int width, int height)

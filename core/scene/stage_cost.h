@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/base/stage.h"
 #include "core/filter/prefilter.h"
 #include "core/sphere/parameterization.h"
-#include "core/base/stage.h"
 
 /// What the stages of a plan are expected to cost: a guide, right to a factor of two or three on one core of a current server, that says
 /// which stages are worth leaving out. Times come from the stages' own records (`--stats`), memory from what a stage leaves behind.

@@ -17,10 +17,7 @@ static constexpr std::array metals{
     Conductor{"iron", {{2.89029, 2.95000, 2.64200}, {3.03971, 2.93000, 2.80250}}, "Johnson and Christy 1974"},
 };
 
-std::span<const Conductor> conductors()
-{
-    return metals;
-}
+std::span<const Conductor> conductors() { return metals; }
 
 std::optional<ConductorIndex> conductorFromName(std::string_view name)
 {

@@ -5,8 +5,8 @@
 
 namespace mirrorball {
 
-/// Least mip level of a reflection seen at the angle whose cosine is c = n.v: what 002 section 3 wishes for, a level by the lookup instead of
-/// one for the whole object, "in which case such noticeable effects as sharper reflections near the grazing angle could be simulated".
+/// Least mip level of a reflection seen at the angle whose cosine is c = n.v: what 002 section 3 wishes for, a level by the lookup instead
+/// of one for the whole object, "in which case such noticeable effects as sharper reflections near the grazing angle could be simulated".
 ///
 ///   lambda(c) = max(0, lambda + g/2 log2 c)
 ///

@@ -27,10 +27,7 @@ inline glm::dvec3 directionFromLonLat(double lon, double lat)
 }
 
 /// Mirror direction of v about the unit normal n, both pointing away from the surface: r = 2 (n.v) n - v. Source: 000 eq. 4.
-inline glm::dvec3 mirrorDirection(const glm::dvec3& v, const glm::dvec3& n)
-{
-    return 2.0 * glm::dot(n, v) * n - v;
-}
+inline glm::dvec3 mirrorDirection(const glm::dvec3& v, const glm::dvec3& n) { return 2.0 * glm::dot(n, v) * n - v; }
 
 /// d turned about +Y by `yaw` radians, from +Z towards +X.
 inline glm::dvec3 yawed(const glm::dvec3& d, double yaw)

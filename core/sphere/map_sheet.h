@@ -68,8 +68,8 @@ inline glm::dvec2 sheetFromImage(const MapLayout& layout, const glm::dvec2& p)
     return {p.x + cell.column * n, p.y - face * n + cell.row * n};
 }
 
-/// Distance in texels from an image position to the nearest edge at which charts meet or end: the sides of a latlong and its poles, the edges
-/// of a cube's faces and of the octahedral square, the rims of discs.
+/// Distance in texels from an image position to the nearest edge at which charts meet or end: the sides of a latlong and its poles, the
+/// edges of a cube's faces and of the octahedral square, the rims of discs.
 inline double seamDistance(const MapLayout& layout, const glm::dvec2& p)
 {
     const double n = layout.size;
@@ -78,11 +78,16 @@ inline double seamDistance(const MapLayout& layout, const glm::dvec2& p)
     };
     const auto fromRim = [&](const disc::Disc& d) { return std::abs(glm::length(p - d.centre) - d.radius); };
     switch (layout.kind) {
-    case Parameterization::Latlong: return fromEdges(p.x, p.y, 2.0 * n, n);
-    case Parameterization::Cube: return fromEdges(p.x, p.y - std::clamp(std::floor(p.y / n), 0.0, 5.0) * n, n, n);
-    case Parameterization::Octahedral: return fromEdges(p.x, p.y, n, n);
-    case Parameterization::Paraboloid: return fromRim(dual_paraboloid::half(layout.size, layout.border, p.x >= n));
-    default: return fromRim(disc::inscribed(layout.size));
+    case Parameterization::Latlong:
+        return fromEdges(p.x, p.y, 2.0 * n, n);
+    case Parameterization::Cube:
+        return fromEdges(p.x, p.y - std::clamp(std::floor(p.y / n), 0.0, 5.0) * n, n, n);
+    case Parameterization::Octahedral:
+        return fromEdges(p.x, p.y, n, n);
+    case Parameterization::Paraboloid:
+        return fromRim(dual_paraboloid::half(layout.size, layout.border, p.x >= n));
+    default:
+        return fromRim(disc::inscribed(layout.size));
     }
 }
 

@@ -1,7 +1,7 @@
 #include "parameterization.h"
 
-#include "core/base/error.h"
 #include "angular_map.h"
+#include "core/base/error.h"
 #include "cube_map.h"
 #include "dual_paraboloid.h"
 #include "latlong.h"

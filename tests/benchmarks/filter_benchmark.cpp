@@ -51,7 +51,8 @@ void phongToCube128(benchmark::State& state)
         state.PauseTiming();
         FilterSource source(probe());
         state.ResumeTiming();
-        benchmark::DoNotOptimize(prefilter(source, {.lobe = phongLobe(static_cast<double>(state.range(0))), .target = cube128}, twoThreads));
+        benchmark::DoNotOptimize(
+            prefilter(source, {.lobe = phongLobe(static_cast<double>(state.range(0))), .target = cube128}, twoThreads));
     }
 }
 BENCHMARK(phongToCube128)->Arg(1)->Arg(10)->Arg(500)->Arg(5000)->Arg(50000)->UseRealTime()->Unit(benchmark::kMillisecond);
@@ -120,7 +121,8 @@ void importanceSampling1024(benchmark::State& state)
                     glm::vec3 sum(0.0f);
                     for (const glm::dvec3& l : lobe) {
                         const glm::dvec2 p = coordinate(probe().layout, l.x * t + l.y * b + l.z * r);
-                        const float* texel = image.texel(std::min(static_cast<int>(p.x), image.width - 1), std::min(static_cast<int>(p.y), image.height - 1));
+                        const float* texel = image.texel(std::min(static_cast<int>(p.x), image.width - 1),
+                                                         std::min(static_cast<int>(p.y), image.height - 1));
                         sum += glm::vec3(texel[0], texel[1], texel[2]);
                     }
                     sum /= static_cast<float>(samples);

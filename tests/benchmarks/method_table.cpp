@@ -16,8 +16,8 @@
 /// The filtering methods against each other on 1k probes: what each takes and misses, beside what was predicted.
 ///
 ///   method_table methods [FOLDER]    one probe: every method and lobe (error and seconds, measured and predicted)
-///   method_table auto [FOLDER]       every probe, phong 10, 50, 500, ggx 0.3 and diffuse at tolerance 1e-3: does auto meet it, and who would have been faster
-///   method_table ratios [FOLDER]     spectral against importance at equal error, and against the reference sum
+///   method_table auto [FOLDER]       every probe, phong 10, 50, 500, ggx 0.3 and diffuse at tolerance 1e-3: does auto meet it, and who
+///   would have been faster method_table ratios [FOLDER]     spectral against importance at equal error, and against the reference sum
 ///
 /// FOLDER holds .hdr latlongs of 1024 x 512; without it the built-in sky stands for them. Seconds are those of the CPU on one thread, the
 /// least of a few runs, so that other work on the machine matters little. Errors are rel_rms over the whole map against the
@@ -138,8 +138,8 @@ void printMethods(const std::vector<NamedProbe>& all)
                 FilterSource source(probe.map);
                 const double error = informedError(m.outcome, options, source, oneThread);
                 std::printf("%-11s %-20s %11.3g %11.3g %7.2f %11.3g %11.3g %7.2f\n", describe(lobe).c_str(),
-                            (describe(s) + (s.target == cube16 ? " *" : "")).c_str(), m.seconds, seconds, m.seconds / seconds, m.relRms, error,
-                            m.relRms / error);
+                            (describe(s) + (s.target == cube16 ? " *" : "")).c_str(), m.seconds, seconds, m.seconds / seconds, m.relRms,
+                            error, m.relRms / error);
                 std::fflush(stdout);
             }
     }
@@ -167,7 +167,8 @@ void printAuto(const std::vector<NamedProbe>& all)
                     continue;
                 PrefilterOptions few = options;
                 few.target = cube16;
-                for (int samples = 64; samples <= 65536; samples *= 4) { // one turn but for importance, two for the methods with a tolerance
+                for (int samples = 64; samples <= 65536;
+                     samples *= 4) { // one turn but for importance, two for the methods with a tolerance
                     few.knobs.samples = options.knobs.samples = samples;
                     few.tolerance = options.tolerance = samples == 64 ? tolerance : 10.0 * tolerance; // it may meet more than asked for
                     if (measure(probe.map, few, exactMap(probe.map, few), 1).seconds > 1.5 * chosen.seconds)

@@ -9,15 +9,12 @@
 #include <ctime>
 
 /// What the exact kernel of the paraboloid method gains over the published one, probe by probe and exponent by exponent: predicted and
-/// measured error against the spectral method at a tolerance of 1e-6, and the CPU time of all threads. Latlong probes of 1024 x 512 are named
-/// on the command line; without one it is the built-in sky. paraboloid_table PROBE.hdr...
+/// measured error against the spectral method at a tolerance of 1e-6, and the CPU time of all threads. Latlong probes of 1024 x 512 are
+/// named on the command line; without one it is the built-in sky. paraboloid_table PROBE.hdr...
 namespace mirrorball {
 namespace {
 
-double cpuSeconds()
-{
-    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
+double cpuSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 struct Variant {
     const char* name;
@@ -26,7 +23,8 @@ struct Variant {
 
 void printRow(FilterSource& source, double exponent, const Variant& variant)
 {
-    PrefilterOptions options{.lobe = phongLobe(exponent), .target = {Parameterization::Cube, 64, 0}, .method = Method::Spectral, .tolerance = 1e-6};
+    PrefilterOptions options{
+        .lobe = phongLobe(exponent), .target = {Parameterization::Cube, 64, 0}, .method = Method::Spectral, .tolerance = 1e-6};
     const EnvironmentMap reference = prefilter(source, options).map;
     options.method = Method::Paraboloid;
     options.knobs.paraboloid = variant.knobs;
@@ -34,8 +32,8 @@ void printRow(FilterSource& source, double exponent, const Variant& variant)
     const PrefilterOutcome outcome = prefilter(source, options);
     const double seconds = cpuSeconds() - start;
     const ErrorMetrics error = errorMetrics(outcome.map, reference);
-    std::printf("%8g  %-24s  %9.1e  %9.1e  %9.1e  %9.1e  %7.0f ms\n", exponent, variant.name, outcome.predictedError, error.relRms, error.maxAbs,
-                error.p99Rel, 1e3 * seconds);
+    std::printf("%8g  %-24s  %9.1e  %9.1e  %9.1e  %9.1e  %7.0f ms\n", exponent, variant.name, outcome.predictedError, error.relRms,
+                error.maxAbs, error.p99Rel, 1e3 * seconds);
     std::fflush(stdout);
 }
 

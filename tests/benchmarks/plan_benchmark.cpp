@@ -27,10 +27,7 @@ Scene base()
     return scene;
 }
 
-Scene mirrorOnly()
-{
-    return base();
-}
+Scene mirrorOnly() { return base(); }
 
 Scene diffuseOnly()
 {

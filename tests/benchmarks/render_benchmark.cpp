@@ -36,9 +36,15 @@ void frames(benchmark::State& state, GeometryKind geometry, Parameterization kin
         benchmark::DoNotOptimize(renderer.renderDisplay(settings, maps)); // reading back included
     }
 }
-BENCHMARK_CAPTURE(frames, teapot_glossy_cube, GeometryKind::Teapot, Parameterization::Cube, false)->UseRealTime()->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(frames, teapot_coat_cube, GeometryKind::Teapot, Parameterization::Cube, true)->UseRealTime()->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(frames, teapot_coat_paraboloid, GeometryKind::Teapot, Parameterization::Paraboloid, true)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(frames, teapot_glossy_cube, GeometryKind::Teapot, Parameterization::Cube, false)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(frames, teapot_coat_cube, GeometryKind::Teapot, Parameterization::Cube, true)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(frames, teapot_coat_paraboloid, GeometryKind::Teapot, Parameterization::Paraboloid, true)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(frames, torus_coat_cube, GeometryKind::Torus, Parameterization::Cube, true)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 } // namespace

@@ -1,5 +1,5 @@
-#include "core/spheremap/evaluation/evaluate.h"
 #include "core/spheremap/document/presets.h"
+#include "core/spheremap/evaluation/evaluate.h"
 
 #include <benchmark/benchmark.h>
 
@@ -16,9 +16,7 @@ const JobControl twoThreads{.threads = 2};
 SphereMapDocument tenLayers(int strokes)
 {
     std::mt19937 engine(5);
-    const auto uniform = [&engine](double low, double high) {
-        return low + (high - low) * static_cast<double>(engine()) / 4294967296.0;
-    };
+    const auto uniform = [&engine](double low, double high) { return low + (high - low) * static_cast<double>(engine()) / 4294967296.0; };
     PaintLayer paint;
     for (int i = 0; i < strokes; ++i) {
         Stroke stroke;
@@ -76,9 +74,21 @@ void blurOnTheSphere(benchmark::State& state, SphereMapIndex index)
         benchmark::DoNotOptimize(evaluate(document, {.size = 1024}, twoThreads));
 }
 BENCHMARK_CAPTURE(blurOnTheSphere, byNormal, SphereMapIndex::Normal)
-    ->Arg(1)->Arg(2)->Arg(4)->Arg(16)->UseRealTime()->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
+    ->Arg(1)
+    ->Arg(2)
+    ->Arg(4)
+    ->Arg(16)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(blurOnTheSphere, byReflection, SphereMapIndex::Reflection)
-    ->Arg(1)->Arg(2)->Arg(4)->Arg(16)->UseRealTime()->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
+    ->Arg(1)
+    ->Arg(2)
+    ->Arg(4)
+    ->Arg(16)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond);
 
 /// What a stroke of 64 texels costs: the part of the map that it touched.
 void regionOf64(benchmark::State& state)
@@ -108,7 +118,11 @@ void presets(benchmark::State& state)
     for (auto _ : state)
         benchmark::DoNotOptimize(evaluate(preset.document, options, twoThreads));
 }
-BENCHMARK(presets)->DenseRange(0, static_cast<int64_t>(sphereMapPresets().size()) - 1)->UseRealTime()->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(presets)
+    ->DenseRange(0, static_cast<int64_t>(sphereMapPresets().size()) - 1)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond);
 
 } // namespace
 } // namespace mirrorball

@@ -34,10 +34,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double millisecondsSince(Clock::time_point start)
-{
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
+double millisecondsSince(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
 
 /// Processor time of the whole process or of this thread, in milliseconds: what a busy machine does not stretch.
 double cpuMilliseconds(clockid_t clock)
@@ -124,8 +121,8 @@ bool dragExponent(MainWindow& window, WatchedApplication& application, int steps
     return true;
 }
 
-/// A stroke with the mouse on a sphere map of 1024 texels under 200 others in ten layers: from a movement, on the disc or on the model, until
-/// the display has taken a picture with it. @return false when a picture did not come
+/// A stroke with the mouse on a sphere map of 1024 texels under 200 others in ten layers: from a movement, on the disc or on the model,
+/// until the display has taken a picture with it. @return false when a picture did not come
 bool paintStroke(MainWindow& window, WatchedApplication& application, QWidget& on, int steps)
 {
     PreviewWidget& preview = window.preview();
@@ -178,7 +175,8 @@ bool dragOpacity(MainWindow& window, WatchedApplication& application, int steps)
     std::vector<double> latencies;
     for (int i = 0; i <= steps; ++i) {
         const auto moved = Clock::now();
-        editor.editLayer(QStringLiteral("opacity"), QStringLiteral("opacity"), [&](Layer& layer) { layer.opacity = 0.3 + 0.6 * i / steps; });
+        editor.editLayer(QStringLiteral("opacity"), QStringLiteral("opacity"),
+                         [&](Layer& layer) { layer.opacity = 0.3 + 0.6 * i / steps; });
         const double value = editor.chosenLayer()->opacity;
         if (!waitUntil(window.preview(), [&](const PreparedScene& made) {
                 return made.scene.material.sphereMap.document.document->layers[5].opacity == value;
@@ -205,7 +203,9 @@ SphereMapDocument paintedMap()
     for (int i = 0; map.layers.size() < 7; ++i)
         map.layers.push_back({.opacity = 0.2, .blend = BlendMode::SoftLight, .content = GradientLayer{.shape = GradientShape::Radial}});
     for (ptrdiff_t first = 0; first < 200; first += 67)
-        map.layers.push_back({.name = "Paint", .content = PaintLayer{.strokes = {strokes.begin() + first, strokes.begin() + std::min<ptrdiff_t>(first + 67, 200)}}});
+        map.layers.push_back(
+            {.name = "Paint",
+             .content = PaintLayer{.strokes = {strokes.begin() + first, strokes.begin() + std::min<ptrdiff_t>(first + 67, 200)}}});
     return map;
 }
 
@@ -242,11 +242,13 @@ int run(WatchedApplication& application, Clock::time_point start)
         scene.material.specular = {.lobe = SurfaceLobe::Phong, .exponent = 50};
     });
     window.resize(window.size() + QSize(1280, 720) - preview.size());
-    if (!began || !waitUntil(preview, [&](const PreparedScene& made) { return made.detail == MapDetail{} && made.scene == document.scene(); }))
+    if (!began ||
+        !waitUntil(preview, [&](const PreparedScene& made) { return made.detail == MapDetail{} && made.scene == document.scene(); }))
         return 1;
     std::printf("picture                      %d x %d\n", preview.width(), preview.height());
     const int steps = arguments.size() > 2 ? std::max(1, arguments[2].toInt()) : 200;
-    const bool isDone = dragExponent(window, application, steps, 1) && dragExponent(window, application, steps, 4) && paint(window, application, steps);
+    const bool isDone =
+        dragExponent(window, application, steps, 1) && dragExponent(window, application, steps, 4) && paint(window, application, steps);
     document.reset();
     return isDone ? 0 : 1;
 }

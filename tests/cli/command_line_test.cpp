@@ -21,15 +21,9 @@ using test::mirrorballRuns;
 using test::ProgramRun;
 using test::TemporaryFolder;
 
-std::string quoted(const std::filesystem::path& path)
-{
-    return "'" + path.string() + "'";
-}
+std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
 
-nlohmann::json parsed(const std::filesystem::path& path)
-{
-    return nlohmann::json::parse(test::readBytes(path));
-}
+nlohmann::json parsed(const std::filesystem::path& path) { return nlohmann::json::parse(test::readBytes(path)); }
 
 size_t filesIn(const TemporaryFolder& folder)
 {
@@ -42,7 +36,7 @@ TEST(CommandLine, FiltersAProbeAsTheReferenceSays)
     const EnvironmentMap probe = test::noiseProbe(32, 3);
     writeImage(folder / "probe.exr", probe.image);
     const ProgramRun run = mirrorballRuns("filter " + quoted(folder / "probe.exr") + " -o " + quoted(folder / "out.exr") +
-                                   " --lobe phong --exponent 20 --to cube --size 16 --stats " + quoted(folder / "stats.json"));
+                                          " --lobe phong --exponent 20 --to cube --size 16 --stats " + quoted(folder / "stats.json"));
     ASSERT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.out, "");
     EXPECT_EQ(run.err, "");
@@ -83,14 +77,16 @@ TEST(CommandLine, ReachesEveryMethodAndItsKnobs)
         const char *options, *method;
         double error; // of white noise, coarsely approximated by some
     };
-    for (const Call& call : {Call{"--lobe phong --exponent 20 --method reference", "reference", 1e-6}, Call{"--lobe phong --exponent 20 --method direct", "direct", 1e-6},
+    for (const Call& call : {Call{"--lobe phong --exponent 20 --method reference", "reference", 1e-6},
+                             Call{"--lobe phong --exponent 20 --method direct", "direct", 1e-6},
                              Call{"--lobe phong --exponent 20 --method hierarchical --tolerance 1e-3", "hierarchical", 1e-3},
                              Call{"--lobe phong --exponent 20 --method importance --samples 4096", "importance", 0.05},
-                             Call{"--lobe phong --exponent 20 --method mip", "mip", 0.5}, Call{"--lobe phong --exponent 20 --method mip --lambda 2.5", "mip", 0.5},
+                             Call{"--lobe phong --exponent 20 --method mip", "mip", 0.5},
+                             Call{"--lobe phong --exponent 20 --method mip --lambda 2.5", "mip", 0.5},
                              Call{"--lobe phong --exponent 20 --method mip --mip-filtering per-face", "mip", 0.5},
                              Call{"--lobe diffuse --method sh9", "sh9", 0.05}}) {
-        const ProgramRun run = mirrorballRuns("filter " + quoted(folder / "probe.exr") + " -o " + quoted(folder / "out.exr") + " --to cube --size 8 " +
-                                              call.options + " --stats " + quoted(folder / "stats.json"));
+        const ProgramRun run = mirrorballRuns("filter " + quoted(folder / "probe.exr") + " -o " + quoted(folder / "out.exr") +
+                                              " --to cube --size 8 " + call.options + " --stats " + quoted(folder / "stats.json"));
         ASSERT_EQ(run.status, 0) << run.err;
         EXPECT_EQ(parsed(folder / "stats.json").at("method").get<std::string>(), call.method);
         const MapLayout cube{Parameterization::Cube, 8, 0};
@@ -117,7 +113,10 @@ TEST(CommandLine, FiltersADiffuseMapOfAConstantToTheConstant)
     const TemporaryFolder folder;
     writeImage(folder / "white.exr", Image(64, 32, 3, 1.0f));
     for (const char* kind : {"latlong", "cube", "sphere", "angular", "paraboloid", "octahedral"}) {
-        ASSERT_EQ(mirrorballRuns("filter " + quoted(folder / "white.exr") + " -o " + quoted(folder / "out.exr") + " --lobe diffuse --size 16 --to " + kind).status, 0);
+        ASSERT_EQ(mirrorballRuns("filter " + quoted(folder / "white.exr") + " -o " + quoted(folder / "out.exr") +
+                                 " --lobe diffuse --size 16 --to " + kind)
+                      .status,
+                  0);
         for (const float value : readImage(folder / "out.exr").texels)
             ASSERT_NEAR(value, 1.0f, 1e-6f) << kind;
     }
@@ -127,7 +126,8 @@ TEST(CommandLine, ExplainsAPlanAsATable)
 {
     const TemporaryFolder folder;
     const ProgramRun run =
-        mirrorballRuns("render --probe builtin:studio --geometry sphere --size 32x24 --lambda 2 --lambda-grazing 1 --explain -o " + quoted(folder / "o.png"));
+        mirrorballRuns("render --probe builtin:studio --geometry sphere --size 32x24 --lambda 2 --lambda-grazing 1 --explain -o " +
+                       quoted(folder / "o.png"));
     ASSERT_EQ(run.status, 0) << run.err;
     std::istringstream lines(run.out);
     std::string head;
@@ -156,8 +156,11 @@ TEST(CommandLine, FiltersByParaboloidWithoutADisplay)
     const TemporaryFolder folder;
     const std::string filter = "filter builtin:studio --lobe phong --exponent 30 --to cube --size 16 -o ";
     ASSERT_EQ(mirrorballRuns(filter + quoted(folder / "auto.exr")).status, 0);
-    ASSERT_EQ(mirrorballRuns(filter + quoted(folder / "exact.exr") + " --method paraboloid --stats " + quoted(folder / "s.json")).status, 0);
-    ASSERT_EQ(mirrorballRuns(filter + quoted(folder / "published.exr") + " --method paraboloid --paraboloid blended --paraboloid-border 64").status, 0);
+    ASSERT_EQ(mirrorballRuns(filter + quoted(folder / "exact.exr") + " --method paraboloid --stats " + quoted(folder / "s.json")).status,
+              0);
+    ASSERT_EQ(mirrorballRuns(filter + quoted(folder / "published.exr") + " --method paraboloid --paraboloid blended --paraboloid-border 64")
+                  .status,
+              0);
     const MapLayout cube{Parameterization::Cube, 16, 0};
     const EnvironmentMap reference(cube, readImage(folder / "auto.exr"));
     const nlohmann::json stats = nlohmann::json::parse(test::readBytes(folder / "s.json"));
@@ -171,7 +174,8 @@ TEST(CommandLine, FiltersByParaboloidWithoutADisplay)
 TEST(CommandLine, AGgxChainKeepsItsLevelsInOneFile)
 {
     const TemporaryFolder folder;
-    ASSERT_EQ(mirrorballRuns("filter builtin:studio -o " + quoted(folder / "chain.exr") + " --lobe ggx --to cube --size 32 --mips").status, 0);
+    ASSERT_EQ(mirrorballRuns("filter builtin:studio -o " + quoted(folder / "chain.exr") + " --lobe ggx --to cube --size 32 --mips").status,
+              0);
     EXPECT_EQ(filesIn(folder), 1u);
     const auto info = openImage(folder / "chain.exr")->info();
     EXPECT_GE(info.levels, 6);
@@ -213,7 +217,10 @@ TEST(CommandLine, WritesSixFacesForAPercentS)
 TEST(CommandLine, ConvertsThereAndBack)
 {
     const TemporaryFolder folder;
-    ASSERT_EQ(mirrorballRuns("filter builtin:studio -o " + quoted(folder / "latlong.exr") + " --lobe phong --exponent 30 --to latlong --size 128").status, 0);
+    ASSERT_EQ(
+        mirrorballRuns("filter builtin:studio -o " + quoted(folder / "latlong.exr") + " --lobe phong --exponent 30 --to latlong --size 128")
+            .status,
+        0);
     const MapLayout layout{Parameterization::Latlong, 128, 0};
     const EnvironmentMap start(layout, readImage(folder / "latlong.exr"));
     for (const char* kind : {"cube", "sphere", "angular", "paraboloid", "octahedral"}) {
@@ -251,7 +258,8 @@ TEST(CommandLine, TellsWhatAProbeHolds)
 TEST(CommandLine, ExplainsWhatItDoesAndLeavesOut)
 {
     const TemporaryFolder folder;
-    const ProgramRun run = mirrorballRuns("filter builtin:sky -o " + quoted(folder / "o.exr") + " --lobe phong --exponent 1e9 --to cube --size 8 --explain");
+    const ProgramRun run =
+        mirrorballRuns("filter builtin:sky -o " + quoted(folder / "o.exr") + " --lobe phong --exponent 1e9 --to cube --size 8 --explain");
     ASSERT_EQ(run.status, 0) << run.err;
     EXPECT_NE(run.out.find("left out"), std::string::npos);
     EXPECT_NE(run.out.find("bilinear"), std::string::npos);
@@ -285,8 +293,9 @@ TEST(CommandLine, RendersAMeshFileAndSavesASceneThatFindsItAgain)
     std::filesystem::create_directory(folder / "meshes");
     test::writeBytes(folder / "meshes/t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     const std::string size = " --size 32x32 ";
-    const auto run = mirrorballRuns("render --geometry " + (folder / "meshes/t.obj").string() + size + "-o " + (folder / "a.png").string() +
-                                    " --shading normals --set view.background.kind=none --save-scene " + (folder / "s.mirrorball").string());
+    const auto run =
+        mirrorballRuns("render --geometry " + (folder / "meshes/t.obj").string() + size + "-o " + (folder / "a.png").string() +
+                       " --shading normals --set view.background.kind=none --save-scene " + (folder / "s.mirrorball").string());
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(mirrorballRuns("render " + (folder / "s.mirrorball").string() + " -o " + (folder / "b.png").string()).status, 0);
     EXPECT_EQ(test::readBytes(folder / "a.png"), test::readBytes(folder / "b.png"));
@@ -360,7 +369,8 @@ TEST(CommandLine, KeepsAnExistingFileWhenTheWorkFails)
 {
     const TemporaryFolder folder;
     std::ofstream(folder / "o.exr") << "precious";
-    EXPECT_EQ(mirrorballRuns("convert " + quoted(folder / "missing.exr") + " -o " + quoted(folder / "o.exr") + " --to cube --size 8").status, 2);
+    EXPECT_EQ(
+        mirrorballRuns("convert " + quoted(folder / "missing.exr") + " -o " + quoted(folder / "o.exr") + " --to cube --size 8").status, 2);
     EXPECT_EQ(test::readBytes(folder / "o.exr"), "precious");
 }
 
@@ -383,7 +393,7 @@ TEST(CommandLine, StreamsAProbeOf16kInLittleMemory)
         }
     }
     const ProgramRun run = mirrorballRuns("filter " + quoted(folder / "16k.hdr") + " -o " + quoted(folder / "o.exr") +
-                                   " --lobe phong --exponent 50 --to latlong --size 16 --stats " + quoted(folder / "s.json"));
+                                          " --lobe phong --exponent 50 --to latlong --size 16 --stats " + quoted(folder / "s.json"));
     ASSERT_EQ(run.status, 0) << run.err;
     const auto stats = parsed(folder / "s.json");
     EXPECT_LT(stats.at("peak_bytes").get<double>(), 1024.0 * 1024 * 1024);

@@ -1,9 +1,9 @@
 #include "program.h"
 
 #include "core/image/image_io.h"
-#include "core/spheremap/evaluation/evaluate.h"
 #include "core/spheremap/document/presets.h"
 #include "core/spheremap/document/sphere_map_file.h"
+#include "core/spheremap/evaluation/evaluate.h"
 
 #include <gtest/gtest.h>
 
@@ -46,9 +46,10 @@ TEST(PaintCommand, APngHasTheSameColoursHoweverTransparent)
 {
     const TemporaryFolder folder;
     for (const auto& [opacity, alpha] : {std::pair{"1", 255}, {"0.5", 128}, {"0.1", 26}}) {
-        std::ofstream(folder / "fill.spheremap") << R"({"version": 1, "layers": [{"opacity": )" << opacity
-                                                 << R"(, "content": {"kind": "fill", "color": [0.2, 0.05, 0.6]}}]})";
-        ASSERT_EQ(mirrorballRuns("paint " + quoted(folder / "fill.spheremap") + " -o " + quoted(folder / "fill.png") + " --size 8").status, 0);
+        std::ofstream(folder / "fill.spheremap")
+            << R"({"version": 1, "layers": [{"opacity": )" << opacity << R"(, "content": {"kind": "fill", "color": [0.2, 0.05, 0.6]}}]})";
+        ASSERT_EQ(mirrorballRuns("paint " + quoted(folder / "fill.spheremap") + " -o " + quoted(folder / "fill.png") + " --size 8").status,
+                  0);
         const PngPicture picture(folder / "fill.png");
         ASSERT_EQ(picture.width, 8);
         for (const auto& pixel : picture.pixels)
@@ -61,8 +62,8 @@ TEST(RenderCommand, APngWithoutBackgroundKeepsItsColoursAtTheOutline)
 {
     const TemporaryFolder folder;
     std::ofstream(folder / "fill.spheremap") << R"({"version": 1, "layers": [{"content": {"kind": "fill", "color": [0.2, 0.05, 0.6]}}]})";
-    const ProgramRun run = mirrorballRuns("render --geometry sphere --size 64x64 --background none --sphere-map " + quoted(folder / "fill.spheremap") +
-                                          " --tone none -o " + quoted(folder / "ball.png"));
+    const ProgramRun run = mirrorballRuns("render --geometry sphere --size 64x64 --background none --sphere-map " +
+                                          quoted(folder / "fill.spheremap") + " --tone none -o " + quoted(folder / "ball.png"));
     ASSERT_EQ(run.status, 0) << run.err;
     const PngPicture picture(folder / "ball.png");
     int atTheOutline = 0;
@@ -83,8 +84,8 @@ TEST(PaintCommand, IsRefusedAPipeAndLeavesNoDocumentWhenItFails)
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
     EXPECT_FAILS(mirrorballRuns("paint " + pipe + " -o " + quoted(folder / "a.png") + " --size 8"), 2, "not a regular file");
     std::ofstream(folder / "bad.spheremap") << R"({"version": 1, "layers": [{"content": {"kind": "image", "source": "missing.png"}}]})";
-    EXPECT_FAILS(mirrorballRuns("paint " + quoted(folder / "bad.spheremap") + " -o " + quoted(folder / "a.png") + " --size 8 --save-document " +
-                                quoted(folder / "saved.spheremap")),
+    EXPECT_FAILS(mirrorballRuns("paint " + quoted(folder / "bad.spheremap") + " -o " + quoted(folder / "a.png") +
+                                " --size 8 --save-document " + quoted(folder / "saved.spheremap")),
                  2, "missing.png");
     EXPECT_FALSE(std::filesystem::exists(folder / "saved.spheremap"));
 }
@@ -112,7 +113,10 @@ TEST(PaintCommand, GivesTheSameBytesOnOneAndTwoThreads)
 {
     const TemporaryFolder folder;
     for (const char* threads : {"1", "2"})
-        ASSERT_EQ(mirrorballRuns("paint hatching -o " + quoted(folder / (std::string(threads) + ".exr")) + " --size 100 --threads " + threads).status, 0);
+        ASSERT_EQ(
+            mirrorballRuns("paint hatching -o " + quoted(folder / (std::string(threads) + ".exr")) + " --size 100 --threads " + threads)
+                .status,
+            0);
     EXPECT_EQ(test::readBytes(folder / "1.exr"), test::readBytes(folder / "2.exr"));
 }
 
@@ -145,14 +149,18 @@ TEST(PaintCommand, WritesOneFileALevelOfAnyFormatWhereTheNameAsksForIt)
     EXPECT_FALSE(std::filesystem::exists(folder / "s_%d.exr"));
     ASSERT_EQ(mirrorballRuns("paint silhouette -o " + quoted(folder / "one_%d.png") + " --size 16").status, 0);
     EXPECT_TRUE(std::filesystem::exists(folder / "one_0.png"));
-    EXPECT_FAILS(mirrorballRuns("paint silhouette -o " + quoted(folder / "f_%s.exr") + " --size 16 --levels"), 2, "'%d' for one file a level");
+    EXPECT_FAILS(mirrorballRuns("paint silhouette -o " + quoted(folder / "f_%s.exr") + " --size 16 --levels"), 2,
+                 "'%d' for one file a level");
     EXPECT_FALSE(std::filesystem::exists(folder / "f_%s.exr"));
 }
 
 TEST(PaintCommand, StartsADocumentFromAPreset)
 {
     const TemporaryFolder folder;
-    ASSERT_EQ(mirrorballRuns("paint toon-hero -o " + quoted(folder / "a.exr") + " --size 32 --save-document " + quoted(folder / "mine.spheremap")).status, 0);
+    ASSERT_EQ(
+        mirrorballRuns("paint toon-hero -o " + quoted(folder / "a.exr") + " --size 32 --save-document " + quoted(folder / "mine.spheremap"))
+            .status,
+        0);
     ASSERT_EQ(mirrorballRuns("paint " + quoted(folder / "mine.spheremap") + " -o " + quoted(folder / "b.exr") + " --size 32").status, 0);
     EXPECT_EQ(test::readBytes(folder / "a.exr"), test::readBytes(folder / "b.exr"));
 }
@@ -167,7 +175,8 @@ TEST(PaintCommand, WritesBlendersTwoPasses)
     const std::string document = quoted(folder / "d.spheremap");
     ASSERT_EQ(mirrorballRuns("paint " + document + " -o " + quoted(folder / "whole.exr") + " --size 32").status, 0);
     for (const char* half : {"", " --half"}) {
-        const ProgramRun run = mirrorballRuns("paint " + document + " -o " + quoted(folder / "two.exr") + " --size 32 --specular Shine" + half);
+        const ProgramRun run =
+            mirrorballRuns("paint " + document + " -o " + quoted(folder / "two.exr") + " --size 32 --specular Shine" + half);
         ASSERT_EQ(run.status, 0) << run.err;
         const auto pass = [&](ImagePass which) {
             SphereMapDocument alone;
@@ -216,7 +225,8 @@ TEST(PaintCommand, RefusesBadDocumentsInOneLineAndWritesNothing)
     EXPECT_FAILS(mirrorballRuns("paint " + quoted(folder / "missing.spheremap") + rest), 2, "missing.spheremap");
     EXPECT_FAILS(mirrorballRuns(document("{\"version\": 1, \"layers\": [{\"content\": {\"kind\": \"plasma\"}}]}")), 2, "plasma");
     EXPECT_FAILS(mirrorballRuns(document("{\"version\": 1, \"layers\": [{\"opacity\": NaN}]}")), 2, "line 1");
-    EXPECT_FAILS(mirrorballRuns(document("{\"version\": 1, \"layers\": [{\"content\": {\"kind\": \"image\", \"source\": \"gone.exr\"}}]}")), 2, "gone.exr");
+    EXPECT_FAILS(mirrorballRuns(document("{\"version\": 1, \"layers\": [{\"content\": {\"kind\": \"image\", \"source\": \"gone.exr\"}}]}")),
+                 2, "gone.exr");
     EXPECT_FAILS(mirrorballRuns("paint jade -o " + quoted(folder / "o.exr") + " --size 99999"), 2, "size");
     EXPECT_FALSE(std::filesystem::exists(folder / "o.exr"));
 }

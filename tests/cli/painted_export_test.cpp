@@ -74,7 +74,9 @@ TEST(PaintedExport, WritesTheBytesOfPaintWithoutTheProbe)
 TEST(PaintedExport, TakesEmbeddedMapsAndFilesAndPictures)
 {
     const TemporaryFolder folder;
-    ASSERT_EQ(mirrorballRuns("paint jade -o " + quoted(folder / "j.exr") + " --size 16 --save-document " + quoted(folder / "j.spheremap")).status, 0);
+    ASSERT_EQ(
+        mirrorballRuns("paint jade -o " + quoted(folder / "j.exr") + " --size 16 --save-document " + quoted(folder / "j.spheremap")).status,
+        0);
     const std::string target = R"({"name": "m", "kind": "painted", "size": 16})";
     const auto exported = [&](const std::string& sphereMap) {
         const ProgramRun run = mirrorballRuns(writeScene(folder, sphereMap, target));
@@ -86,7 +88,8 @@ TEST(PaintedExport, TakesEmbeddedMapsAndFilesAndPictures)
     const Image picture = exported(R"({"source": "j.exr"})"); // outside the disc the rim's colour goes on
     EXPECT_EQ(picture.texel(8, 8)[1], expected.texel(8, 8)[1]);
     EXPECT_EQ(picture.texel(4, 10)[0], expected.texel(4, 10)[0]);
-    const std::string document = R"({"document": {"version": 1, "index": "reflection", "layers": [{"content": {"kind": "fill", "color": [0.25, 0.5, 1]}}]}})";
+    const std::string document =
+        R"({"document": {"version": 1, "index": "reflection", "layers": [{"content": {"kind": "fill", "color": [0.25, 0.5, 1]}}]}})";
     EXPECT_EQ(exported(document).texel(3, 3)[1], 0.5f);
     EXPECT_EQ(readJson(folder / "maps" / "m.json")["indexed_by"], "reflection");
 }
@@ -96,14 +99,17 @@ TEST(PaintedExport, SaysInOneLineWhatIsMissing)
     const TemporaryFolder folder;
     const std::string map = R"({"source": "jade"})";
     EXPECT_FAILS(mirrorballRuns(writeScene(folder, "{}", R"({"name": "m", "kind": "painted"})")), 2, "exports[0].kind");
-    EXPECT_FAILS(mirrorballRuns(writeScene(folder, map, R"({"name": "m", "kind": "painted", "size": 8, "border": 4})")), 2, "exports[0].border");
-    EXPECT_FAILS(mirrorballRuns(writeScene(folder, map, R"({"name": "m", "kind": "painted", "border": 2, "mips": true})")), 2, "exports[0].border");
+    EXPECT_FAILS(mirrorballRuns(writeScene(folder, map, R"({"name": "m", "kind": "painted", "size": 8, "border": 4})")), 2,
+                 "exports[0].border");
+    EXPECT_FAILS(mirrorballRuns(writeScene(folder, map, R"({"name": "m", "kind": "painted", "border": 2, "mips": true})")), 2,
+                 "exports[0].border");
     EXPECT_FAILS(mirrorballRuns(writeScene(folder, map, R"({"name": "m", "kind": "painted", "size": 9000})")), 2, "exports[0].size");
     EXPECT_FAILS(mirrorballRuns(writeScene(folder, map, R"({"name": "m", "kind": "painted", "file": "a_%s.exr"})")), 2, "%d");
     EXPECT_FAILS(mirrorballRuns(writeScene(folder, R"({"source": "mona-lisa"})", R"({"name": "m", "kind": "painted"})")), 2, "mona-lisa");
     EXPECT_TRUE(!std::filesystem::exists(folder / "maps") || std::filesystem::is_empty(folder / "maps"));
     // The export that needs no sphere map is made where it alone is asked for.
-    std::ofstream(folder / "t.mirrorball") << R"({"version": 1, "exports": [{"name": "m", "kind": "painted"}, {"name": "e", "kind": "source", "size": 8}]})";
+    std::ofstream(folder / "t.mirrorball")
+        << R"({"version": 1, "exports": [{"name": "m", "kind": "painted"}, {"name": "e", "kind": "source", "size": 8}]})";
     EXPECT_EQ(mirrorballRuns("export " + quoted(folder / "t.mirrorball") + " -o " + quoted(folder / "maps") + " --only e").status, 0);
 }
 

@@ -40,7 +40,7 @@ inline size_t lines(const std::string& text)
 /// The run failed as DESIGN 6 promises: this status, one line on stderr that contains the word, nothing on stdout.
 #define EXPECT_FAILS(run, expectedStatus, word)                                                                                            \
     do {                                                                                                                                   \
-        const mirrorball::test::ProgramRun result_ = (run);                                                                                       \
+        const mirrorball::test::ProgramRun result_ = (run);                                                                                \
         EXPECT_EQ(result_.status, expectedStatus) << result_.err;                                                                          \
         EXPECT_EQ(mirrorball::test::lines(result_.err), 1u) << result_.err;                                                                \
         EXPECT_NE(result_.err.find(word), std::string::npos) << result_.err;                                                               \

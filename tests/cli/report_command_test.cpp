@@ -22,15 +22,9 @@ using test::mirrorballRuns;
 using test::ProgramRun;
 using test::TemporaryFolder;
 
-std::string quoted(const std::filesystem::path& path)
-{
-    return "'" + path.string() + "'";
-}
+std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
 
-nlohmann::json parsed(const std::filesystem::path& path)
-{
-    return nlohmann::json::parse(test::readBytes(path));
-}
+nlohmann::json parsed(const std::filesystem::path& path) { return nlohmann::json::parse(test::readBytes(path)); }
 
 std::set<std::string> filesIn(const std::filesystem::path& folder)
 {
@@ -44,8 +38,9 @@ TEST(ReportCommand, WritesPageJsonAndTables)
 {
     const TemporaryFolder folder;
     writeImage(folder / "noise probe.exr", test::noiseProbe(32, 3).image);
-    const ProgramRun run = mirrorballRuns("report " + quoted(folder / "noise probe.exr") + " builtin:studio -o " + quoted(folder / "out") +
-                                          " --quick --size 8 --lobes phong:20,diffuse --methods spectral,auto,mip,reference --directions 16 --longest 60");
+    const ProgramRun run =
+        mirrorballRuns("report " + quoted(folder / "noise probe.exr") + " builtin:studio -o " + quoted(folder / "out") +
+                       " --quick --size 8 --lobes phong:20,diffuse --methods spectral,auto,mip,reference --directions 16 --longest 60");
     ASSERT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.err, "");
     EXPECT_EQ(test::lines(run.out), 4u) << run.out;
@@ -69,7 +64,10 @@ TEST(ReportCommand, TheCommandItRecordsMakesTheMapItMeasured)
 {
     const TemporaryFolder folder;
     writeImage(folder / "probe.exr", test::noiseProbe(32, 3).image);
-    ASSERT_EQ(mirrorballRuns("report " + quoted(folder / "probe.exr") + " -o " + quoted(folder / "out") + " --quick --size 8 --lobes ggx:0.5 --methods spectral --longest 60").status, 0);
+    ASSERT_EQ(mirrorballRuns("report " + quoted(folder / "probe.exr") + " -o " + quoted(folder / "out") +
+                             " --quick --size 8 --lobes ggx:0.5 --methods spectral --longest 60")
+                  .status,
+              0);
     std::string command = parsed(folder / "out" / "report.json").at("cases").at(0).at("measurements").at(0).at("command");
     ASSERT_TRUE(command.starts_with("mirrorball filter "));
     command = command.substr(std::string("mirrorball ").size());
@@ -116,8 +114,8 @@ TEST(ReportCommand, CtrlCLeavesAValidPartialReport)
         const int file = open(err.c_str(), O_WRONLY | O_CREAT, 0600);
         dup2(file, STDERR_FILENO);
         dup2(file, STDOUT_FILENO);
-        execl(MIRRORBALL_PROGRAM, "mirrorball", "report", "builtin:studio", "-o", out.c_str(), "--quick", "--lobes", "phong:50", "--size", "8", "--directions",
-              "16", "--methods", "spectral,auto", "--growth-to", "16384", "--longest", "60", nullptr);
+        execl(MIRRORBALL_PROGRAM, "mirrorball", "report", "builtin:studio", "-o", out.c_str(), "--quick", "--lobes", "phong:50", "--size",
+              "8", "--directions", "16", "--methods", "spectral,auto", "--growth-to", "16384", "--longest", "60", nullptr);
         _exit(127);
     }
     ASSERT_GT(process, 0);

@@ -16,10 +16,7 @@ namespace {
 using test::mirrorballRuns;
 using test::TemporaryFolder;
 
-bool hasChromium()
-{
-    return std::system("command -v chromium >/dev/null 2>&1") == 0;
-}
+bool hasChromium() { return std::system("command -v chromium >/dev/null 2>&1") == 0; }
 
 /// What Chromium made of a page: the document after its scripts, what the console said, and every address that the page asked for.
 struct Browsed {
@@ -35,8 +32,8 @@ Browsed browse(const TemporaryFolder& folder, const std::filesystem::path& page)
     const std::string command = "timeout 100 chromium --headless --no-sandbox --disable-gpu --no-first-run --disable-background-networking "
                                 "--disable-component-update --disable-sync --disable-extensions --host-resolver-rules='MAP * ~NOTFOUND' "
                                 "--virtual-time-budget=10000 --window-size=1400,1000 --enable-logging=stderr --v=0 --user-data-dir=" +
-                                path("profile") + " --log-net-log=" + path("net.json") + " --dump-dom 'file://" + page.string() + "' >" + path("dom") +
-                                " 2>" + path("log");
+                                path("profile") + " --log-net-log=" + path("net.json") + " --dump-dom 'file://" + page.string() + "' >" +
+                                path("dom") + " 2>" + path("log");
     Browsed result;
     if (std::system(command.c_str()) != 0)
         return result;
@@ -71,19 +68,21 @@ TEST(ReportPage, DrawsItsPlotsWithoutErrorsAndAsksTheNetworkForNothing)
     const TemporaryFolder folder;
     writeImage(folder / "noise.exr", test::noiseProbe(32, 3).image);
     ASSERT_EQ(mirrorballRuns("report '" + (folder / "noise.exr").string() + "' -o '" + (folder / "out").string() +
-                             "' --quick --size 8 --lobes phong:20,diffuse --growth-to 256 --longest 60 --directions 16 --methods auto,spectral,direct,reference")
+                             "' --quick --size 8 --lobes phong:20,diffuse --growth-to 256 --longest 60 --directions 16 --methods "
+                             "auto,spectral,direct,reference")
                   .status,
               0);
     // What a reader's eye would do: is there ink on every canvas? The page itself is left as it is, up to this script at its end.
     std::string page = test::readBytes(folder / "out" / "report.html");
-    const std::string look = "<script>{const plots = [...document.querySelectorAll('.plot canvas')];"
-                             "const ink = c => c.getContext('2d').getImageData(0, 0, c.width, c.height).data.some(v => v > 0);"
-                             "document.documentElement.dataset.drawn = plots.filter(c => c.width > 200 && ink(c)).length;"
-                             "document.documentElement.dataset.pictures = [...document.images].filter(i => i.src.startsWith('data:') ).length;"
-                             "document.documentElement.dataset.sortable = (() => { const t = document.querySelector('#measurements table');"
-                             "const cells = () => [...t.querySelectorAll('tbody tr')].map(r => r.cells[3].textContent).join(); const before = cells();"
-                             "const head = t.querySelectorAll('th button')[3]; head.click(); const up = cells(); head.click(); return up !== cells(); })();"
-                             "}</script>";
+    const std::string look =
+        "<script>{const plots = [...document.querySelectorAll('.plot canvas')];"
+        "const ink = c => c.getContext('2d').getImageData(0, 0, c.width, c.height).data.some(v => v > 0);"
+        "document.documentElement.dataset.drawn = plots.filter(c => c.width > 200 && ink(c)).length;"
+        "document.documentElement.dataset.pictures = [...document.images].filter(i => i.src.startsWith('data:') ).length;"
+        "document.documentElement.dataset.sortable = (() => { const t = document.querySelector('#measurements table');"
+        "const cells = () => [...t.querySelectorAll('tbody tr')].map(r => r.cells[3].textContent).join(); const before = cells();"
+        "const head = t.querySelectorAll('th button')[3]; head.click(); const up = cells(); head.click(); return up !== cells(); })();"
+        "}</script>";
     page.insert(page.rfind("</body>"), look);
     test::writeBytes(folder / "page.html", page);
 
@@ -117,8 +116,11 @@ TEST(ReportPage, ShowsWhatHoldsWhatDoesNotAndWhatIsRefused)
     const Browsed seen = browse(folder, page);
     EXPECT_EQ(attribute(seen.document, "data-state"), "ready");
     EXPECT_EQ(seen.console, std::vector<std::string>{});
-    EXPECT_NE(seen.document.find("a lobe exactly on a pole &lt;b&gt;</td><td class=\"mark good\" title=\"rel_rms 0, energy 1, lowest 0\">\u2713</td>"), std::string::npos);
-    EXPECT_NE(seen.document.find("<td class=\"mark bad\" title=\"not finite\nrel_rms 0, energy 1, lowest 0\">\u2717</td>"), std::string::npos);
+    EXPECT_NE(seen.document.find(
+                  "a lobe exactly on a pole &lt;b&gt;</td><td class=\"mark good\" title=\"rel_rms 0, energy 1, lowest 0\">\u2713</td>"),
+              std::string::npos);
+    EXPECT_NE(seen.document.find("<td class=\"mark bad\" title=\"not finite\nrel_rms 0, energy 1, lowest 0\">\u2717</td>"),
+              std::string::npos);
     EXPECT_NE(seen.document.find("<td class=\"mark\" title=\"only diffuse\">\u2013</td>"), std::string::npos);
 }
 
@@ -127,7 +129,8 @@ TEST(ReportPage, ThatTestWouldSeeARequestAndAnError)
     if (!hasChromium())
         GTEST_SKIP() << "needs chromium";
     const TemporaryFolder folder;
-    test::writeBytes(folder / "page.html", "<html><body><img src=\"http://example.invalid/a.png\"><script>undefinedFunction()</script></body></html>");
+    test::writeBytes(folder / "page.html",
+                     "<html><body><img src=\"http://example.invalid/a.png\"><script>undefinedFunction()</script></body></html>");
     const Browsed seen = browse(folder, folder / "page.html");
     ASSERT_FALSE(seen.document.empty());
     EXPECT_EQ(seen.requests, std::vector<std::string>{"http://example.invalid/a.png"});

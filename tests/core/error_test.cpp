@@ -11,10 +11,7 @@ TEST(ShownPath, IsThePathWhereThatIsALineOfOrdinaryLength)
     EXPECT_EQ(shownPath(std::string(300, 'x')), std::string(300, 'x'));
 }
 
-TEST(ShownPath, HasNoControlCharacters)
-{
-    EXPECT_EQ(shownPath("a\n\x1b[31m\x7f.exr"), "a??[31m?.exr");
-}
+TEST(ShownPath, HasNoControlCharacters) { EXPECT_EQ(shownPath("a\n\x1b[31m\x7f.exr"), "a??[31m?.exr"); }
 
 TEST(ShownPath, KeepsTheEndsOfALongPathAndCutsBetweenCharacters)
 {
@@ -31,10 +28,7 @@ TEST(ShownPath, KeepsTheEndsOfALongPathAndCutsBetweenCharacters)
     }
 }
 
-TEST(FileErrors, ShowThePathInOneLine)
-{
-    EXPECT_STREQ(FileError("a\nb.hdr", "is missing").what(), "a?b.hdr: is missing");
-}
+TEST(FileErrors, ShowThePathInOneLine) { EXPECT_STREQ(FileError("a\nb.hdr", "is missing").what(), "a?b.hdr: is missing"); }
 
 } // namespace
 } // namespace mirrorball

@@ -30,7 +30,12 @@ TEST(Isolated, ErrorsKeepTheirMessage)
 
 TEST(Isolated, ACrashIsNoCrashHere)
 {
-    EXPECT_EQ(runIsolated({}, {}, []() -> std::string { std::raise(SIGKILL); return "x"; }), std::nullopt);
+    EXPECT_EQ(runIsolated({}, {},
+                          []() -> std::string {
+                              std::raise(SIGKILL);
+                              return "x";
+                          }),
+              std::nullopt);
     EXPECT_EQ(runIsolated({}, {}, []() -> std::string { throw std::runtime_error("of a library"); }), std::nullopt);
 }
 

@@ -25,10 +25,11 @@ TEST(ParallelRows, VisitsEveryRowOnce)
 
 TEST(ParallelRows, RethrowsTheErrorOfABody)
 {
-    EXPECT_THROW(parallelRows(100, {.threads = 2}, [](int first, int) {
-                     if (first >= 40)
-                         throw std::runtime_error("row 40");
-                 }),
+    EXPECT_THROW(parallelRows(100, {.threads = 2},
+                              [](int first, int) {
+                                  if (first >= 40)
+                                      throw std::runtime_error("row 40");
+                              }),
                  std::runtime_error);
 }
 
@@ -36,12 +37,13 @@ TEST(ParallelRows, StopsBetweenRowsWhenAsked)
 {
     std::stop_source source;
     std::atomic<int> rows{0};
-    EXPECT_THROW(parallelRows(10000, {.stop = source.get_token(), .threads = 2},
-                              [&](int, int) {
-                                  if (++rows == 3)
-                                      source.request_stop();
-                              },
-                              1),
+    EXPECT_THROW(parallelRows(
+                     10000, {.stop = source.get_token(), .threads = 2},
+                     [&](int, int) {
+                         if (++rows == 3)
+                             source.request_stop();
+                     },
+                     1),
                  Cancelled);
     EXPECT_LT(rows, 100);
 }

@@ -160,8 +160,7 @@ TEST_F(DebugViews, MipLevelsAreThoseThatTheLookupReads)
             int compared = 0;
             for (int y = 50; y < 70; ++y)
                 for (int x = 70; x < 90; ++x, ++compared) {
-                    const float expected =
-                        std::clamp(std::max(float(levelAt(x, y)) + bias, lambda), 0.0f, float(levels->size()) - 1.0f);
+                    const float expected = std::clamp(std::max(float(levelAt(x, y)) + bias, lambda), 0.0f, float(levels->size()) - 1.0f);
                     // One-sided differences on the GPU, facets of the sphere: a sixth of a level.
                     ASSERT_LT(glm::distance(at(picture, x, y), glm::dvec3(levelColor(expected))), 0.17)
                         << name(layout.kind) << " lambda " << lambda << " bias " << bias << " level " << expected;
@@ -176,7 +175,8 @@ TEST_F(DebugViews, LevelColoursOfShaderAndCoreAgree)
     std::vector<glm::vec4> inputs;
     for (int i = -10; i <= 90; ++i)
         inputs.emplace_back(0.1f * float(i), 0.0f, 0.0f, 0.0f);
-    const auto results = evaluateGlsl("#include \"lib/level_color.glsl\"\nvec4 twin(vec4 x) { return vec4(levelColor(x.x), 0.0); }", inputs);
+    const auto results =
+        evaluateGlsl("#include \"lib/level_color.glsl\"\nvec4 twin(vec4 x) { return vec4(levelColor(x.x), 0.0); }", inputs);
     for (size_t i = 0; i < inputs.size(); ++i)
         ASSERT_LT(glm::distance(glm::vec3(results[i]), levelColor(inputs[i].x)), 1e-6f);
 }

@@ -31,7 +31,8 @@ int livingObjects()
 {
     int count = 0;
     for (GLuint name = 1; name < 2000; ++name)
-        count += glIsTexture(name) + glIsBuffer(name) + glIsFramebuffer(name) + glIsVertexArray(name) + glIsProgram(name) + glIsSampler(name);
+        count +=
+            glIsTexture(name) + glIsBuffer(name) + glIsFramebuffer(name) + glIsVertexArray(name) + glIsProgram(name) + glIsSampler(name);
     return count;
 }
 

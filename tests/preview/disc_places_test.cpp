@@ -113,7 +113,8 @@ TEST(DiscPlaces, AreNowhereBesideTheObjectAndOutsideThePicture)
 {
     const DiscPlaces places = ramp();
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    for (const glm::dvec2 p : {glm::dvec2(7.1, 1.0), glm::dvec2(-0.1, 1.0), glm::dvec2(1.0, 4.0), glm::dvec2(1.0, -1e9), glm::dvec2(nan, 1.0)})
+    for (const glm::dvec2 p :
+         {glm::dvec2(7.1, 1.0), glm::dvec2(-0.1, 1.0), glm::dvec2(1.0, 4.0), glm::dvec2(1.0, -1e9), glm::dvec2(nan, 1.0)})
         EXPECT_FALSE(places.at(p.x, p.y).has_value()) << p.x << ' ' << p.y;
     EXPECT_FALSE(DiscPlaces{}.at(0.0, 0.0).has_value());
 }
@@ -149,6 +150,6 @@ TEST(DiscPlace, ByReflectionTheMapShowsThereWhatIsMirroredThere)
 {
     const glm::dvec3 v = glm::normalize(glm::dvec3(0.2, 0.1, 0.9)), n = glm::normalize(glm::dvec3(0.5, -0.3, 0.6));
     const glm::dvec3 r = sphere_map::directionFromDisc(discPlace(SphereMapIndex::Reflection, DiscSpace::Eye, n, v));
-    EXPECT_NEAR(glm::dot(r, n), glm::dot(v, n), 1e-14);     // the angle of incidence
+    EXPECT_NEAR(glm::dot(r, n), glm::dot(v, n), 1e-14);        // the angle of incidence
     EXPECT_LT(glm::distance(glm::normalize(r + v), n), 1e-14); // in the plane of incidence
 }

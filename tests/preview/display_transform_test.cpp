@@ -43,13 +43,14 @@ TEST_F(DisplayTransformTest, ShowsWhatOpenColorIoComputesOnTheCpu)
             tables.update(made);
             const auto results = evaluateGlsl(made->glsl + "\nvec4 twin(vec4 x) { return ocioDisplay(x); }", inputs, {},
                                               [&](const ShaderProgram& program) { tables.bind(program, 1); });
-            const auto processor =
-                config->getProcessor("lin_rec709", offer.display.c_str(), view.c_str(), ocio::TRANSFORM_DIR_FORWARD)->getDefaultCPUProcessor();
+            const auto processor = config->getProcessor("lin_rec709", offer.display.c_str(), view.c_str(), ocio::TRANSFORM_DIR_FORWARD)
+                                       ->getDefaultCPUProcessor();
             for (size_t i = 0; i < inputs.size(); ++i) {
                 glm::vec4 expected = inputs[i];
                 processor->applyRGBA(&expected.x);
                 for (int c = 0; c < 3; ++c)
-                    ASSERT_NEAR(results[i][c], expected[c], 2e-3f + 1e-3f * std::abs(expected[c])) << offer.display << ", " << view; // 1/500: half a step of 8 bits
+                    ASSERT_NEAR(results[i][c], expected[c], 2e-3f + 1e-3f * std::abs(expected[c]))
+                        << offer.display << ", " << view; // 1/500: half a step of 8 bits
             }
         }
 }
@@ -62,7 +63,8 @@ TEST_F(DisplayTransformTest, StandsInForToneCurveAndEncodingOfThePicture)
     settings.geometry.kind = GeometryKind::Sphere;
     settings.exposure = 1.0f;
     settings.display = displayTransform({path.string(), "", ""});
-    const MapLevels map = asLevels(environmentFrom({Parameterization::Cube, 4, 0}, [](const glm::dvec3&) { return glm::vec3(0.3f, 0.1f, 0.05f); }));
+    const MapLevels map =
+        asLevels(environmentFrom({Parameterization::Cube, 4, 0}, [](const glm::dvec3&) { return glm::vec3(0.3f, 0.1f, 0.05f); }));
     Renderer renderer;
     const Image picture = renderer.renderDisplay(settings, {map, {}, map});
     const auto config = ocio::Config::CreateFromFile(path.c_str());
@@ -89,7 +91,8 @@ TEST(DisplayConfig, ThatIsWrongIsNamedInOneLine)
     };
     const TemporaryFolder folder;
     writeBytes(folder / "bad.ocio", "ocio_profile_version: 77\nnonsense: [\n");
-    for (const std::string& message : {messageOf({"nothing.ocio"}), messageOf({(folder / "bad.ocio").string()}), messageOf({folder.path().string()})}) {
+    for (const std::string& message :
+         {messageOf({"nothing.ocio"}), messageOf({(folder / "bad.ocio").string()}), messageOf({folder.path().string()})}) {
         EXPECT_TRUE(message.starts_with("view.display.config: ")) << message;
         EXPECT_EQ(message.find('\n'), std::string::npos);
     }

@@ -37,7 +37,8 @@ inline std::vector<glm::vec4> evaluateGlsl(const std::string& text, const std::v
                                            const std::function<void(const preview::ShaderProgram&)>& prepare = {})
 {
     using namespace preview;
-    const std::string vertex = "void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }\n";
+    const std::string vertex =
+        "void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }\n";
     const std::string fragment = text + "\nuniform sampler2D twinInputs;\nlayout(location = 0) out vec4 twinResult;\n"
                                         "void main() { twinResult = twin(texelFetch(twinInputs, ivec2(gl_FragCoord.xy), 0)); }\n";
     const ShaderProgram program(resolveIncludes("twin.vert", vertex), resolveIncludes("twin.frag", fragment, defines));

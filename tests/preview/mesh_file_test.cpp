@@ -49,7 +49,8 @@ TEST(MeshFile, ACubeFarAwayBecomesTheOneInTheUnitSphereWithFlatFaces)
         for (int c = 0; c < 3; ++c)
             EXPECT_NEAR(std::abs(p[c]), edge, 1e-6f);
     for (size_t i = 0; i < mesh.indices.size(); i += 3) {
-        const glm::vec3 a = mesh.positions[mesh.indices[i]], b = mesh.positions[mesh.indices[i + 1]], c = mesh.positions[mesh.indices[i + 2]];
+        const glm::vec3 a = mesh.positions[mesh.indices[i]], b = mesh.positions[mesh.indices[i + 1]],
+                        c = mesh.positions[mesh.indices[i + 2]];
         const glm::vec3 across = glm::normalize(glm::cross(b - a, c - a));
         EXPECT_GT(glm::dot(across, a + b + c), 0.0f) << "counterclockwise from outside";
         for (size_t k = 0; k < 3; ++k) // edges of 90 degrees stay edges
@@ -74,7 +75,8 @@ TEST(MeshFile, EveryFormatOfTextGivesTheSameTriangle)
     const TemporaryFolder folder;
     writeBytes(folder / "a.obj", "v 0 0 0\nv 3 0 0\nv 0 4 0\nf 1 2 3\n");
     writeBytes(folder / "b.OFF", "OFF\n3 1 0\n0 0 0\n3 0 0\n0 4 0\n3 0 1 2\n");
-    writeBytes(folder / "c.stl", "solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 3 0 0\nvertex 0 4 0\nendloop\nendfacet\nendsolid t\n");
+    writeBytes(folder / "c.stl",
+               "solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 3 0 0\nvertex 0 4 0\nendloop\nendfacet\nendsolid t\n");
     writeBytes(folder / "d.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
                                  "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n3 0 0\n0 4 0\n3 0 1 2\n");
     for (const char* name : {"a.obj", "b.OFF", "c.stl", "d.ply"}) {
@@ -106,12 +108,14 @@ TEST(MeshFile, BadFilesGiveOneLineThatNamesThem)
     writeBytes(folder / "text.ply", "this is no mesh\n");
     writeBytes(folder / "points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\np 1 2 3\n");
     writeBytes(folder / "nowhere.obj", "v nan nan nan\nv inf 0 0\nv 0 1 0\nf 1 2 3\n");
-    writeBytes(folder / "point.stl", "solid t\nfacet normal 0 0 1\nouter loop\nvertex 1 1 1\nvertex 1 1 1\nvertex 1 1 1\nendloop\nendfacet\nendsolid t\n");
+    writeBytes(folder / "point.stl",
+               "solid t\nfacet normal 0 0 1\nouter loop\nvertex 1 1 1\nvertex 1 1 1\nvertex 1 1 1\nendloop\nendfacet\nendsolid t\n");
     writeBytes(folder / "indices.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4000000000\n");
     writeBytes(folder / "many.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\n"
                                     "property float z\nelement face 4000000000\nproperty list uchar int vertex_indices\nend_header\n");
-    writeBytes(folder / "many.gltf", R"({"asset":{"version":"2.0"},"accessors":[{"count":4000000000,"componentType":5126,"type":"VEC3"}],)"
-                                     R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}],"scene":0})");
+    writeBytes(folder / "many.gltf",
+               R"({"asset":{"version":"2.0"},"accessors":[{"count":4000000000,"componentType":5126,"type":"VEC3"}],)"
+               R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}],"scene":0})");
     for (const char* name : {"empty.obj", "text.ply", "points.obj", "nowhere.obj", "point.stl", "indices.obj", "many.ply", "many.gltf"})
         expectOneLineAbout(messageOf(folder / name), folder / name);
     expectOneLineAbout(messageOf(folder / "missing.obj"), folder / "missing.obj");
@@ -157,7 +161,8 @@ TEST(MeshFile, NamesNoFileOutsideItsFolder)
     writeBytes(folder / "outside.bin", buffer);
     writeBytes(folder / "inside/inside.bin", buffer);
     const auto gltf = [](const std::string& uri) {
-        return R"({"asset":{"version":"2.0"},"buffers":[{"uri":")" + uri + R"(","byteLength":36}],"bufferViews":[{"buffer":0,"byteLength":36}],)"
+        return R"({"asset":{"version":"2.0"},"buffers":[{"uri":")" + uri +
+               R"(","byteLength":36}],"bufferViews":[{"buffer":0,"byteLength":36}],)"
                R"("accessors":[{"bufferView":0,"count":3,"componentType":5126,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],)"
                R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}],"scene":0})";
     };

@@ -93,7 +93,8 @@ double area(const Mesh& mesh)
 {
     double sum = 0.0;
     for (size_t i = 0; i < mesh.indices.size(); i += 3) {
-        const glm::dvec3 a = mesh.positions[mesh.indices[i]], b = mesh.positions[mesh.indices[i + 1]], c = mesh.positions[mesh.indices[i + 2]];
+        const glm::dvec3 a = mesh.positions[mesh.indices[i]], b = mesh.positions[mesh.indices[i + 1]],
+                         c = mesh.positions[mesh.indices[i + 2]];
         sum += 0.5 * glm::length(glm::cross(b - a, c - a));
     }
     return sum;
@@ -104,7 +105,8 @@ double volume(const Mesh& mesh)
 {
     double sum = 0.0;
     for (size_t i = 0; i < mesh.indices.size(); i += 3) {
-        const glm::dvec3 a = mesh.positions[mesh.indices[i]], b = mesh.positions[mesh.indices[i + 1]], c = mesh.positions[mesh.indices[i + 2]];
+        const glm::dvec3 a = mesh.positions[mesh.indices[i]], b = mesh.positions[mesh.indices[i + 1]],
+                         c = mesh.positions[mesh.indices[i + 2]];
         sum += glm::dot(a, glm::cross(b, c)) / 6.0;
     }
     return sum;

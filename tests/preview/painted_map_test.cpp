@@ -3,8 +3,8 @@
 #include "gl_fixture.h"
 #include "test_environments.h"
 
-#include "core/spheremap/evaluation/evaluate.h"
 #include "core/spheremap/document/presets.h"
+#include "core/spheremap/evaluation/evaluate.h"
 
 #include <cmath>
 #include <random>
@@ -48,8 +48,8 @@ SphereMapTexels texelsFrom(int size, SphereMapIndex index, const Color& color)
     return {.levels = {image}, .index = index};
 }
 
-/// A map that shows the place itself: red x, green y, from -1 to 1 as 0 to 1. Its texels are whole numbers of 512ths, which half floats hold
-/// exactly, and reading it bilinearly gives the place to the precision of float arithmetic, up to half a texel from the map's edge.
+/// A map that shows the place itself: red x, green y, from -1 to 1 as 0 to 1. Its texels are whole numbers of 512ths, which half floats
+/// hold exactly, and reading it bilinearly gives the place to the precision of float arithmetic, up to half a texel from the map's edge.
 SphereMapChain places(SphereMapIndex index)
 {
     return std::make_shared<const SphereMapTexels>(
@@ -64,13 +64,10 @@ SphereMapChain placesByHand(SphereMapIndex index)
     return std::make_shared<const SphereMapTexels>(std::move(texels));
 }
 
-/// Where a lookup is a point. Otherwise a pixel shows the mean over its footprint: on a tube a few pixels thick, or where a triangle is seen
-/// so flat that its derivatives reach beyond it, that differs from the place at the pixel's middle by several texels. What is shifted by
-/// flecks is read without anisotropy, and these shift by nothing.
-void readPoints(RenderSettings& settings)
-{
-    settings.material.paint.flecks = {.density = 1e-6f, .spread = 0.0f};
-}
+/// Where a lookup is a point. Otherwise a pixel shows the mean over its footprint: on a tube a few pixels thick, or where a triangle is
+/// seen so flat that its derivatives reach beyond it, that differs from the place at the pixel's middle by several texels. What is shifted
+/// by flecks is read without anisotropy, and these shift by nothing.
+void readPoints(RenderSettings& settings) { settings.material.paint.flecks = {.density = 1e-6f, .spread = 0.0f}; }
 
 /// Float rounding of positions, normals and the place, 2^-23 in all, grows by the lever of the reflection, a hundredfold towards the rim.
 constexpr double rounding = 2e-5;
@@ -81,10 +78,7 @@ SphereMapChain plain(const glm::vec4& color)
     return std::make_shared<const SphereMapTexels>(texelsFrom(4, SphereMapIndex::Normal, [&](const glm::dvec2&) { return color; }));
 }
 
-glm::dvec2 placeAt(const Image& picture, int x, int y)
-{
-    return 2.0 * glm::dvec2(at(picture, x, y)) - 1.0;
-}
+glm::dvec2 placeAt(const Image& picture, int x, int y) { return 2.0 * glm::dvec2(at(picture, x, y)) - 1.0; }
 
 /// Unit, towards the viewer.
 glm::dvec3 viewAt(const RenderSettings& settings, const glm::dvec3& position)
@@ -107,7 +101,8 @@ TEST_F(PaintedMap, IsLookedUpWhereCoreSays)
                 readPoints(settings);
                 const Image picture = renderer.renderRadiance(settings, {.sphereMaps = {places(index)}});
                 const GeometryBuffers buffers = renderer.renderBuffers(settings);
-                const glm::dmat3 turn = space == DiscSpace::Eye ? glm::dmat3(glm::transpose(settings.camera.cameraToWorld())) : glm::dmat3(1.0);
+                const glm::dmat3 turn =
+                    space == DiscSpace::Eye ? glm::dmat3(glm::transpose(settings.camera.cameraToWorld())) : glm::dmat3(1.0);
                 int compared = 0;
                 for (int y = 0; y < settings.height; ++y)
                     for (int x = 0; x < settings.width; ++x) {
@@ -148,8 +143,8 @@ TEST_F(PaintedMap, NeitherSlidesNorWarpsUnderPerspective)
                 farthest = std::max(farthest, radius);
                 nearest = std::min(nearest, radius);
             }
-        // A ray under the angle d to the ball's middle passes it at 5 sin d, which is the place's radius. A pixel's middle is at most half a
-        // diagonal away, and among the hundred along the outline one is closer to it than a third of a pixel.
+        // A ray under the angle d to the ball's middle passes it at 5 sin d, which is the place's radius. A pixel's middle is at most half
+        // a diagonal away, and among the hundred along the outline one is closer to it than a third of a pixel.
         const double pixel = std::tan(0.6) / 60;
         EXPECT_GT(farthest, 1.0 - 5.0 * pixel / 3.0) << aside;
         EXPECT_LT(nearest, 5.0 * pixel * std::sqrt(0.5) + rounding) << aside;
@@ -177,8 +172,8 @@ TEST_F(PaintedMap, InOrthographicViewsItIsThePlainForm)
 }
 
 // A hand-made map is averaged along the circle around the centre over the pixel's footprint: the mean of an arc of the angle 2a lies inside
-// the circle by the factor sin(a) / a, for lookups at n places sin(a) / (n sin(a / n)). A smooth ball, so that the footprint is the difference of
-// the places of neighbouring pixels.
+// the circle by the factor sin(a) / a, for lookups at n places sin(a) / (n sin(a / n)). A smooth ball, so that the footprint is the
+// difference of the places of neighbouring pixels.
 TEST_F(PaintedMap, HandMadeLevelsAreAveragedAlongTheCircle)
 {
     Renderer renderer;
@@ -198,7 +193,8 @@ TEST_F(PaintedMap, HandMadeLevelsAreAveragedAlongTheCircle)
             if (points.texel(x, y)[3] < 1.0f || radius > 0.9 || radius < 0.05)
                 continue;
             const glm::dvec2 across(-p.y / radius, p.x / radius);
-            const glm::dvec2 dx = placeAt(points, x | 1, y) - placeAt(points, x & ~1, y), dy = placeAt(points, x, y | 1) - placeAt(points, x, y & ~1);
+            const glm::dvec2 dx = placeAt(points, x | 1, y) - placeAt(points, x & ~1, y),
+                             dy = placeAt(points, x, y | 1) - placeAt(points, x, y & ~1);
             const double width = std::hypot(glm::dot(across, dx), glm::dot(across, dy));
             const double shrinks = 1.0 - width * width / (24.0 * radius * radius); // of many lookups, to the fourth power of the angle
             // Few lookups shrink less, one not at all.
@@ -263,9 +259,11 @@ TEST_F(PaintedMap, AnAuthoredRingKeepsItsWidthWhateverTheCurvature)
     SphereMapDocument document;
     document.layers = {{.content = FillLayer{.color = glm::dvec3(1.0)}},
                        {.content = SilhouetteLayer{.width = 3.0, .unit = WidthUnit::Pixels}}};
-    const auto authored = std::make_shared<const SphereMapTexels>(SphereMapTexels{.levels = evaluateLevels(document, 512), .hasAuthoredLevels = true});
+    const auto authored =
+        std::make_shared<const SphereMapTexels>(SphereMapTexels{.levels = evaluateLevels(document, 512), .hasAuthoredLevels = true});
     document.layers[1].content = SilhouetteLayer{.width = 0.05, .unit = WidthUnit::Disc};
-    const auto ofTheDisc = std::make_shared<const SphereMapTexels>(SphereMapTexels{.levels = plainChain(evaluate(document, {.size = 512}))});
+    const auto ofTheDisc =
+        std::make_shared<const SphereMapTexels>(SphereMapTexels{.levels = plainChain(evaluate(document, {.size = 512}))});
 
     Renderer renderer;
     const auto width = [&](const SphereMapChain& map, float tube) { // of the dark along a row, from the left outline inwards
@@ -335,7 +333,8 @@ TEST_F(PaintedMap, FlecksOfTheShaderAreThoseOfCore)
         inputs.emplace_back(coordinate(random), coordinate(random), coordinate(random), 0.0f);
     const Flecks flecks{.density = 0.4f, .size = 0.03f, .spread = 0.5f, .seed = 77};
     const auto evaluate = [&](const char* expression) {
-        return evaluateGlsl(std::string("#include \"lib/flecks.glsl\"\nvec4 twin(vec4 x) { FleckPlace f = fleckPlace(x.xyz); return ") + expression + "; }",
+        return evaluateGlsl(std::string("#include \"lib/flecks.glsl\"\nvec4 twin(vec4 x) { FleckPlace f = fleckPlace(x.xyz); return ") +
+                                expression + "; }",
                             inputs, {}, [&](const ShaderProgram& program) { program.set("flecks", glm::vec4(0.4f, 0.03f, 0.5f, 77.0f)); });
     };
     const auto own = evaluate("vec4(f.own, f.border)"), neighbour = evaluate("vec4(f.neighbour, 0.0)");
@@ -353,20 +352,24 @@ TEST_F(PaintedMap, FlecksOfTheShaderAreThoseOfCore)
     EXPECT_NEAR(double(count) / double(inputs.size()), 0.4, 0.02);
 }
 
-// Close by a fleck is one colour; from afar, where a pixel holds many, it is their mean: on the whole no colour changes with the distance, and
-// pixels do not glitter.
+// Close by a fleck is one colour; from afar, where a pixel holds many, it is their mean: on the whole no colour changes with the distance,
+// and pixels do not glitter.
 TEST_F(PaintedMap, FlecksAreTheirMeanFromAfar)
 {
-    const auto halves = SphereMapTexels{
-        .levels = plainChain(texelsFrom(128, SphereMapIndex::Normal, [](const glm::dvec2& p) { return glm::vec4(glm::vec3(p.x > 0.0 ? 1.0f : 0.0f), 1.0f); }).levels[0])};
-    const auto preset = [](const char* name) { return SphereMapTexels{.levels = plainChain(evaluate(findSphereMapPreset(name)->document, {.size = 256}))}; };
+    const auto halves = SphereMapTexels{.levels = plainChain(texelsFrom(128, SphereMapIndex::Normal, [](const glm::dvec2& p) {
+                                                                 return glm::vec4(glm::vec3(p.x > 0.0 ? 1.0f : 0.0f), 1.0f);
+                                                             }).levels[0])};
+    const auto preset = [](const char* name) {
+        return SphereMapTexels{.levels = plainChain(evaluate(findSphereMapPreset(name)->document, {.size = 256}))};
+    };
     struct Case {
         const char* name;
         SphereMapTexels map;
         float density, spread;
     };
     Renderer renderer;
-    for (const Case& c : {Case{"halves", halves, 1.0f, 0.6f}, Case{"car-paint", preset("car-paint"), 0.6f, 0.4f}, Case{"gold-leaf", preset("gold-leaf"), 1.0f, 0.4f}}) {
+    for (const Case& c : {Case{"halves", halves, 1.0f, 0.6f}, Case{"car-paint", preset("car-paint"), 0.6f, 0.4f},
+                          Case{"gold-leaf", preset("gold-leaf"), 1.0f, 0.4f}}) {
         const RenderMaps maps{.sphereMaps = {std::make_shared<const SphereMapTexels>(c.map)}};
         RenderSettings settings = view(GeometryKind::Sphere);
         settings.geometry.level = 48;

@@ -56,7 +56,8 @@ TEST_F(ParaboloidBlurTest, SumsAreTheTwinsOnTheCpu)
             peak = std::max(peak, value.x);
         ASSERT_EQ(values.size(), expected.size());
         for (size_t i = 0; i < values.size(); ++i)
-            ASSERT_LT(glm::distance(glm::dvec3(values[i]), expected[i]), c.tolerance * peak) << c.name << " at " << directions[i].x << ' ' << directions[i].y << ' ' << directions[i].z;
+            ASSERT_LT(glm::distance(glm::dvec3(values[i]), expected[i]), c.tolerance * peak)
+                << c.name << " at " << directions[i].x << ' ' << directions[i].y << ' ' << directions[i].z;
     }
 }
 

@@ -47,7 +47,9 @@ TEST_F(Pick, IsWhatTheBuffersHoldInThatPixel)
                     continue;
                 ++hits;
                 // Vertices snap to a grid of 1/256 pixel from the target's corner: another corner, other last digits.
-                const auto at = [&](const Image& image) { return glm::vec3(image.texel(x, y)[0], image.texel(x, y)[1], image.texel(x, y)[2]); };
+                const auto at = [&](const Image& image) {
+                    return glm::vec3(image.texel(x, y)[0], image.texel(x, y)[1], image.texel(x, y)[2]);
+                };
                 EXPECT_LT(glm::distance(hit->position, at(buffers.position)), 2e-4f);
                 EXPECT_LT(glm::distance(hit->normal, at(buffers.normal)), 2e-4f);
                 EXPECT_LT(glm::distance(hit->lookup, at(buffers.direction)), 2e-4f);
@@ -88,7 +90,8 @@ TEST_F(Pick, TheFrameOfTheShaderIsTheOneOfCore)
     std::vector<glm::vec4> inputs;
     for (const glm::dvec3& d : manyDirections(500))
         inputs.emplace_back(glm::vec3(d), 0.0f);
-    const auto results = evaluateGlsl("#include \"lib/eye_frame.glsl\"\nvec4 twin(vec4 d) { return vec4(aboutViewRay(vec3(0.48, -0.6, 0.64), d.xyz), 0.0); }", inputs);
+    const auto results = evaluateGlsl(
+        "#include \"lib/eye_frame.glsl\"\nvec4 twin(vec4 d) { return vec4(aboutViewRay(vec3(0.48, -0.6, 0.64), d.xyz), 0.0); }", inputs);
     for (size_t i = 0; i < inputs.size(); ++i)
         ASSERT_LT(glm::distance(glm::dvec3(results[i]), aboutViewRay({0.48, -0.6, 0.64}, glm::dvec3(inputs[i]))), 1e-6);
 }

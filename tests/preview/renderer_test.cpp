@@ -24,16 +24,10 @@ glm::dvec3 at(const Image& image, int x, int y)
     return {t[0], t[1], t[2]};
 }
 
-bool isObject(const Image& buffer, int x, int y)
-{
-    return buffer.texel(x, y)[3] == 1.0f;
-}
+bool isObject(const Image& buffer, int x, int y) { return buffer.texel(x, y)[3] == 1.0f; }
 
 // What the shader mirrors: seen edge-on, where the interpolated normal leans away.
-glm::dvec3 seenDirection(const glm::dvec3& v, const glm::dvec3& n)
-{
-    return glm::dot(n, v) > 0.0 ? mirrorDirection(v, n) : -v;
-}
+glm::dvec3 seenDirection(const glm::dvec3& v, const glm::dvec3& n) { return glm::dot(n, v) > 0.0 ? mirrorDirection(v, n) : -v; }
 
 // The pixel and the eight around it.
 bool isInterior(const Image& buffer, int x, int y)
@@ -106,8 +100,9 @@ TEST_F(RendererTest, PixelsAreTheLookupDoneInDoubleInEveryParameterization)
             settings.material.fresnel = {.kind = FresnelKind::Dielectric, .index = 1.5};
             settings.material.combine = Combine::Coat;
             const MapLevels specular = asLevels(environmentFrom(layout, smoothRadiance));
-            const MapLevels diffuse =
-                asLevels(environmentFrom(layout, [](const glm::dvec3& d) { return smoothRadiance({d.z, d.x, d.y}); }));
+            const MapLevels diffuse = asLevels(environmentFrom(layout, [](const glm::dvec3& d) {
+                return smoothRadiance({d.z, d.x, d.y});
+            }));
             const Image picture = renderer.renderRadiance(settings, {specular, diffuse, specular});
             const GeometryBuffers buffers = renderer.renderBuffers(settings);
 
@@ -152,9 +147,9 @@ TEST_F(RendererTest, ConductorsAndAddAreTheLookupDoneInDouble)
             if (isObject(buffers.position, x, y)) {
                 const glm::dvec3 n = at(buffers.normal, x, y);
                 const glm::dvec3 v = glm::normalize(glm::dvec3(settings.camera.eye()) - at(buffers.position, x, y));
-                const glm::dvec3 expected = reflectance(settings.material.fresnel, glm::dot(n, v)) *
-                                                glm::dvec3(map->front().radiance(seenDirection(v, n))) +
-                                            0.3 * glm::dvec3(map->front().radiance(n));
+                const glm::dvec3 expected =
+                    reflectance(settings.material.fresnel, glm::dot(n, v)) * glm::dvec3(map->front().radiance(seenDirection(v, n))) +
+                    0.3 * glm::dvec3(map->front().radiance(n));
                 ASSERT_LT(glm::distance(expected, at(picture, x, y)), 1e-3) << x << ' ' << y;
             }
 }
@@ -173,8 +168,8 @@ TEST_F(RendererTest, LeftIsLeftAndUpIsUp)
         const auto look = [&](float yaw) {
             settings.yaw = yaw;
             const Image picture = renderer.renderRadiance(settings, {map, {}, map});
-            return std::array{at(picture, 50, 50), at(picture, 50 + offset, 50), at(picture, 50 - offset, 50), at(picture, 50, 50 - offset),
-                              at(picture, 50, 50 + offset), at(picture, 2, 2)};
+            return std::array{at(picture, 50, 50),          at(picture, 50 + offset, 50), at(picture, 50 - offset, 50),
+                              at(picture, 50, 50 - offset), at(picture, 50, 50 + offset), at(picture, 2, 2)};
         };
         const auto plain = look(0.0f);
         const glm::dvec3 directions[6] = {{0, 0, 1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, -1}};
@@ -289,7 +284,8 @@ TEST_F(RendererTest, LambdaFallsTowardsGrazingAnglesAsTheTwinSays)
                     continue;
                 const glm::dvec3 v = glm::normalize(glm::dvec3(settings.camera.eye()) - at(buffers.position, x, y));
                 const double c = glm::dot(at(buffers.normal, x, y), v);
-                ASSERT_NEAR(picture.texel(x, y)[0], std::max(double(free.texel(x, y)[0]), lambdaAt(5.0, grazing, c)), 2e-3) << grazing << ' ' << c;
+                ASSERT_NEAR(picture.texel(x, y)[0], std::max(double(free.texel(x, y)[0]), lambdaAt(5.0, grazing, c)), 2e-3)
+                    << grazing << ' ' << c;
                 atGrazing += c < 0.3;
             }
         EXPECT_GT(atGrazing, 50);
@@ -324,7 +320,8 @@ TEST_F(RendererTest, TheLevelDoesNotJumpAtSeams)
                 const glm::dvec3 v = glm::normalize(glm::dvec3(settings.camera.eye()) - at(buffers.position, x, y));
                 if (glm::dot(n, v) < 0.3)
                     continue; // towards the silhouette the level rises fast by right
-                ASSERT_LT(std::abs(picture.texel(x, y)[0] - picture.texel(x + 1, y)[0]), 0.25f) << name(layout.kind) << ' ' << x << ' ' << y;
+                ASSERT_LT(std::abs(picture.texel(x, y)[0] - picture.texel(x + 1, y)[0]), 0.25f)
+                    << name(layout.kind) << ' ' << x << ' ' << y;
             }
     }
 }
@@ -424,7 +421,8 @@ TEST_F(RendererTest, AnisotropicLookupsAreNearerToTheSupersampledPicture)
     const auto stripes = [](const glm::dvec3& d) { return glm::vec3(float(0.5 + 0.5 * std::sin(40.0 * d.x) * std::sin(40.0 * d.y))); };
     Renderer renderer(TexelFormat::Float);
     for (const MapLayout& layout : {MapLayout{Parameterization::Cube, 128, 0}, MapLayout{Parameterization::Octahedral, 256, 0}}) {
-        const RenderMaps maps{std::make_shared<const std::vector<EnvironmentMap>>(buildMipPyramid(environmentFrom(layout, stripes)).levels), {}, {}};
+        const RenderMaps maps{
+            std::make_shared<const std::vector<EnvironmentMap>>(buildMipPyramid(environmentFrom(layout, stripes)).levels), {}, {}};
         RenderSettings settings = small(GeometryKind::Torus);
         settings.background.kind = BackgroundKind::None;
         settings.camera.pitch = 0.1f;

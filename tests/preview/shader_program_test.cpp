@@ -5,10 +5,7 @@ using namespace mirrorball::preview;
 
 using ShaderProgramTest = mirrorball::test::GlTest;
 
-TEST_F(ShaderProgramTest, ContextDescribesItself)
-{
-    EXPECT_NE(OffscreenContext().description().find("4.5"), std::string::npos);
-}
+TEST_F(ShaderProgramTest, ContextDescribesItself) { EXPECT_NE(OffscreenContext().description().find("4.5"), std::string::npos); }
 
 TEST_F(ShaderProgramTest, MarkedFilesCountOnceAndCountAfterAFalseCondition)
 {

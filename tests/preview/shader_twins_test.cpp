@@ -32,7 +32,8 @@ TEST_F(ShaderTwins, FresnelOfDielectrics)
         std::vector<glm::vec4> inputs;
         for (int i = 0; i <= 2000; ++i)
             inputs.emplace_back(float(i) / 2000.0f, float((n - 1.0) * (n + 1.0)), 0.0f, 0.0f);
-        const auto results = evaluateGlsl("#include \"lib/fresnel.glsl\"\nvec4 twin(vec4 x) { return vec4(fresnelDielectric(x.x, x.y)); }", inputs);
+        const auto results =
+            evaluateGlsl("#include \"lib/fresnel.glsl\"\nvec4 twin(vec4 x) { return vec4(fresnelDielectric(x.x, x.y)); }", inputs);
         for (size_t i = 0; i < inputs.size(); ++i) {
             const double expected = fresnelDielectric(inputs[i].x, n);
             // Near the critical angle F is as steep as a square root, which lifts 1e-7 to 1e-3.
@@ -52,13 +53,12 @@ TEST_F(ShaderTwins, FresnelOfConductors)
         std::vector<glm::vec4> inputs;
         for (int i = 0; i <= 1000; ++i)
             inputs.emplace_back(float(i) / 1000.0f, 0.0f, 0.0f, 0.0f);
-        const auto results =
-            evaluateGlsl("#include \"lib/fresnel.glsl\"\nuniform vec3 n;\nuniform vec3 k;\n"
-                         "vec4 twin(vec4 x) { return vec4(fresnelConductor(x.x, n, k), 0.0); }",
-                         inputs, {}, [&](const ShaderProgram& program) {
-                             program.set("n", glm::vec3(index.n));
-                             program.set("k", glm::vec3(index.k));
-                         });
+        const auto results = evaluateGlsl("#include \"lib/fresnel.glsl\"\nuniform vec3 n;\nuniform vec3 k;\n"
+                                          "vec4 twin(vec4 x) { return vec4(fresnelConductor(x.x, n, k), 0.0); }",
+                                          inputs, {}, [&](const ShaderProgram& program) {
+                                              program.set("n", glm::vec3(index.n));
+                                              program.set("k", glm::vec3(index.k));
+                                          });
         for (size_t i = 0; i < inputs.size(); ++i) {
             const glm::dvec3 expected = fresnelConductor(inputs[i].x, index);
             for (int c = 0; c < 3; ++c)
@@ -76,7 +76,8 @@ TEST_F(ShaderTwins, LambdaByAngle)
                 inputs.emplace_back(lambda, grazing, float(i) / 400.0f, 0.0f);
     const auto results = evaluateGlsl("#include \"lib/lambda.glsl\"\nvec4 twin(vec4 x) { return vec4(lambdaAt(x.x, x.y, x.z)); }", inputs);
     for (size_t i = 0; i < inputs.size(); ++i)
-        ASSERT_NEAR(results[i].x, lambdaAt(inputs[i].x, inputs[i].y, inputs[i].z), 2e-5) << inputs[i].x << ' ' << inputs[i].y << ' ' << inputs[i].z;
+        ASSERT_NEAR(results[i].x, lambdaAt(inputs[i].x, inputs[i].y, inputs[i].z), 2e-5)
+            << inputs[i].x << ' ' << inputs[i].y << ' ' << inputs[i].z;
 }
 
 TEST_F(ShaderTwins, CoordinatesOfEveryMapping)
@@ -86,11 +87,16 @@ TEST_F(ShaderTwins, CoordinatesOfEveryMapping)
         MapLayout layout;
         const char* call;
     };
-    const Case cases[] = {{{Parameterization::Latlong, 256, 0}, "lib/latlong.glsl\"\nvec4 twin(vec4 d) { return vec4(latlongCoordinate(d.xyz, 256.0), 0.0); }"},
-                          {{Parameterization::Sphere, 256, 0}, "lib/sphere_map.glsl\"\nvec4 twin(vec4 d) { return vec4(sphereCoordinate(d.xyz, 256.0), 0.0); }"},
-                          {{Parameterization::Angular, 256, 0}, "lib/angular_map.glsl\"\nvec4 twin(vec4 d) { return vec4(angularCoordinate(d.xyz, 256.0), 0.0); }"},
-                          {{Parameterization::Paraboloid, 256, 4}, "lib/dual_paraboloid.glsl\"\nvec4 twin(vec4 d) { return vec4(paraboloidCoordinate(d.xyz, 256.0, 4.0), 0.0); }"},
-                          {{Parameterization::Octahedral, 256, 0}, "lib/octahedral.glsl\"\nvec4 twin(vec4 d) { return vec4(octahedralCoordinate(d.xyz, 256.0), 0.0); }"}};
+    const Case cases[] = {{{Parameterization::Latlong, 256, 0},
+                           "lib/latlong.glsl\"\nvec4 twin(vec4 d) { return vec4(latlongCoordinate(d.xyz, 256.0), 0.0); }"},
+                          {{Parameterization::Sphere, 256, 0},
+                           "lib/sphere_map.glsl\"\nvec4 twin(vec4 d) { return vec4(sphereCoordinate(d.xyz, 256.0), 0.0); }"},
+                          {{Parameterization::Angular, 256, 0},
+                           "lib/angular_map.glsl\"\nvec4 twin(vec4 d) { return vec4(angularCoordinate(d.xyz, 256.0), 0.0); }"},
+                          {{Parameterization::Paraboloid, 256, 4},
+                           "lib/dual_paraboloid.glsl\"\nvec4 twin(vec4 d) { return vec4(paraboloidCoordinate(d.xyz, 256.0, 4.0), 0.0); }"},
+                          {{Parameterization::Octahedral, 256, 0},
+                           "lib/octahedral.glsl\"\nvec4 twin(vec4 d) { return vec4(octahedralCoordinate(d.xyz, 256.0), 0.0); }"}};
     for (const Case& c : cases) {
         const auto results = evaluateGlsl(std::string("#include \"") + c.call, asInputs(directions));
         for (size_t i = 0; i < directions.size(); ++i) {
@@ -117,10 +123,13 @@ TEST_F(ShaderTwins, TexelAnglesAreTheRootOfTheTexelsSolidAngle)
         MapLayout layout;
         const char* call;
     };
-    const Case cases[] = {{{Parameterization::Cube, 64, 0}, "lib/cube_map.glsl\"\nvec4 twin(vec4 d) { return vec4(cubeTexelAngle(d.xyz, 64.0)); }"},
-                          {{Parameterization::Sphere, 64, 0}, "lib/sphere_map.glsl\"\nvec4 twin(vec4 d) { return vec4(sphereTexelAngle(64.0)); }"},
-                          {{Parameterization::Paraboloid, 64, 3}, "lib/dual_paraboloid.glsl\"\nvec4 twin(vec4 d) { return vec4(paraboloidTexelAngle(d.xyz, 64.0, 3.0)); }"},
-                          {{Parameterization::Octahedral, 64, 0}, "lib/octahedral.glsl\"\nvec4 twin(vec4 d) { return vec4(octahedralTexelAngle(d.xyz, 64.0)); }"}};
+    const Case cases[] = {
+        {{Parameterization::Cube, 64, 0}, "lib/cube_map.glsl\"\nvec4 twin(vec4 d) { return vec4(cubeTexelAngle(d.xyz, 64.0)); }"},
+        {{Parameterization::Sphere, 64, 0}, "lib/sphere_map.glsl\"\nvec4 twin(vec4 d) { return vec4(sphereTexelAngle(64.0)); }"},
+        {{Parameterization::Paraboloid, 64, 3},
+         "lib/dual_paraboloid.glsl\"\nvec4 twin(vec4 d) { return vec4(paraboloidTexelAngle(d.xyz, 64.0, 3.0)); }"},
+        {{Parameterization::Octahedral, 64, 0},
+         "lib/octahedral.glsl\"\nvec4 twin(vec4 d) { return vec4(octahedralTexelAngle(d.xyz, 64.0)); }"}};
     for (const Case& c : cases) {
         const auto results = evaluateGlsl(std::string("#include \"") + c.call, asInputs(directions));
         for (size_t i = 0; i < directions.size(); ++i) {

@@ -70,8 +70,8 @@ TEST_F(Texture, LooksUpWhatTheCoreLooksUpAcrossEverySeam)
                 continue;
             const glm::vec3 expected = map.radiance(directions[i]);
             for (int c = 0; c < 3; ++c) // single-precision coordinates, times a contrast of 1 a texel
-                ASSERT_NEAR(results[i][c], expected[c], 1e-3)
-                    << name(layout.kind) << ' ' << layout.size << ' ' << directions[i].x << ' ' << directions[i].y << ' ' << directions[i].z;
+                ASSERT_NEAR(results[i][c], expected[c], 1e-3) << name(layout.kind) << ' ' << layout.size << ' ' << directions[i].x << ' '
+                                                              << directions[i].y << ' ' << directions[i].z;
         }
     }
 }
@@ -107,7 +107,8 @@ TEST_F(Texture, HalvesKeepASunThatIsTooBrightForThem)
 
 TEST_F(Texture, RefusesLevelsThatDoNotBelongTogether)
 {
-    const std::vector<EnvironmentMap> mixed{EnvironmentMap({Parameterization::Latlong, 8, 0}), EnvironmentMap({Parameterization::Cube, 4, 0})};
+    const std::vector<EnvironmentMap> mixed{EnvironmentMap({Parameterization::Latlong, 8, 0}),
+                                            EnvironmentMap({Parameterization::Cube, 4, 0})};
     EXPECT_THROW(EnvironmentTexture(mixed, TexelFormat::Half), InvalidArgument);
     EXPECT_THROW(EnvironmentTexture(std::vector<EnvironmentMap>{}, TexelFormat::Half), InvalidArgument);
     EnvironmentMap wrong({Parameterization::Latlong, 8, 0});

@@ -48,10 +48,7 @@ bool isPane(const RenderSettings& settings, Renderer& renderer, int x, int y)
     return hit && std::lround(hit->texCoord.x) == int(window::Part::Pane);
 }
 
-glm::dvec2 placeAt(const Image& picture, int x, int y)
-{
-    return {2.0 * picture.texel(x, y)[0] - 1.0, 2.0 * picture.texel(x, y)[1] - 1.0};
-}
+glm::dvec2 placeAt(const Image& picture, int x, int y) { return {2.0 * picture.texel(x, y)[0] - 1.0, 2.0 * picture.texel(x, y)[1] - 1.0}; }
 
 } // namespace
 

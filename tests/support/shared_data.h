@@ -10,10 +10,7 @@
 /// Real probes and other inputs that live beside the repository. Use as: SHARED_DATA_OR_SKIP(path, "probes/x.hdr");
 namespace mirrorball::test {
 
-inline std::filesystem::path sharedDataFolder()
-{
-    return std::filesystem::path(MIRRORBALL_SHARED_DATA);
-}
+inline std::filesystem::path sharedDataFolder() { return std::filesystem::path(MIRRORBALL_SHARED_DATA); }
 
 /// The latlong probes of 1024 x 512 texels that lie directly in the probes folder; empty where the folder is absent.
 inline std::vector<std::filesystem::path> sharedProbes1k()

@@ -65,7 +65,8 @@ void CurveEditorTest::addsAPointOnTheCurveAndDragsItInOneStep()
     QCOMPARE(curve.points().size(), size_t{5});
     const CurvePoint added = curve.points()[2];
     QVERIFY(std::abs(added.x - 0.5) < curve.pixel());
-    QVERIFY(std::abs(added.y - static_cast<double>(CurveTable(CurvesLayer{}.points).at(static_cast<float>(added.x)))) < 1e-4); // not where the mouse was
+    QVERIFY(std::abs(added.y - static_cast<double>(CurveTable(CurvesLayer{}.points).at(static_cast<float>(added.x)))) <
+            1e-4); // not where the mouse was
     QCOMPARE(finished.size(), 1);
     curve.drag(curve.at(0.1, 0.6), curve.at(0.12, 0.7)); // far from the curve: there
     QCOMPARE(curve.points().size(), size_t{6});
@@ -185,7 +186,8 @@ void CurveEditorTest::explainsItsControls()
 {
     Curve curve;
     QCOMPARE(unexplained(curve.editor()), QStringList());
-    for (QWidget* widget : std::initializer_list<QWidget*>{&curve.plot(), &curve.editor().before(), &curve.editor().after(), &curve.editor().resetButton()})
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{&curve.plot(), &curve.editor().before(), &curve.editor().after(), &curve.editor().resetButton()})
         QVERIFY(!widget->toolTip().isEmpty());
     QVERIFY(curve.plot().toolTip().contains(QStringLiteral("square roots of linear light")));
 }

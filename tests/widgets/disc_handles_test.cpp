@@ -132,7 +132,8 @@ void DiscHandlesTest::dragsGradientsWindowsAndTurns()
 void DiscHandlesTest::dragsTheMaskAsWell()
 {
     Handles disc(PhongLightsLayer{});
-    disc.editor().editLayer({}, {}, [](Layer& layer) { layer.mask = Mask{.content = GradientLayer{.shape = GradientShape::Radial, .radius = 0.3}}; });
+    disc.editor().editLayer(
+        {}, {}, [](Layer& layer) { layer.mask = Mask{.content = GradientLayer{.shape = GradientShape::Radial, .radius = 0.3}}; });
     QCOMPARE(disc.handles().handles().size(), size_t{3});
     QVERIFY(disc.handles().isOfMask(1) && !disc.handles().isOfMask(0));
     const int before = disc.steps();
@@ -282,7 +283,8 @@ void DiscHandlesTest::saysTheAnglesOfWhatIsPointedAt()
 /// For people to look at: MIRRORBALL_SCREENSHOTS.
 void DiscHandlesTest::looksWell()
 {
-    Handles disc(PhongLightsLayer{.lights = {{.color = {1.0, 0.7, 0.4}}, {.azimuthDeg = -40.0, .polarDeg = 120.0, .color = {0.3, 0.5, 1.0}}}});
+    Handles disc(
+        PhongLightsLayer{.lights = {{.color = {1.0, 0.7, 0.4}}, {.azimuthDeg = -40.0, .polarDeg = 120.0, .color = {0.3, 0.5, 1.0}}}});
     disc.canvas().setFocus();
     const auto keep = [&](const char* name) {
         disc.waitForPicture();

@@ -5,8 +5,8 @@
 #include "core/scene/scene_file.h"
 #include "core/spheremap/evaluation/evaluate.h"
 #include "support/temporary_folder.h"
-#include "widgets/workspace/document.h"
 #include "widgets/controls/text.h"
+#include "widgets/workspace/document.h"
 
 #include <QSignalSpy>
 
@@ -117,7 +117,8 @@ void DocumentTest::picturesOfItsSphereMapAreFoundAfterSavingMovingAndUndoing()
     });
     setExponent(document, 7);
     document.save(fromPath(folder / "project" / "a.mirrorball"));
-    QCOMPARE(std::get<ImageLayer>(document.scene().material.sphereMap.document.document->layers[0].content).source, std::string("ball.exr"));
+    QCOMPARE(std::get<ImageLayer>(document.scene().material.sphereMap.document.document->layers[0].content).source,
+             std::string("ball.exr"));
     QCOMPARE(shown(document.scene()), 0.25f);
     document.undoStack().undo();
     QCOMPARE(shown(document.scene()), 0.25f);

@@ -30,9 +30,15 @@ Scene exportingScene()
     scene.probe.source = "builtin:cube-room";
     scene.probe.yawDeg = 30.0;
     scene.material.specular = {.lobe = SurfaceLobe::Phong, .exponent = 20.0};
-    scene.exports = {{.name = "env", .kind = ExportKind::Source, .parameterization = Parameterization::Octahedral, .size = 64, .mips = true},
-                     {.name = "gloss", .kind = ExportKind::Specular, .parameterization = Parameterization::Paraboloid, .size = 32, .border = 2, .half = true},
-                     {.name = "matt", .kind = ExportKind::Diffuse, .size = 16, .file = "matt_%s.hdr"}};
+    scene.exports = {
+        {.name = "env", .kind = ExportKind::Source, .parameterization = Parameterization::Octahedral, .size = 64, .mips = true},
+        {.name = "gloss",
+         .kind = ExportKind::Specular,
+         .parameterization = Parameterization::Paraboloid,
+         .size = 32,
+         .border = 2,
+         .half = true},
+        {.name = "matt", .kind = ExportKind::Diffuse, .size = 16, .file = "matt_%s.hdr"}};
     return scene;
 }
 
@@ -76,10 +82,7 @@ struct ShownDialog {
 
 } // namespace
 
-void ExportDialogTest::init()
-{
-    QSettings().clear();
-}
+void ExportDialogTest::init() { QSettings().clear(); }
 
 void ExportDialogTest::everyChangeIsAnUndoStepOfTheScene()
 {
@@ -134,7 +137,8 @@ void ExportDialogTest::namesTheFilesAndSizesBeforehand()
 {
     ShownDialog shown;
     QVERIFY(shown.isReady);
-    QVERIFY2(shown.dialog->estimateText().contains(QStringLiteral("11 files")), qPrintable(shown.dialog->estimateText())); // 1 + 1 + 6, and three .json
+    QVERIFY2(shown.dialog->estimateText().contains(QStringLiteral("11 files")),
+             qPrintable(shown.dialog->estimateText())); // 1 + 1 + 6, and three .json
     keepScreenshot(*shown.dialog, QStringLiteral("export"));
     const QString before = shown.dialog->estimateText();
     shown.find<QSpinBox>("export.size")->setValue(512);
@@ -165,7 +169,8 @@ void ExportDialogTest::itsCommandLineWritesTheSameBytes()
     QCOMPARE(command, shown.dialog->command());
     QProcess shell;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert(QStringLiteral("PATH"), QFileInfo(QStringLiteral(MIRRORBALL_PROGRAM)).absolutePath() + u':' + environment.value(QStringLiteral("PATH")));
+    environment.insert(QStringLiteral("PATH"),
+                       QFileInfo(QStringLiteral(MIRRORBALL_PROGRAM)).absolutePath() + u':' + environment.value(QStringLiteral("PATH")));
     shell.setProcessEnvironment(environment);
     shell.start(QStringLiteral("/bin/sh"), {QStringLiteral("-c"), command});
     QVERIFY(shell.waitForFinished(patience));
@@ -195,7 +200,8 @@ void ExportDialogTest::writesOnlyWhatIsChecked()
 void ExportDialogTest::stopsWhenCancelled()
 {
     Scene scene = exportingScene();
-    scene.exports = {{.name = "long", .kind = ExportKind::Chain, .parameterization = Parameterization::Latlong, .size = 1024, .file = "long.hdr"}};
+    scene.exports = {
+        {.name = "long", .kind = ExportKind::Chain, .parameterization = Parameterization::Latlong, .size = 1024, .file = "long.hdr"}};
     ShownDialog shown(scene);
     QVERIFY(shown.isReady);
     QTest::mouseClick(shown.find<QPushButton>("export.start"), Qt::LeftButton);
@@ -270,23 +276,27 @@ void ExportDialogTest::writesThePaintedMapAsPaintDoes()
     QVERIFY(shown.find<QCheckBox>("export.level-files")->isVisible());
     QTRY_VERIFY(shown.dialog->isEstimated());
     keepScreenshot(*shown.dialog, QStringLiteral("export-painted-levels"));
-    const auto isWhatPaintWrites = [&](const QStringList& options, const QString& painted, const std::string& first, const std::string& exported) {
+    const auto isWhatPaintWrites = [&](const QStringList& options, const QString& painted, const std::string& first,
+                                       const std::string& exported) {
         QProcess paint;
         paint.start(QStringLiteral(MIRRORBALL_PROGRAM),
-                    QStringList{QStringLiteral("paint"), QStringLiteral("silhouette"), QStringLiteral("--size"), QStringLiteral("128"), QStringLiteral("-o"),
-                                QString::fromStdString((shown.folder / painted.toStdString()).string())} + options);
+                    QStringList{QStringLiteral("paint"), QStringLiteral("silhouette"), QStringLiteral("--size"), QStringLiteral("128"),
+                                QStringLiteral("-o"), QString::fromStdString((shown.folder / painted.toStdString()).string())} +
+                        options);
         const std::string bytes = paint.waitForFinished(patience) ? readBytes(shown.folder / first) : std::string();
         return !bytes.empty() && bytes == readBytes(shown.folder / "out" / exported);
     };
     QCOMPARE(shown.exports().size(), 2);
     QVERIFY(isWhatPaintWrites({QStringLiteral("--levels")}, QStringLiteral("chain.exr"), "chain.exr", "matcap.exr"));
 
-    QTest::mouseClick(shown.find<QCheckBox>("export.level-files"), Qt::LeftButton, {}, QPoint(8, shown.find<QCheckBox>("export.level-files")->height() / 2));
+    QTest::mouseClick(shown.find<QCheckBox>("export.level-files"), Qt::LeftButton, {},
+                      QPoint(8, shown.find<QCheckBox>("export.level-files")->height() / 2));
     QCOMPARE(QString::fromStdString(shown.target(0).file), QStringLiteral("matcap_%d.exr"));
     QCOMPARE(shown.exports().size(), 9);
     QVERIFY(isWhatPaintWrites({QStringLiteral("--levels")}, QStringLiteral("l_%d.exr"), "l_3.exr", "matcap_3.exr"));
 
-    QTest::mouseClick(shown.find<QCheckBox>("export.mips"), Qt::LeftButton, {}, QPoint(8, shown.find<QCheckBox>("export.mips")->height() / 2));
+    QTest::mouseClick(shown.find<QCheckBox>("export.mips"), Qt::LeftButton, {},
+                      QPoint(8, shown.find<QCheckBox>("export.mips")->height() / 2));
     QCOMPARE(QString::fromStdString(shown.target(0).fileName()), QStringLiteral("matcap.exr"));
     shown.find<QSpinBox>("export.border")->setValue(2);
     shown.choose("export.format", 5);

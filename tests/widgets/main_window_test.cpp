@@ -8,15 +8,15 @@
 #include "widgets/controls/text.h"
 
 #include <QAbstractItemView>
-#include <QComboBox>
 #include <QAbstractSlider>
 #include <QAbstractSpinBox>
+#include <QComboBox>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QProcess>
 #include <QScrollBar>
-#include <QMenu>
 #include <QTabBar>
 #include <QToolBar>
 
@@ -44,10 +44,7 @@ static bool hasNotice(StudioWindow& window, const QString& subject, const QStrin
     return false;
 }
 
-void MainWindowTest::init()
-{
-    QSettings().clear();
-}
+void MainWindowTest::init() { QSettings().clear(); }
 
 // One renderer, two contexts: what the window shows is what the command line writes, but for the last bit of an 8-bit level.
 void MainWindowTest::showsThePictureThatTheCommandLineDraws()
@@ -77,7 +74,8 @@ void MainWindowTest::savesThePictureThatTheCommandLineSaves()
     });
     window.document().save(fromPath(folder / "a.mirrorball"));
     for (const char* extension : {"png", "exr"}) {
-        const std::filesystem::path ours = folder / (std::string("ours.") + extension), theirs = folder / (std::string("theirs.") + extension);
+        const std::filesystem::path ours = folder / (std::string("ours.") + extension),
+                                    theirs = folder / (std::string("theirs.") + extension);
         window->savePicture(fromPath(ours));
         QTRY_VERIFY_WITH_TIMEOUT(std::filesystem::exists(ours), 60000);
         runCommandLine({QStringLiteral("render"), fromPath(folder / "a.mirrorball"), QStringLiteral("-o"), fromPath(theirs)});
@@ -97,11 +95,14 @@ void MainWindowTest::everyControlHasTooltipNameAndKeys()
         const QString name = widget->objectName();
         const bool isInside = qobject_cast<const QScrollBar*>(widget) || name.startsWith(QStringLiteral("qt_")) ||
                               qobject_cast<const QComboBox*>(widget->parentWidget()) || widget->inherits("QComboBoxPrivateContainer") ||
-                              widget->window() != &*window || (widget->parentWidget() && widget->parentWidget()->inherits("QComboBoxPrivateContainer"));
-        if (!isControl || isInside || widget->inherits("QHeaderView") || qobject_cast<const QTabBar*>(widget->parentWidget()) || widget->inherits("QTableCornerButton"))
+                              widget->window() != &*window ||
+                              (widget->parentWidget() && widget->parentWidget()->inherits("QComboBoxPrivateContainer"));
+        if (!isControl || isInside || widget->inherits("QHeaderView") || qobject_cast<const QTabBar*>(widget->parentWidget()) ||
+            widget->inherits("QTableCornerButton"))
             continue;
-        const QString label = QStringLiteral("%1 '%2' in '%3'").arg(QLatin1String(widget->metaObject()->className()), name,
-                                                                   widget->parentWidget() ? widget->parentWidget()->objectName() : QString());
+        const QString label = QStringLiteral("%1 '%2' in '%3'")
+                                  .arg(QLatin1String(widget->metaObject()->className()), name,
+                                       widget->parentWidget() ? widget->parentWidget()->objectName() : QString());
         const auto* button = qobject_cast<const QToolButton*>(widget);
         const QAction* action = button ? button->defaultAction() : nullptr; // reached through the menus
         if (widget->toolTip().isEmpty())
@@ -177,7 +178,8 @@ void MainWindowTest::everyCommandOfTheViewMenuCanBeUndone()
         window.document().undoStack().redo();
         QVERIFY2(window.document().scene() != start, qPrintable(command->text()));
     }
-    QCOMPARE(changing, 18); // 4 of 5 bodies, 5 of 6 shadings, lookup, 1 of 2 projections, 3 of 4 backgrounds, frame, reset, brighter, darker
+    QCOMPARE(changing,
+             18); // 4 of 5 bodies, 5 of 6 shadings, lookup, 1 of 2 projections, 3 of 4 backgrounds, frame, reset, brighter, darker
 }
 
 // A panel that nobody sees does no work; Qt itself counts a dock behind a tab as visible.
@@ -254,7 +256,8 @@ void MainWindowTest::everyViewCommandCanBeUndone()
         window.document().undoStack().undo();
         QVERIFY2(window.document().scene() == before, qPrintable(action->text()));
     }
-    QVERIFY2(edits >= 14, qPrintable(QString::number(edits))); // 3 bodies, 5 shadings, 1 projection, 3 backgrounds, frame, reset, 2 exposures
+    QVERIFY2(edits >= 14,
+             qPrintable(QString::number(edits))); // 3 bodies, 5 shadings, 1 projection, 3 backgrounds, frame, reset, 2 exposures
 }
 
 void MainWindowTest::aMissingProbeIsNamedAndAPlaceholderShown()

@@ -41,7 +41,8 @@ struct ShownPanel {
     }
     bool settle()
     {
-        return QTest::qWaitFor([&] { return workspace.live.isUpToDate() && panel->view().isUpToDate() && !panel->view().picture().isNull(); }, patience);
+        return QTest::qWaitFor(
+            [&] { return workspace.live.isUpToDate() && panel->view().isUpToDate() && !panel->view().picture().isNull(); }, patience);
     }
     template <typename T>
     T* find(const char* name)

@@ -3,9 +3,9 @@
 #include "core/scene/material_presets.h"
 #include "core/scene/scene_file.h"
 #include "support/temporary_folder.h"
+#include "widgets/controls/text.h"
 #include "widgets/panels/fresnel_curve.h"
 #include "widgets/panels/material_panel.h"
-#include "widgets/controls/text.h"
 #include "widgets/panels/view_panel.h"
 
 #include <QCheckBox>
@@ -140,7 +140,7 @@ void MaterialPanelTest::theExponentIsLogarithmic()
     QCOMPARE(workspace.document.scene().material.specular.exponent, 0.1);
     exponent->slider()->setValue(exponent->slider()->maximum());
     QCOMPARE(workspace.document.scene().material.specular.exponent, 1e6);
-    exponent->slider()->setValue(exponent->slider()->maximum() / 7); // one of seven decades
+    exponent->slider()->setValue(exponent->slider()->maximum() / 7);         // one of seven decades
     QCOMPARE(workspace.document.scene().material.specular.exponent, 0.9991); // 10000/7 is no whole position
     exponent->box()->selectAll();
     QTest::keyClicks(exponent->box(), QStringLiteral("123.5\r"));

@@ -4,8 +4,8 @@
 #include "widget_driver.h"
 
 #include "support/temporary_folder.h"
-#include "widgets/exports/painted_export.h"
 #include "widgets/controls/text.h"
+#include "widgets/exports/painted_export.h"
 
 #include "core/image/map_file.h"
 
@@ -47,10 +47,7 @@ void exportAs(SphereMapPanel& panel, const QString& filter, const std::filesyste
 
 } // namespace
 
-void PaintedExportTest::init()
-{
-    QSettings().clear();
-}
+void PaintedExportTest::init() { QSettings().clear(); }
 
 void PaintedExportTest::writesThePictureThatTheMenuIsAskedFor()
 {

@@ -61,8 +61,8 @@ public:
                                             QPointingDevice::PointerType::Eraser,
                                             QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 2);
         const auto button = type == QEvent::TabletMove ? Qt::NoButton : Qt::LeftButton;
-        QTabletEvent event(type, end == QPointingDevice::PointerType::Eraser ? &eraser : &tip, place, canvas().mapToGlobal(place), pressure, 0,
-                           0, 0, 0, 0, {}, button, type == QEvent::TabletRelease ? Qt::NoButton : Qt::LeftButton);
+        QTabletEvent event(type, end == QPointingDevice::PointerType::Eraser ? &eraser : &tip, place, canvas().mapToGlobal(place), pressure,
+                           0, 0, 0, 0, 0, {}, button, type == QEvent::TabletRelease ? Qt::NoButton : Qt::LeftButton);
         QCoreApplication::sendEvent(&canvas(), &event);
     }
 

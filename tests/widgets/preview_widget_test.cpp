@@ -11,7 +11,8 @@ namespace mirrorball::test {
 
 static const RegisterTests<PreviewWidgetTest> registered;
 
-static void sendMouse(QWidget& widget, QEvent::Type type, const QPointF& at, Qt::MouseButton button, Qt::MouseButtons held, Qt::KeyboardModifiers keys)
+static void sendMouse(QWidget& widget, QEvent::Type type, const QPointF& at, Qt::MouseButton button, Qt::MouseButtons held,
+                      Qt::KeyboardModifiers keys)
 {
     QMouseEvent event(type, at, widget.mapToGlobal(at), button, held, keys);
     QApplication::sendEvent(&widget, &event);
@@ -32,7 +33,8 @@ void PreviewWidgetTest::aDragIsOneStep_data()
     QTest::addColumn<QString>("label");
     QTest::newRow("left orbits") << int(Qt::LeftButton) << int(Qt::NoModifier) << QStringLiteral("Orbit");
     QTest::newRow("middle pans") << int(Qt::MiddleButton) << int(Qt::NoModifier) << QStringLiteral("Pan");
-    QTest::newRow("shift and right turn the light") << int(Qt::RightButton) << int(Qt::ShiftModifier) << QStringLiteral("Turn the environment");
+    QTest::newRow("shift and right turn the light")
+        << int(Qt::RightButton) << int(Qt::ShiftModifier) << QStringLiteral("Turn the environment");
 }
 
 void PreviewWidgetTest::aDragIsOneStep()

@@ -69,10 +69,7 @@ QString writeProbe(const TemporaryFolder& folder, const std::string& name, const
 
 } // namespace
 
-void ProbesPanelTest::init()
-{
-    QSettings().clear();
-}
+void ProbesPanelTest::init() { QSettings().clear(); }
 
 void ProbesPanelTest::listsTheBuiltInProbesWithThumbnails()
 {

@@ -3,15 +3,15 @@
 #include "painting.h"
 #include "widget_driver.h"
 
+#include "widgets/controls/text.h"
 #include "widgets/picture/model_painter.h"
 #include "widgets/spheremap/sphere_map_panel.h"
-#include "widgets/controls/text.h"
 
 #include "core/spheremap/document/presets.h"
 #include "core/spheremap/document/sphere_map_file.h"
 
-#include <QDir>
 #include <QAction>
+#include <QDir>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QMimeData>

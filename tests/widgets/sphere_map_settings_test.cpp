@@ -3,10 +3,10 @@
 #include "painting.h"
 #include "widget_driver.h"
 
-#include "widgets/panels/preset_gallery.h"
-#include "widgets/spheremap/sphere_map_source_field.h"
 #include "widgets/controls/text.h"
+#include "widgets/panels/preset_gallery.h"
 #include "widgets/panels/view_panel.h"
+#include "widgets/spheremap/sphere_map_source_field.h"
 
 #include "core/base/field_checks.h"
 #include "core/image/image_io.h"
@@ -44,10 +44,7 @@ void pick(QWidget& root, const char* name, int index)
     emit list->activated(index);
 }
 
-QAction* actionNamed(QWidget& window, const QString& name)
-{
-    return window.findChild<QAction*>(name);
-}
+QAction* actionNamed(QWidget& window, const QString& name) { return window.findChild<QAction*>(name); }
 
 void addByMenu(Painting& painting, const QString& title)
 {
@@ -102,10 +99,7 @@ struct Paths {
 
 } // namespace
 
-void SphereMapSettingsTest::init()
-{
-    QSettings().clear();
-}
+void SphereMapSettingsTest::init() { QSettings().clear(); }
 
 void SphereMapSettingsTest::everyFieldOfASceneFileHasAControl()
 {
@@ -247,9 +241,10 @@ void SphereMapSettingsTest::theWindowIsSeenFromTheRoom()
     QVERIFY(window->workspace().notices.all().isEmpty());
     const QImage picture = window.picture();
     QVERIFY(picture.pixelColor(picture.width() / 2 + picture.height() / 12, picture.height() / 3).lightness() > 150); // a pane
-    QVERIFY(picture.pixelColor(3, 3).lightness() < 100);                                                               // the room's wall
+    QVERIFY(picture.pixelColor(3, 3).lightness() < 100);                                                              // the room's wall
 
-    QWheelEvent away({5, 5}, window.preview().mapToGlobal(QPointF(5, 5)), {}, {0, -1200}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+    QWheelEvent away({5, 5}, window.preview().mapToGlobal(QPointF(5, 5)), {}, {0, -1200}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                     false);
     QCoreApplication::sendEvent(&window.preview(), &away);
     Painting::drag(&window.preview(), {300, 200}, {100, 250});
     QVERIFY(camera() != inside);

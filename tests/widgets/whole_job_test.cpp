@@ -5,9 +5,9 @@
 
 #include "core/image/builtin_probes.h"
 #include "core/image/image_io.h"
-#include "widgets/exports/export_dialog.h"
 #include "widgets/controls/number_field.h"
 #include "widgets/controls/text.h"
+#include "widgets/exports/export_dialog.h"
 
 #include <QComboBox>
 #include <QProcess>

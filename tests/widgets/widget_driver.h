@@ -34,21 +34,26 @@ inline QStringList unexplained(const QWidget& root)
 {
     QStringList names;
     for (const QWidget* widget : root.findChildren<QWidget*>()) {
-        if (widget->focusPolicy() == Qt::NoFocus || widget->focusProxy() != nullptr || widget->objectName().startsWith(QStringLiteral("qt_")))
+        if (widget->focusPolicy() == Qt::NoFocus || widget->focusProxy() != nullptr ||
+            widget->objectName().startsWith(QStringLiteral("qt_")))
             continue;
         const QVariant text = widget->property("text");
         const bool isNamed = !widget->accessibleName().isEmpty() || (text.isValid() && !text.toString().isEmpty());
-        const bool isInner = widget->inherits("QAbstractScrollArea") ? false
-                                                                     : widget->parentWidget() && (widget->parentWidget()->inherits("QAbstractSpinBox") || widget->parentWidget()->inherits("QComboBoxPrivateContainer") ||
-                                                                                                  widget->parentWidget()->inherits("QComboBox"));
-        const bool isFrame = widget->inherits("QScrollArea") || widget->inherits("QSplitterHandle") || widget->inherits("QScrollBar") || widget->inherits("QComboBoxListView"); // the list of a combo box is its own matter
+        const bool isInner = widget->inherits("QAbstractScrollArea")
+                                 ? false
+                                 : widget->parentWidget() && (widget->parentWidget()->inherits("QAbstractSpinBox") ||
+                                                              widget->parentWidget()->inherits("QComboBoxPrivateContainer") ||
+                                                              widget->parentWidget()->inherits("QComboBox"));
+        const bool isFrame = widget->inherits("QScrollArea") || widget->inherits("QSplitterHandle") || widget->inherits("QScrollBar") ||
+                             widget->inherits("QComboBoxListView"); // the list of a combo box is its own matter
         if (!isNamed && !isInner && !isFrame)
             names << QStringLiteral("%1 (%2)").arg(widget->objectName(), QString::fromLatin1(widget->metaObject()->className()));
     }
     return names;
 }
 
-/// Keeps a picture of a widget in the folder of the environment variable MIRRORBALL_SCREENSHOTS, for people to look at; does nothing without it.
+/// Keeps a picture of a widget in the folder of the environment variable MIRRORBALL_SCREENSHOTS, for people to look at; does nothing
+/// without it.
 inline void keepScreenshot(QWidget& widget, const QString& name)
 {
     const QString folder = qEnvironmentVariable("MIRRORBALL_SCREENSHOTS");

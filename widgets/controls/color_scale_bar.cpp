@@ -13,10 +13,7 @@ namespace {
 
 constexpr int barHeight = 10;
 
-QColor toQColor(const glm::vec3& c)
-{
-    return QColor::fromRgbF(c.r, c.g, c.b);
-}
+QColor toQColor(const glm::vec3& c) { return QColor::fromRgbF(c.r, c.g, c.b); }
 
 } // namespace
 
@@ -24,14 +21,13 @@ QString shortNumberText(double value)
 {
     const double magnitude = std::abs(value);
     if (magnitude != 0.0 && (magnitude < 1e-3 || magnitude >= 1e5))
-        return QString::number(value, 'e', 1).replace(QStringLiteral("e-0"), QStringLiteral("e-")).replace(QStringLiteral("e+0"), QStringLiteral("e"));
+        return QString::number(value, 'e', 1)
+            .replace(QStringLiteral("e-0"), QStringLiteral("e-"))
+            .replace(QStringLiteral("e+0"), QStringLiteral("e"));
     return QString::number(value, 'g', 3);
 }
 
-ColorScaleBar::ColorScaleBar(QWidget* parent) : QWidget(parent)
-{
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-}
+ColorScaleBar::ColorScaleBar(QWidget* parent) : QWidget(parent) { setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed); }
 
 void ColorScaleBar::show(Colors colors, std::vector<Tick> ticks, const QString& unit, const QString& help)
 {
@@ -75,15 +71,9 @@ void ColorScaleBar::showTint(MapTint tint)
     show(Colors::OneSided, std::move(ticks), {}, tr("Anisotropy: the longer axis of a texel's circle of directions over the shorter"));
 }
 
-QSize ColorScaleBar::sizeHint() const
-{
-    return {240, barHeight + 4 + fontMetrics().height()};
-}
+QSize ColorScaleBar::sizeHint() const { return {240, barHeight + 4 + fontMetrics().height()}; }
 
-QSize ColorScaleBar::minimumSizeHint() const
-{
-    return {140, sizeHint().height()};
-}
+QSize ColorScaleBar::minimumSizeHint() const { return {140, sizeHint().height()}; }
 
 void ColorScaleBar::paintEvent(QPaintEvent*)
 {

@@ -20,8 +20,8 @@ namespace mirrorball::studio {
 namespace {
 
 constexpr double handleRadius = 4.5, reach = 9.0, pullDistance = 30.0;
-constexpr double rampWidth = 5.0;  ///< of the bars from dark to bright along the axes
-constexpr double least = 0.005;    ///< between neighbours
+constexpr double rampWidth = 5.0; ///< of the bars from dark to bright along the axes
+constexpr double least = 0.005;   ///< between neighbours
 constexpr size_t fewest = 2, most = 32;
 
 double fieldHigh(std::string_view name)
@@ -40,10 +40,14 @@ double rounded(double value) { return std::round(value * 1e4) / 1e4; }
 QColor colorOf(AdjustedChannels channels)
 {
     switch (channels) {
-    case AdjustedChannels::Red: return {235, 105, 95};
-    case AdjustedChannels::Green: return {110, 205, 110};
-    case AdjustedChannels::Blue: return {110, 155, 245};
-    case AdjustedChannels::All: break;
+    case AdjustedChannels::Red:
+        return {235, 105, 95};
+    case AdjustedChannels::Green:
+        return {110, 205, 110};
+    case AdjustedChannels::Blue:
+        return {110, 155, 245};
+    case AdjustedChannels::All:
+        break;
     }
     return {235, 235, 235};
 }
@@ -56,10 +60,11 @@ CurvePlot::CurvePlot(QWidget* parent) : QWidget(parent)
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setObjectName(QStringLiteral("curvePlot"));
     setAccessibleName(tr("Tone curve"));
-    setToolTip(tr("<p>Across: what the layer gets; up: what it makes of it. Both are square roots of linear light, about as the eye sees it: "
-                  "0 is black, 1 is white. Brighter light keeps its ratios.</p>"
-                  "<p>Click for a new point, drag to move it, pull it away or press Delete to remove it; double-click a point to put it back on the "
-                  "diagonal. Arrow keys move it, with Shift finer; Ctrl and arrows go from point to point.</p>"));
+    setToolTip(tr(
+        "<p>Across: what the layer gets; up: what it makes of it. Both are square roots of linear light, about as the eye sees it: "
+        "0 is black, 1 is white. Brighter light keeps its ratios.</p>"
+        "<p>Click for a new point, drag to move it, pull it away or press Delete to remove it; double-click a point to put it back on the "
+        "diagonal. Arrow keys move it, with Shift finer; Ctrl and arrows go from point to point.</p>"));
 }
 
 QRectF CurvePlot::square() const
@@ -126,7 +131,8 @@ void CurvePlot::choose(int index)
 bool CurvePlot::insert(const CurvePoint& point)
 {
     const auto next = std::find_if(m_points.begin(), m_points.end(), [&](const CurvePoint& other) { return other.x > point.x; });
-    const bool isClose = (next != m_points.end() && next->x - point.x < least) || (next != m_points.begin() && point.x - (next - 1)->x < least);
+    const bool isClose =
+        (next != m_points.end() && next->x - point.x < least) || (next != m_points.begin() && point.x - (next - 1)->x < least);
     if (m_points.size() >= most || isClose)
         return false;
     m_chosen = static_cast<int>(next - m_points.begin());
@@ -291,10 +297,18 @@ void CurvePlot::keyPressEvent(QKeyEvent* event)
         emit finished();
     };
     switch (event->key()) {
-    case Qt::Key_Left: arrow(-1.0, 0.0); return;
-    case Qt::Key_Right: arrow(1.0, 0.0); return;
-    case Qt::Key_Up: arrow(0.0, 1.0); return;
-    case Qt::Key_Down: arrow(0.0, -1.0); return;
+    case Qt::Key_Left:
+        arrow(-1.0, 0.0);
+        return;
+    case Qt::Key_Right:
+        arrow(1.0, 0.0);
+        return;
+    case Qt::Key_Up:
+        arrow(0.0, 1.0);
+        return;
+    case Qt::Key_Down:
+        arrow(0.0, -1.0);
+        return;
     case Qt::Key_Delete:
     case Qt::Key_Backspace:
         removeChosen();
@@ -307,7 +321,8 @@ void CurvePlot::keyPressEvent(QKeyEvent* event)
             addPoint({.x = x, .y = rounded(static_cast<double>(CurveTable(m_points).at(static_cast<float>(x))))});
         return;
     }
-    default: QWidget::keyPressEvent(event);
+    default:
+        QWidget::keyPressEvent(event);
     }
 }
 
@@ -316,7 +331,8 @@ void CurvePlot::paintGround(QPainter& painter) const
 {
     const QRectF area = square();
     painter.fillRect(area, palette().color(QPalette::Base));
-    const QRectF across(area.left(), area.bottom() + 4.0, area.width(), rampWidth), up(area.left() - 4.0 - rampWidth, area.top(), rampWidth, area.height());
+    const QRectF across(area.left(), area.bottom() + 4.0, area.width(), rampWidth),
+        up(area.left() - 4.0 - rampWidth, area.top(), rampWidth, area.height());
     QLinearGradient ramp(across.topLeft(), across.topRight());
     ramp.setColorAt(0.0, Qt::black);
     ramp.setColorAt(1.0, Qt::white);
@@ -346,7 +362,8 @@ void CurvePlot::paintGround(QPainter& painter) const
     painter.drawText(QRectF(area.right() - 30.0, below, 30.0, 14.0), Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("1"));
     painter.drawText(QRectF(0.0, area.top() - 4.0, up.left() - 3.0, 14.0), Qt::AlignRight | Qt::AlignVCenter, QString::number(m_top));
     if (m_top > 1.0)
-        painter.drawText(QRectF(0.0, placeOf(0.0, 1.0).y() - 7.0, up.left() - 3.0, 14.0), Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("1"));
+        painter.drawText(QRectF(0.0, placeOf(0.0, 1.0).y() - 7.0, up.left() - 3.0, 14.0), Qt::AlignRight | Qt::AlignVCenter,
+                         QStringLiteral("1"));
 }
 
 void CurvePlot::paintCurve(QPainter& painter) const
@@ -425,7 +442,7 @@ CurveEditor::CurveEditor(QWidget* parent)
     connect(m_plot, &CurvePlot::finished, this, &CurveEditor::finished);
     connect(m_plot, &CurvePlot::chosenChanged, this, &CurveEditor::showChosen);
     connect(m_reset, &QToolButton::clicked, m_plot, &CurvePlot::reset);
-    const auto connectBox = [this](QDoubleSpinBox* box, double CurvePoint::* member) {
+    const auto connectBox = [this](QDoubleSpinBox* box, double CurvePoint::*member) {
         connect(box, &QDoubleSpinBox::valueChanged, this, [this, member](double value) {
             CurvePoint point = m_plot->points()[static_cast<size_t>(m_plot->chosen())];
             point.*member = value;

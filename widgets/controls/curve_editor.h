@@ -66,9 +66,9 @@ private:
     double m_top = 1.0; ///< y of the upper edge
     int m_chosen = 0;
     bool m_isDragging = false;
-    bool m_isNew = false;                     ///< the last press added the chosen point
-    QPointF m_grabbed{};                      ///< of the dragged point, less the mouse
-    std::vector<CurvePoint> m_beforePull{};   ///< the points while the dragged one is pulled away
+    bool m_isNew = false;                   ///< the last press added the chosen point
+    QPointF m_grabbed{};                    ///< of the dragged point, less the mouse
+    std::vector<CurvePoint> m_beforePull{}; ///< the points while the dragged one is pulled away
 };
 
 /// A tone curve: the plot, the chosen point's numbers, and a way back to the curve that changes nothing.

@@ -32,20 +32,14 @@ GradientBar::GradientBar(QWidget* parent) : QWidget(parent)
     setToolTip(tr("Drag a stop to move it, pull it away to remove it; double-click for a new one"));
 }
 
-QRectF GradientBar::bar() const
-{
-    return {handleHalf + 1.0, 2.0, std::max(1.0, width() - 2.0 * handleHalf - 2.0), barHeight};
-}
+QRectF GradientBar::bar() const { return {handleHalf + 1.0, 2.0, std::max(1.0, width() - 2.0 * handleHalf - 2.0), barHeight}; }
 
 double GradientBar::positionAt(double x) const
 {
     return std::round(std::clamp((x - bar().left()) / bar().width(), 0.0, 1.0) * 1000.0) / 1000.0;
 }
 
-double GradientBar::placeOf(double position) const
-{
-    return bar().left() + position * bar().width();
-}
+double GradientBar::placeOf(double position) const { return bar().left() + position * bar().width(); }
 
 void GradientBar::setStops(const std::vector<GradientStop>& stops)
 {
@@ -187,7 +181,8 @@ void GradientBar::keyPressEvent(QKeyEvent* event)
                 choose(order[static_cast<size_t>(next)]);
             return;
         }
-        changeChosen([&](GradientStop& stop) { stop.position = std::clamp(std::round((stop.position + sign * step) * 1e4) / 1e4, 0.0, 1.0); });
+        changeChosen(
+            [&](GradientStop& stop) { stop.position = std::clamp(std::round((stop.position + sign * step) * 1e4) / 1e4, 0.0, 1.0); });
         emit finished();
     };
     switch (event->key()) {
@@ -287,7 +282,7 @@ GradientEditor::GradientEditor(QWidget* parent)
     connect(m_color, &ColorButton::edited, this,
             [this](const glm::dvec3& color) { m_bar->changeChosen([&](GradientStop& stop) { stop.color = color; }); });
     connect(m_color, &ColorButton::finished, this, &GradientEditor::finished);
-    const auto connectBox = [this](QDoubleSpinBox* box, double GradientStop::* member) {
+    const auto connectBox = [this](QDoubleSpinBox* box, double GradientStop::*member) {
         connect(box, &QDoubleSpinBox::valueChanged, this, [this, member](double percent) {
             m_bar->changeChosen([&](GradientStop& stop) { stop.*member = std::clamp(percent / 100.0, 0.0, 1.0); });
             emit finished();

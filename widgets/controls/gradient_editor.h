@@ -12,8 +12,8 @@
 namespace mirrorball::studio {
 
 /// The bar of a gradient with its stops as handles below it. Click a handle to choose it, drag to move it, pull it away to remove it;
-/// double-click the bar for a new one. Arrow keys move the chosen stop (Shift: finer), Delete removes it, Insert adds one, Ctrl and arrows go
-/// from stop to stop.
+/// double-click the bar for a new one. Arrow keys move the chosen stop (Shift: finer), Delete removes it, Insert adds one, Ctrl and arrows
+/// go from stop to stop.
 class GradientBar : public QWidget {
     Q_OBJECT
 

@@ -18,7 +18,7 @@ public:
     struct Notice {
         QString subject;
         QString text;
-        QString actionText{};             ///< a remedy as a button; empty: none
+        QString actionText{}; ///< a remedy as a button; empty: none
         std::function<void()> action{};
     };
 

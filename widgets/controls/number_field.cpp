@@ -70,7 +70,8 @@ QString NumberBox::textFromValue(double value) const
 QSize NumberBox::sizeHint() const
 {
     const QString widest = QStringLiteral("-1000000").left(m_style.digits + 3);
-    const int unit = std::max(fontMetrics().horizontalAdvance(suffix()), fontMetrics().horizontalAdvance(QStringLiteral(" °"))); // boxes in a column alike
+    const int unit = std::max(fontMetrics().horizontalAdvance(suffix()),
+                              fontMetrics().horizontalAdvance(QStringLiteral(" °"))); // boxes in a column alike
     return {fontMetrics().horizontalAdvance(widest) + unit + 34, QDoubleSpinBox::sizeHint().height()};
 }
 
@@ -99,7 +100,8 @@ void ValueSlider::mousePressEvent(QMouseEvent* event)
     if (event->button() == Qt::LeftButton && !handle.contains(event->position().toPoint())) {
         const int span = width() - handle.width();
         setSliderDown(true);
-        setSliderPosition(QStyle::sliderValueFromPosition(minimum(), maximum(), event->position().toPoint().x() - handle.width() / 2, span));
+        setSliderPosition(
+            QStyle::sliderValueFromPosition(minimum(), maximum(), event->position().toPoint().x() - handle.width() / 2, span));
     }
     QSlider::mousePressEvent(event);
 }
@@ -144,10 +146,7 @@ NumberField::NumberField(const NumberStyle& style, QWidget* parent)
     setValue(style.initial);
 }
 
-NumberField::~NumberField()
-{
-    disconnectChildren(*this);
-}
+NumberField::~NumberField() { disconnectChildren(*this); }
 
 void NumberField::setValue(double value)
 {
@@ -181,10 +180,7 @@ void NumberField::change(double value)
     emit edited(value);
 }
 
-void NumberField::finishSoon()
-{
-    m_rest.start();
-}
+void NumberField::finishSoon() { m_rest.start(); }
 
 int NumberField::sliderPosition(double value) const
 {
@@ -204,7 +200,8 @@ double NumberField::sliderValue(int position) const
                              : m_style.sliderLow + fraction * (m_style.sliderHigh - m_style.sliderLow);
     if (exact == 0.0)
         return 0.0;
-    const double reach = m_style.scale == Scale::Logarithmic ? std::abs(exact) : std::max(std::abs(m_style.sliderHigh), std::abs(m_style.sliderLow));
+    const double reach =
+        m_style.scale == Scale::Logarithmic ? std::abs(exact) : std::max(std::abs(m_style.sliderHigh), std::abs(m_style.sliderLow));
     const double unit = std::pow(10.0, std::floor(std::log10(reach)) - (m_style.digits - 1));
     // Through the decimal text, so that 0.3 is the double that "0.3" reads as.
     return QString::number(std::round(exact / unit) * unit, 'g', 12).toDouble();

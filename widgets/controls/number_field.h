@@ -15,9 +15,9 @@ struct NumberStyle {
     double low = 0.0, high = 1.0;             ///< what can be typed
     double sliderLow = 0.0, sliderHigh = 1.0; ///< what the slider spans; above 0 where it is logarithmic
     Scale scale = Scale::Linear;
-    double initial = 0.0;                     ///< where a double click takes it
-    int digits = 4;                           ///< significant digits shown
-    double step = 0.01;                       ///< linear: of a key or a wheel notch; logarithmic: a twentieth of a decade
+    double initial = 0.0; ///< where a double click takes it
+    int digits = 4;       ///< significant digits shown
+    double step = 0.01;   ///< linear: of a key or a wheel notch; logarithmic: a twentieth of a decade
     QString unit{};
 };
 

@@ -137,9 +137,8 @@ void OptionsForm::addNumber(const QString& path, const Field& field, const Field
                              .unit = field.unit == "degrees" ? QStringLiteral("°") : fieldText(field.unit)};
     auto* control = new NumberField(number, this);
     const QString label = tr("Change %1").arg((style.label.isEmpty() ? labelText(field.name) : style.label).toLower());
-    connect(control, &NumberField::edited, this, [this, path, label, access](double value) {
-        m_document.edit(label, path, [&](Scene& scene) { access.set(scene, value); });
-    });
+    connect(control, &NumberField::edited, this,
+            [this, path, label, access](double value) { m_document.edit(label, path, [&](Scene& scene) { access.set(scene, value); }); });
     connect(control, &NumberField::finished, &m_document, &Document::finishEdit);
     addControl(path, field, style, control, [control, access](const Scene& scene) { control->setValue(access.get(scene)); });
 }
@@ -183,9 +182,8 @@ void OptionsForm::addSwitch(const QString& path, const Field& field, const Field
 {
     auto* control = new QCheckBox(this);
     const QString label = tr("Switch %1").arg((style.label.isEmpty() ? labelText(field.name) : style.label).toLower());
-    connect(control, &QCheckBox::clicked, this, [this, label, access](bool on) {
-        m_document.edit(label, {}, [&](Scene& scene) { access.set(scene, on); });
-    });
+    connect(control, &QCheckBox::clicked, this,
+            [this, label, access](bool on) { m_document.edit(label, {}, [&](Scene& scene) { access.set(scene, on); }); });
     addControl(path, field, style, control, [control, access](const Scene& scene) { control->setChecked(access.get(scene)); });
 }
 
@@ -207,9 +205,8 @@ void OptionsForm::addChoice(const QString& path, const Field& field, const Field
     for (const std::string_view word : names)
         control->addItem(labelText(word));
     const QString label = tr("Change %1").arg((style.label.isEmpty() ? labelText(field.name) : style.label).toLower());
-    connect(control, &QComboBox::activated, this, [this, label, access](int index) {
-        m_document.edit(label, {}, [&](Scene& scene) { access.set(scene, index); });
-    });
+    connect(control, &QComboBox::activated, this,
+            [this, label, access](int index) { m_document.edit(label, {}, [&](Scene& scene) { access.set(scene, index); }); });
     addControl(path, field, style, control, [control, access](const Scene& scene) { control->setCurrentIndex(access.get(scene)); });
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "widgets/workspace/document.h"
 #include "number_field.h"
+#include "widgets/workspace/document.h"
 
 #include "core/scene/scene.h"
 
@@ -24,17 +24,17 @@ namespace mirrorball::studio {
 
 /// What a field's control knows beyond the field itself. Everything has a sensible default.
 struct FieldStyle {
-    QString label{};                                      ///< empty: the field's name
-    std::optional<double> sliderLow{}, sliderHigh{};      ///< of the slider; empty: the field's range
+    QString label{};                                 ///< empty: the field's name
+    std::optional<double> sliderLow{}, sliderHigh{}; ///< of the slider; empty: the field's range
     Scale scale = Scale::Linear;
     double step = 0.01;
     int digits = 4;
-    std::function<bool(const Scene&)> isShown{};          ///< empty: always
-    QVector<int> choices{};                               ///< whole numbers that a list offers
-    bool isHidden = false;                                ///< no control at all
-    QStringList suggestions{};                            ///< texts that are often wanted
-    QStringList names{};                                  ///< the texts that there are to choose from; empty: any
-    QString fileFilter{};                                 ///< a text that names a file: what its chooser shows; empty: no chooser
+    std::function<bool(const Scene&)> isShown{}; ///< empty: always
+    QVector<int> choices{};                      ///< whole numbers that a list offers
+    bool isHidden = false;                       ///< no control at all
+    QStringList suggestions{};                   ///< texts that are often wanted
+    QStringList names{};                         ///< the texts that there are to choose from; empty: any
+    QString fileFilter{};                        ///< a text that names a file: what its chooser shows; empty: no chooser
 };
 using FieldStyles = std::map<std::string, FieldStyle, std::less<>>;
 
@@ -44,7 +44,8 @@ FieldStyles onlyFields(const FieldStyles& shown)
 {
     FieldStyles styles = shown;
     const Settings initial;
-    Settings::visitFields(initial, [&](const Field& field, const auto&) { styles.try_emplace(std::string(field.name), FieldStyle{.isHidden = true}); });
+    Settings::visitFields(
+        initial, [&](const Field& field, const auto&) { styles.try_emplace(std::string(field.name), FieldStyle{.isHidden = true}); });
     return styles;
 }
 
@@ -136,7 +137,8 @@ public:
     }
 
     /// A control made elsewhere, as a row like the others. @param show shows the scene's value in it
-    void addControl(const QString& path, const Field& field, const FieldStyle& style, QWidget* control, std::function<void(const Scene&)> show);
+    void addControl(const QString& path, const Field& field, const FieldStyle& style, QWidget* control,
+                    std::function<void(const Scene&)> show);
     /// A row of its own between the fields, where the controls are, or across the whole width.
     enum class Span { Controls, Whole };
     void addRow(QWidget* widget, Span span, std::function<bool(const Scene&)> isShown = {});
@@ -181,7 +183,7 @@ private:
 
     struct Row {
         QWidget* field;
-        std::function<void(const Scene&)> show;     ///< the scene's value
+        std::function<void(const Scene&)> show; ///< the scene's value
         std::function<bool(const Scene&)> isShown;
     };
     Document& m_document;

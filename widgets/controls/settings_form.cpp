@@ -28,10 +28,7 @@ SettingsForm::SettingsForm(QWidget* parent) : QWidget(parent), m_layout(new QFor
     m_layout->setRowWrapPolicy(QFormLayout::DontWrapRows);
 }
 
-SettingsForm::~SettingsForm()
-{
-    disconnectChildren(*this);
-}
+SettingsForm::~SettingsForm() { disconnectChildren(*this); }
 
 // A control may be what asked for this, by its signal: rows go when it has returned.
 void SettingsForm::clear()
@@ -255,7 +252,8 @@ void SettingsForm::addChoice(const Field& field, const FieldStyle& style, std::s
     addRow(field, style, control, [control, get](const std::any& settings) { control->setCurrentIndex(get(settings)); });
 }
 
-void SettingsForm::addGradient(const Field& field, const FieldStyle& style, const std::function<void(const std::vector<GradientStop>&)>& set,
+void SettingsForm::addGradient(const Field& field, const FieldStyle& style,
+                               const std::function<void(const std::vector<GradientStop>&)>& set,
                                const std::function<std::vector<GradientStop>(const std::any&)>& get)
 {
     auto* control = new GradientEditor(this);

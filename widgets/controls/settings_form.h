@@ -27,11 +27,13 @@ namespace mirrorball::studio {
 template <typename T>
 inline constexpr bool isListOfSettings = false;
 template <typename Item>
-inline constexpr bool isListOfSettings<std::vector<Item>> =
-    !std::is_same_v<Item, Stroke> && requires(const Item& item) { Item::visitFields(item, [](const Field&, const auto&) {}); };
+inline constexpr bool isListOfSettings<std::vector<Item>> = !std::is_same_v<Item, Stroke> && requires(const Item& item)
+{
+    Item::visitFields(item, [](const Field&, const auto&) {});
+};
 
-/// Controls for the fields of one settings struct, whichever it is at the moment: a layer's parameters, a brush. Built from its visitFields as
-/// OptionsForm is, but over a value that is handed in instead of the scene. Each control is named by its field.
+/// Controls for the fields of one settings struct, whichever it is at the moment: a layer's parameters, a brush. Built from its visitFields
+/// as OptionsForm is, but over a value that is handed in instead of the scene. Each control is named by its field.
 class SettingsForm : public QWidget {
     Q_OBJECT
 
@@ -141,8 +143,9 @@ private:
         } else if constexpr (isListOfSettings<T>) {
             addItems(field, style, set, get);
         } else if constexpr (std::is_enum_v<T>) {
-            addChoice(field, style, words(preset), [set](const int& index) { set(static_cast<T>(index)); },
-                      [get](const std::any& settings) { return static_cast<int>(get(settings)); });
+            addChoice(
+                field, style, words(preset), [set](const int& index) { set(static_cast<T>(index)); },
+                [get](const std::any& settings) { return static_cast<int>(get(settings)); });
         }
     }
 
@@ -160,13 +163,16 @@ private:
             if (!items->empty())
                 form->SettingsForm::show((*items)[static_cast<size_t>(chooser->chosen())]);
         };
-        form->build<Item>(Item{}, [chooser, items, set](const QString&, const QString&, const std::function<void(Item&)>& change) {
-            std::vector<Item> changed = *items;
-            if (chooser->chosen() < 0)
-                return;
-            change(changed[static_cast<size_t>(chooser->chosen())]);
-            set(changed);
-        }, m_styles);
+        form->build<Item>(
+            Item{},
+            [chooser, items, set](const QString&, const QString&, const std::function<void(Item&)>& change) {
+                std::vector<Item> changed = *items;
+                if (chooser->chosen() < 0)
+                    return;
+                change(changed[static_cast<size_t>(chooser->chosen())]);
+                set(changed);
+            },
+            m_styles);
         connect(form, &SettingsForm::finished, this, &SettingsForm::finished);
         connect(chooser, &ItemChooser::chosenChanged, form, show);
         connect(chooser, &ItemChooser::chosenChanged, this,
@@ -200,7 +206,8 @@ private:
     void addRow(const Field& field, const FieldStyle& style, QWidget* control, std::function<void(const std::any&)> show);
     void addNumber(const Field&, const FieldStyle&, double preset, const std::function<void(const double&)>& set,
                    const std::function<double(const std::any&)>& get);
-    void addWhole(const Field&, const FieldStyle&, const std::function<void(const int&)>& set, const std::function<int(const std::any&)>& get);
+    void addWhole(const Field&, const FieldStyle&, const std::function<void(const int&)>& set,
+                  const std::function<int(const std::any&)>& get);
     void addSwitch(const Field&, const FieldStyle&, const std::function<void(const bool&)>& set,
                    const std::function<bool(const std::any&)>& get);
     void addColor(const Field&, const FieldStyle&, const std::function<void(const glm::dvec3&)>& set,

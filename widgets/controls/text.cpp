@@ -4,10 +4,7 @@
 
 namespace mirrorball::studio {
 
-QString fieldText(std::string_view text)
-{
-    return QCoreApplication::translate("Fields", std::string(text).c_str());
-}
+QString fieldText(std::string_view text) { return QCoreApplication::translate("Fields", std::string(text).c_str()); }
 
 QString labelText(std::string_view text)
 {

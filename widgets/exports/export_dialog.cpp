@@ -37,11 +37,16 @@ enum Column { NameColumn, KindColumn, LayoutColumn, SizeColumn };
 QString kindText(ExportKind kind)
 {
     switch (kind) {
-    case ExportKind::Source: return ExportDialog::tr("Environment as it is");
-    case ExportKind::Specular: return ExportDialog::tr("Specular, the material's lobe");
-    case ExportKind::Diffuse: return ExportDialog::tr("Diffuse irradiance");
-    case ExportKind::Chain: return ExportDialog::tr("Roughness chain, ggx 0 to 1");
-    case ExportKind::Painted: return ExportDialog::tr("Sphere map, as it is painted");
+    case ExportKind::Source:
+        return ExportDialog::tr("Environment as it is");
+    case ExportKind::Specular:
+        return ExportDialog::tr("Specular, the material's lobe");
+    case ExportKind::Diffuse:
+        return ExportDialog::tr("Diffuse irradiance");
+    case ExportKind::Chain:
+        return ExportDialog::tr("Roughness chain, ggx 0 to 1");
+    case ExportKind::Painted:
+        return ExportDialog::tr("Sphere map, as it is painted");
     }
     return {};
 }
@@ -61,10 +66,7 @@ public:
     }
 };
 
-QString filesText(size_t count)
-{
-    return count == 1 ? ExportDialog::tr("1 file") : ExportDialog::tr("%1 files").arg(count);
-}
+QString filesText(size_t count) { return count == 1 ? ExportDialog::tr("1 file") : ExportDialog::tr("%1 files").arg(count); }
 
 QLabel* quietLabel()
 {
@@ -133,7 +135,8 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent)
     connect(m_cancel, &QPushButton::clicked, this, &ExportDialog::cancelExport);
     connect(m_close, &QPushButton::clicked, this, &ExportDialog::reject);
     connect(m_open, &QPushButton::clicked, this, [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder())); });
-    connect(&m_runner, &JobRunner::progressed, this, [this](double fraction) { m_progress->setValue(static_cast<int>(1000.0 * fraction)); });
+    connect(&m_runner, &JobRunner::progressed, this,
+            [this](double fraction) { m_progress->setValue(static_cast<int>(1000.0 * fraction)); });
     connect(&m_runner, &JobRunner::stopped, this, [this] {
         setExporting(false);
         say(tr("Cancelled. Maps that were finished are there, the others left nothing behind."));
@@ -175,10 +178,7 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent)
     showCommand();
 }
 
-ExportDialog::~ExportDialog()
-{
-    disconnectChildren(*this);
-}
+ExportDialog::~ExportDialog() { disconnectChildren(*this); }
 
 QWidget* ExportDialog::makeList()
 {
@@ -281,11 +281,13 @@ QWidget* ExportDialog::makeForm()
     add(tr("&Map"), m_kind, "export.kind", tr("What is written"));
     add(tr("&Parameterization"), m_parameterization, "export.parameterization", tr("How directions become texels"));
     add(tr("&Size"), m_size, "export.size", tr("Edge of a face, disc or octahedron, or height of a latlong; arrows double and halve"));
-    add(tr("&Border"), m_border, "export.border", tr("Texels between a disc and the edge of the picture; Blender shows a matcap's outline whole with 2 at 512"));
+    add(tr("&Border"), m_border, "export.border",
+        tr("Texels between a disc and the edge of the picture; Blender shows a matcap's outline whole with 2 at 512"));
     add(tr("&Format"), m_format, "export.format", tr("File format and what a texel is stored as"));
     add({}, m_faces, "export.faces", tr("Cube: px, nx, py, ny, pz and nz instead of one stack"));
     add({}, m_mips, "export.mips", tr("Mip levels: each the halving of the one before, across seams; a painted map's as it makes them"));
-    add({}, m_levelFiles, "export.level-files", tr("Numbered files instead of one that holds all levels; %d in the file's name stands for the number"));
+    add({}, m_levelFiles, "export.level-files",
+        tr("Numbered files instead of one that holds all levels; %d in the file's name stands for the number"));
     add(tr("&Levels"), m_levels, "export.levels", tr("How many levels of roughness; each is filtered from the probe itself"));
     add(tr("F&ile"), m_file, "export.file", tr("File name; %s in a cube's stands for the six faces, %d for the number of a level"));
     m_faces->setAccessibleName(tr("Six files"));
@@ -323,7 +325,9 @@ QWidget* ExportDialog::makeForm()
     connect(m_faces, &QCheckBox::clicked, this, [this](bool six) {
         change(tr("Export files"), [six](ExportTarget& t) { t = withCubeFiles(t, six ? CubeFiles::Six : CubeFiles::One); });
     });
-    connect(m_mips, &QCheckBox::clicked, this, [this](bool mips) { change(tr("Export levels"), [mips](ExportTarget& t) { t = withMips(t, mips ? Mips::All : Mips::None); }); });
+    connect(m_mips, &QCheckBox::clicked, this, [this](bool mips) {
+        change(tr("Export levels"), [mips](ExportTarget& t) { t = withMips(t, mips ? Mips::All : Mips::None); });
+    });
     connect(m_levelFiles, &QCheckBox::clicked, this, [this](bool each) {
         change(tr("Export files"), [each](ExportTarget& t) { t = withLevelFiles(t, each ? LevelFiles::Each : LevelFiles::One); });
     });
@@ -341,7 +345,8 @@ void ExportDialog::offerKinds()
 {
     const bool hasMap = !m_workspace.document.scene().material.sphereMap.isNone();
     m_addPainted->setEnabled(hasMap);
-    m_addPainted->setToolTip(hasMap ? tr("The material's sphere map, for programs that take matcaps") : tr("The material has no sphere map"));
+    m_addPainted->setToolTip(hasMap ? tr("The material's sphere map, for programs that take matcaps")
+                                    : tr("The material has no sphere map"));
     const int item = m_kind->findData(static_cast<int>(ExportKind::Painted));
     if (auto* model = qobject_cast<QStandardItemModel*>(m_kind->model()))
         model->item(item)->setEnabled(hasMap);
@@ -406,10 +411,7 @@ void ExportDialog::addCommandRow(QGridLayout& layout)
     connect(m_save, &QPushButton::clicked, this, &ExportDialog::saveRequested);
 }
 
-void ExportDialog::setFolder(const QString& folder)
-{
-    m_folder->setText(QDir::toNativeSeparators(folder));
-}
+void ExportDialog::setFolder(const QString& folder) { m_folder->setText(QDir::toNativeSeparators(folder)); }
 
 QString ExportDialog::folder() const
 {
@@ -417,10 +419,7 @@ QString ExportDialog::folder() const
     return text.isEmpty() ? text : QDir(text).absolutePath();
 }
 
-int ExportDialog::selectedRow() const
-{
-    return m_list->indexOfTopLevelItem(m_list->currentItem());
-}
+int ExportDialog::selectedRow() const { return m_list->indexOfTopLevelItem(m_list->currentItem()); }
 
 const ExportTarget* ExportDialog::selected() const
 {
@@ -459,7 +458,8 @@ void ExportDialog::duplicateTarget()
     ExportTarget copy = *target;
     copy.name = freeName(m_workspace.document.scene().exports, copy.name);
     if (!copy.file.empty()) // two maps in one file would be one too few
-        copy.file = copy.name + (hasFaceFiles(copy) ? "_%s" : "") + (hasLevelFiles(copy) ? "_%d" : "") + std::filesystem::path(copy.file).extension().string();
+        copy.file = copy.name + (hasFaceFiles(copy) ? "_%s" : "") + (hasLevelFiles(copy) ? "_%d" : "") +
+                    std::filesystem::path(copy.file).extension().string();
     m_workspace.document.edit(tr("Duplicate export"), {}, [&](Scene& scene) { scene.exports.push_back(copy); });
     selectRow(m_list->topLevelItemCount() - 1);
 }
@@ -481,8 +481,9 @@ void ExportDialog::listTargets()
         for (const ExportTarget& target : m_workspace.document.scene().exports) {
             const MapLayout layout = target.layout();
             const QString targetName = QString::fromStdString(target.name);
-            auto* item = new QTreeWidgetItem({targetName, kindText(target.kind),
-                                              QStringLiteral("%1 %2 × %3").arg(fieldText(name(layout.kind))).arg(layout.width()).arg(layout.height()), QString()});
+            auto* item = new QTreeWidgetItem(
+                {targetName, kindText(target.kind),
+                 QStringLiteral("%1 %2 × %3").arg(fieldText(name(layout.kind))).arg(layout.width()).arg(layout.height()), QString()});
             item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
             item->setCheckState(NameColumn, m_unchecked.contains(targetName) ? Qt::Unchecked : Qt::Checked);
             item->setSizeHint(KindColumn, {0, fontMetrics().height() + 10}); // the column that stretches
@@ -562,7 +563,8 @@ void ExportDialog::showEstimates(const std::vector<ExportEstimate>& estimates)
             continue;
         if (target && found->name == target->name)
             m_files->setText(tr("%1, %2: about %3; %4 of texels before compression")
-                                 .arg(filesText(found->files.size()), found->levels == 1 ? tr("one level") : tr("%1 levels").arg(found->levels),
+                                 .arg(filesText(found->files.size()),
+                                      found->levels == 1 ? tr("one level") : tr("%1 levels").arg(found->levels),
                                       toQString(byteText(found->fileBytes)), toQString(byteText(found->texelBytes))));
         if (item->checkState(NameColumn) == Qt::Checked) {
             bytes += found->fileBytes;
@@ -599,8 +601,7 @@ void ExportDialog::showCommand()
     const bool isAll = names.size() == document.scene().exports.size();
     const bool isSaved = !document.filePath().isEmpty() && !document.isModified();
     const QString scene = document.filePath().isEmpty() ? QStringLiteral("SCENE.mirrorball") : document.filePath();
-    m_command->setText(QString::fromStdString(
-        exportCommand(toPath(scene), toPath(folder()), isAll ? std::vector<std::string>{} : names)));
+    m_command->setText(QString::fromStdString(exportCommand(toPath(scene), toPath(folder()), isAll ? std::vector<std::string>{} : names)));
     m_command->setCursorPosition(0);
     m_command->setEnabled(isSaved);
     m_copy->setEnabled(isSaved && !names.empty());
@@ -627,30 +628,26 @@ void ExportDialog::startExport()
     setExporting(true);
     say(tr("Exporting ..."));
     const bool isAll = names.size() == m_workspace.document.scene().exports.size();
-    m_runner.start(
-        [scene = m_workspace.document.scene(), folder = toPath(folder()), names = isAll ? std::vector<std::string>{} : names](const JobControl& job) {
-            return exportScene(scene, folder, {.only = names}, job);
-        },
-        [this](const ExportOutcome& outcome) {
-            setExporting(false);
-            QStringList files;
-            std::uintmax_t bytes = 0;
-            for (const std::filesystem::path& file : outcome.files) {
-                files << fromPath(file);
-                std::error_code error;
-                const std::uintmax_t size = std::filesystem::file_size(file, error);
-                bytes += error ? 0 : size;
-            }
-            say(tr("Wrote %1, %2.").arg(filesText(static_cast<size_t>(files.size())), toQString(byteText(static_cast<std::int64_t>(bytes)))));
-            m_open->show();
-            emit exported(files);
-        });
+    m_runner.start([scene = m_workspace.document.scene(), folder = toPath(folder()), names = isAll ? std::vector<std::string>{} : names](
+                       const JobControl& job) { return exportScene(scene, folder, {.only = names}, job); },
+                   [this](const ExportOutcome& outcome) {
+                       setExporting(false);
+                       QStringList files;
+                       std::uintmax_t bytes = 0;
+                       for (const std::filesystem::path& file : outcome.files) {
+                           files << fromPath(file);
+                           std::error_code error;
+                           const std::uintmax_t size = std::filesystem::file_size(file, error);
+                           bytes += error ? 0 : size;
+                       }
+                       say(tr("Wrote %1, %2.")
+                               .arg(filesText(static_cast<size_t>(files.size())), toQString(byteText(static_cast<std::int64_t>(bytes)))));
+                       m_open->show();
+                       emit exported(files);
+                   });
 }
 
-void ExportDialog::cancelExport()
-{
-    m_runner.stop();
-}
+void ExportDialog::cancelExport() { m_runner.stop(); }
 
 void ExportDialog::reject()
 {

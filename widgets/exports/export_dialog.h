@@ -25,8 +25,8 @@
 
 namespace mirrorball::studio {
 
-/// Which maps of the scene are written, as what, and where to; what that will take; and the command line that does the same. The list is the
-/// scene's: every change here is an undo step of the document.
+/// Which maps of the scene are written, as what, and where to; what that will take; and the command line that does the same. The list is
+/// the scene's: every change here is an undo step of the document.
 class ExportDialog : public QDialog {
     Q_OBJECT
 

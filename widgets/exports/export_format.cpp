@@ -1,8 +1,8 @@
 #include "export_format.h"
 
 #include "core/image/image_io.h"
-#include "core/spheremap/evaluation/evaluate.h"
 #include "core/spheremap/document/presets.h"
+#include "core/spheremap/evaluation/evaluate.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -20,15 +20,9 @@ QString extensionOf(const ExportTarget& target)
 }
 
 /// An empty file name says the same as the default one, in fewer words.
-void setFile(ExportTarget& target, const std::string& file)
-{
-    target.file = file == target.name + ".exr" ? std::string() : file;
-}
+void setFile(ExportTarget& target, const std::string& file) { target.file = file == target.name + ".exr" ? std::string() : file; }
 
-bool hasMark(const ExportTarget& target, std::string_view mark)
-{
-    return target.fileName().find(mark) != std::string::npos;
-}
+bool hasMark(const ExportTarget& target, std::string_view mark) { return target.fileName().find(mark) != std::string::npos; }
 
 void setStem(ExportTarget& target, const std::string& stem)
 {
@@ -61,10 +55,12 @@ ExportTarget withoutMark(ExportTarget target, const std::string& mark)
 const std::vector<ExportFormat>& exportFormats()
 {
     const auto text = [](const char* source) { return QCoreApplication::translate("ExportFormat", source); };
-    static const std::vector<ExportFormat> formats{
-        {text("OpenEXR, 32-bit float"), QStringLiteral(".exr"), false, true}, {text("OpenEXR, 16-bit half"), QStringLiteral(".exr"), true, true},
-        {text("Radiance HDR"), QStringLiteral(".hdr"), false, false},         {text("TIFF, 32-bit float"), QStringLiteral(".tif"), false, true},
-        {text("TIFF, 16-bit half"), QStringLiteral(".tif"), true, true},      {text("PNG, tone-mapped 8 bit"), QStringLiteral(".png"), false, false}};
+    static const std::vector<ExportFormat> formats{{text("OpenEXR, 32-bit float"), QStringLiteral(".exr"), false, true},
+                                                   {text("OpenEXR, 16-bit half"), QStringLiteral(".exr"), true, true},
+                                                   {text("Radiance HDR"), QStringLiteral(".hdr"), false, false},
+                                                   {text("TIFF, 32-bit float"), QStringLiteral(".tif"), false, true},
+                                                   {text("TIFF, 16-bit half"), QStringLiteral(".tif"), true, true},
+                                                   {text("PNG, tone-mapped 8 bit"), QStringLiteral(".png"), false, false}};
     return formats;
 }
 
@@ -92,20 +88,14 @@ QString formatText(const ExportFormat& format, ExportKind kind)
     return isShown ? QCoreApplication::translate("ExportFormat", "PNG, 8 bit") : format.text;
 }
 
-bool hasFaceFiles(const ExportTarget& target)
-{
-    return hasMark(target, "%s");
-}
+bool hasFaceFiles(const ExportTarget& target) { return hasMark(target, "%s"); }
 
 ExportTarget withCubeFiles(ExportTarget target, CubeFiles files)
 {
     return files == CubeFiles::Six ? withMark(target, "%s") : withoutMark(target, "%s");
 }
 
-bool hasLevelFiles(const ExportTarget& target)
-{
-    return hasMark(target, "%d");
-}
+bool hasLevelFiles(const ExportTarget& target) { return hasMark(target, "%d"); }
 
 ExportTarget withLevelFiles(ExportTarget target, LevelFiles files)
 {

@@ -41,8 +41,8 @@ enum class Mips { None, All };
 ExportTarget withMips(ExportTarget target, Mips mips);
 /// The target as a map of another kind: what means nothing for that kind is taken off.
 ExportTarget withKind(ExportTarget target, ExportKind kind);
-/// What a new export of a scene begins with: the map that the picture reads, or a matcap as other programs take it - a picture, or where its
-/// levels are painted by hand, all of them in one file.
+/// What a new export of a scene begins with: the map that the picture reads, or a matcap as other programs take it - a picture, or where
+/// its levels are painted by hand, all of them in one file.
 ExportTarget newTarget(const Scene& scene, ExportKind kind);
 /// A name that no target has: "specular", "specular-2", ...
 std::string freeName(const std::vector<ExportTarget>& targets, const std::string& wanted);

@@ -83,7 +83,8 @@ void PaintedExport::write(const QString& path, PaintedLevels levels)
             const SphereMapSettings& map = scene.material.sphereMap;
             const SphereMapDocument document =
                 sphereMapDocument(scene, {.field = "material.sphere_map.source", .source = map.source, .document = map.document});
-            writePictures(file, paintedPictures(document, {.size = map.size, .levels = levels}, job), paintedFileOptions(document, SampleType::Float));
+            writePictures(file, paintedPictures(document, {.size = map.size, .levels = levels}, job),
+                          paintedFileOptions(document, SampleType::Float));
             return file;
         },
         [this](const std::filesystem::path& file) {

@@ -33,10 +33,7 @@ QString layoutText(const MapLayout& layout)
     return QStringLiteral("%1 %2 × %3").arg(fieldText(name(layout.kind))).arg(layout.width()).arg(layout.height());
 }
 
-QString figure(double value)
-{
-    return shortNumberText(value);
-}
+QString figure(double value) { return shortNumberText(value); }
 
 } // namespace
 
@@ -121,8 +118,10 @@ QWidget* MapPanel::makeStageRow()
     m_stage->setObjectName(QStringLiteral("map.stage"));
     m_stage->setAccessibleName(tr("Stage"));
     m_stage->setToolTip(tr("Which map of the scene is shown"));
-    for (const auto& [stage, text] : {std::pair{Stage::Probe, tr("Probe")}, {Stage::Specular, tr("Specular: reflection, filtered")},
-                                      {Stage::Diffuse, tr("Diffuse: irradiance")}, {Stage::Background, tr("Background")},
+    for (const auto& [stage, text] : {std::pair{Stage::Probe, tr("Probe")},
+                                      {Stage::Specular, tr("Specular: reflection, filtered")},
+                                      {Stage::Diffuse, tr("Diffuse: irradiance")},
+                                      {Stage::Background, tr("Background")},
                                       {Stage::Error, tr("Error of a method")}})
         m_stage->addItem(text, static_cast<int>(stage));
     m_stage->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -237,7 +236,8 @@ QWidget* MapPanel::makeViewRow()
         list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         list->setMinimumContentsLength(7);
     }
-    m_exposure = new NumberField({.low = -64, .high = 64, .sliderLow = -10, .sliderHigh = 10, .initial = 0.0, .step = 0.25, .unit = tr("EV")});
+    m_exposure =
+        new NumberField({.low = -64, .high = 64, .sliderLow = -10, .sliderHigh = 10, .initial = 0.0, .step = 0.25, .unit = tr("EV")});
     m_exposure->setObjectName(QStringLiteral("map.exposure"));
     m_exposure->describe(tr("Map exposure"), tr("Brightness of the map here; in false colours it moves the scale"));
     layout->addLayout(first);
@@ -258,15 +258,9 @@ QWidget* MapPanel::makeViewRow()
     return box;
 }
 
-void MapPanel::showStage(Stage stage)
-{
-    m_stage->setCurrentIndex(m_stage->findData(static_cast<int>(stage)));
-}
+void MapPanel::showStage(Stage stage) { m_stage->setCurrentIndex(m_stage->findData(static_cast<int>(stage))); }
 
-MapPanel::Stage MapPanel::stage() const
-{
-    return static_cast<Stage>(m_stage->currentData().toInt());
-}
+MapPanel::Stage MapPanel::stage() const { return static_cast<Stage>(m_stage->currentData().toInt()); }
 
 /// What the plan says of a map that it leaves out.
 QString MapPanel::whyLeftOut(const char* stageName) const
@@ -302,9 +296,12 @@ MapPanel::Shown MapPanel::shown() const
     case Stage::Probe:
         return one(made->environment, made->plan.needsProbe() ? tr("The probe is too large to hold: it was filtered while it was read.")
                                                               : tr("Nothing in the scene needs the probe, so it was not read."));
-    case Stage::Specular: return all(made->maps.specular, whyLeftOut("specular map"));
-    case Stage::Diffuse: return all(made->maps.diffuse, whyLeftOut("irradiance map"));
-    default: return all(made->maps.background, whyLeftOut("background"));
+    case Stage::Specular:
+        return all(made->maps.specular, whyLeftOut("specular map"));
+    case Stage::Diffuse:
+        return all(made->maps.diffuse, whyLeftOut("irradiance map"));
+    default:
+        return all(made->maps.background, whyLeftOut("background"));
     }
 }
 
@@ -457,16 +454,15 @@ void MapPanel::showReadout()
     const glm::vec3 value = m_view->valueAt(*d);
     const MapLayout& layout = m_view->window().layout;
     const glm::dvec2 p = coordinate(layout, *d);
-    m_readout->setText(
-        tr("R %1  G %2  B %3   L %4\ntexel %5, %6   direction %7  %8  %9   lon %10  lat %11")
-            .arg(figure(value.r), figure(value.g), figure(value.b), figure(luminance(glm::dvec3(value))))
-            .arg(std::clamp(static_cast<int>(p.x), 0, layout.width() - 1))
-            .arg(std::clamp(static_cast<int>(p.y), 0, layout.height() - 1))
-            .arg(d->x, 0, 'f', 3)
-            .arg(d->y, 0, 'f', 3)
-            .arg(d->z, 0, 'f', 3)
-            .arg(QString::number(std::atan2(d->x, d->z) * degrees, 'f', 1) + QChar(0x00b0),
-                 QString::number(std::asin(std::clamp(d->y, -1.0, 1.0)) * degrees, 'f', 1) + QChar(0x00b0)));
+    m_readout->setText(tr("R %1  G %2  B %3   L %4\ntexel %5, %6   direction %7  %8  %9   lon %10  lat %11")
+                           .arg(figure(value.r), figure(value.g), figure(value.b), figure(luminance(glm::dvec3(value))))
+                           .arg(std::clamp(static_cast<int>(p.x), 0, layout.width() - 1))
+                           .arg(std::clamp(static_cast<int>(p.y), 0, layout.height() - 1))
+                           .arg(d->x, 0, 'f', 3)
+                           .arg(d->y, 0, 'f', 3)
+                           .arg(d->z, 0, 'f', 3)
+                           .arg(QString::number(std::atan2(d->x, d->z) * degrees, 'f', 1) + QChar(0x00b0),
+                                QString::number(std::asin(std::clamp(d->y, -1.0, 1.0)) * degrees, 'f', 1) + QChar(0x00b0)));
 }
 
 void MapPanel::showFacts()
@@ -487,9 +483,6 @@ void MapPanel::showFacts()
     m_facts->setText(text);
 }
 
-void MapPanel::resizeEvent(QResizeEvent*)
-{
-    m_views->setOrientation(width() > 900 ? Qt::Horizontal : Qt::Vertical);
-}
+void MapPanel::resizeEvent(QResizeEvent*) { m_views->setOrientation(width() > 900 ? Qt::Horizontal : Qt::Vertical); }
 
 } // namespace mirrorball::studio

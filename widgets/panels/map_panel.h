@@ -1,7 +1,7 @@
 #pragma once
 
-#include "widgets/controls/color_scale_bar.h"
 #include "map_view.h"
+#include "widgets/controls/color_scale_bar.h"
 #include "widgets/controls/number_field.h"
 #include "widgets/workspace/workspace.h"
 
@@ -82,8 +82,8 @@ private:
     MapView *m_view, *m_otherView, *m_differenceView;
     ColorScaleBar *m_scale, *m_differenceScale, *m_tintScale;
     QLabel *m_readout, *m_facts;
-    std::shared_ptr<const EnvironmentMap> m_map;      ///< in m_view
-    std::shared_ptr<const EnvironmentMap> m_rangeOf;  ///< that m_range was measured on
+    std::shared_ptr<const EnvironmentMap> m_map;     ///< in m_view
+    std::shared_ptr<const EnvironmentMap> m_rangeOf; ///< that m_range was measured on
     LuminanceRange m_range{};
     double m_differenceRange = 1.0;
     QString m_comparisonFacts;

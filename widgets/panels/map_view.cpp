@@ -20,12 +20,8 @@ namespace {
 constexpr double largestZoom = 64.0; ///< pixels a texel
 constexpr double margin = 8.0;
 
-const std::array<std::pair<const char*, glm::dvec3>, 6> axes{{{"+X", {1, 0, 0}},
-                                                              {"-X", {-1, 0, 0}},
-                                                              {"+Y", {0, 1, 0}},
-                                                              {"-Y", {0, -1, 0}},
-                                                              {"+Z", {0, 0, 1}},
-                                                              {"-Z", {0, 0, -1}}}};
+const std::array<std::pair<const char*, glm::dvec3>, 6> axes{
+    {{"+X", {1, 0, 0}}, {"-X", {-1, 0, 0}}, {"+Y", {0, 1, 0}}, {"-Y", {0, -1, 0}}, {"+Z", {0, 0, 1}}, {"-Z", {0, 0, -1}}}};
 
 } // namespace
 
@@ -157,15 +153,9 @@ void MapView::fitNow()
     emit zoomChanged();
 }
 
-void MapView::actualSize()
-{
-    zoomBy(1.0 / m_window.scale);
-}
+void MapView::actualSize() { zoomBy(1.0 / m_window.scale); }
 
-void MapView::zoomBy(double factor)
-{
-    zoomAt(QRectF(rect()).center(), factor);
-}
+void MapView::zoomBy(double factor) { zoomAt(QRectF(rect()).center(), factor); }
 
 void MapView::zoomAt(const QPointF& position, double factor)
 {
@@ -261,7 +251,8 @@ void MapView::paintEvent(QPaintEvent*)
         const bool isSameLayout = m_pictureWindow.layout == m_window.layout;
         const double scale = isSameLayout ? m_window.scale / m_pictureWindow.scale : 1.0;
         const glm::dvec2 corner = isSameLayout ? picturePosition(m_window, m_pictureWindow.origin) : glm::dvec2(0.0);
-        const QRectF target(corner.x / ratio(), corner.y / ratio(), m_picture.width() * scale / ratio(), m_picture.height() * scale / ratio());
+        const QRectF target(corner.x / ratio(), corner.y / ratio(), m_picture.width() * scale / ratio(),
+                            m_picture.height() * scale / ratio());
         painter.setRenderHint(QPainter::SmoothPixmapTransform, scale != 1.0);
         painter.drawImage(target, m_picture);
         if (!m_overlay.isNull())
@@ -356,42 +347,39 @@ void MapView::mouseReleaseEvent(QMouseEvent* event)
     directionAt(event->position()) ? setCursor(Qt::CrossCursor) : unsetCursor();
 }
 
-void MapView::mouseDoubleClickEvent(QMouseEvent*)
-{
-    fit();
-}
+void MapView::mouseDoubleClickEvent(QMouseEvent*) { fit(); }
 
 void MapView::keyPressEvent(QKeyEvent* event)
 {
     const bool points = event->modifiers().testFlag(Qt::ShiftModifier);
     const auto arrow = [&](int right, int down) { points ? moveCursor(right, down) : pan(QPointF(-40.0 * right, -40.0 * down)); };
     switch (event->key()) {
-    case Qt::Key_Left: return arrow(-1, 0);
-    case Qt::Key_Right: return arrow(1, 0);
-    case Qt::Key_Up: return arrow(0, -1);
-    case Qt::Key_Down: return arrow(0, 1);
+    case Qt::Key_Left:
+        return arrow(-1, 0);
+    case Qt::Key_Right:
+        return arrow(1, 0);
+    case Qt::Key_Up:
+        return arrow(0, -1);
+    case Qt::Key_Down:
+        return arrow(0, 1);
     case Qt::Key_Plus:
-    case Qt::Key_Equal: return zoomBy(1.25);
-    case Qt::Key_Minus: return zoomBy(0.8);
-    case Qt::Key_0: return fit();
-    case Qt::Key_1: return actualSize();
-    default: QWidget::keyPressEvent(event);
+    case Qt::Key_Equal:
+        return zoomBy(1.25);
+    case Qt::Key_Minus:
+        return zoomBy(0.8);
+    case Qt::Key_0:
+        return fit();
+    case Qt::Key_1:
+        return actualSize();
+    default:
+        QWidget::keyPressEvent(event);
     }
 }
 
-void MapView::leaveEvent(QEvent*)
-{
-    m_cursor.set(std::nullopt);
-}
+void MapView::leaveEvent(QEvent*) { m_cursor.set(std::nullopt); }
 
-void MapView::focusInEvent(QFocusEvent*)
-{
-    update();
-}
+void MapView::focusInEvent(QFocusEvent*) { update(); }
 
-void MapView::focusOutEvent(QFocusEvent*)
-{
-    update();
-}
+void MapView::focusOutEvent(QFocusEvent*) { update(); }
 
 } // namespace mirrorball::studio

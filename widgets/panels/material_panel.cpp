@@ -43,16 +43,10 @@ bool isCustomMetal(const Scene& scene)
 }
 
 /// Whether the reflection is read from levels of its map.
-bool readsLevels(const Scene& scene)
-{
-    return scene.map.mips || scene.material.lambda > 0.0;
-}
+bool readsLevels(const Scene& scene) { return scene.map.mips || scene.material.lambda > 0.0; }
 
 /// A weight of 0 to 2 on the slider; more can be typed.
-FieldStyle weightStyle()
-{
-    return {.sliderLow = 0.0, .sliderHigh = 2.0};
-}
+FieldStyle weightStyle() { return {.sliderLow = 0.0, .sliderHigh = 2.0}; }
 
 struct IndexPreset {
     const char* name;
@@ -157,16 +151,19 @@ void MaterialPanel::saveMaterialAs(const QString& path)
 void MaterialPanel::addReflection()
 {
     m_form->addHeading(tr("Reflection"));
-    m_form->addFields("material.specular", specularOf,
-                      {{"exponent",
-                        {.sliderLow = 0.1, .sliderHigh = 1e6, .scale = Scale::Logarithmic, .isShown = lobeIs(SurfaceLobe::Phong)}},
-                       {"roughness", {.digits = 3, .isShown = lobeIs(SurfaceLobe::Ggx)}},
-                       {"weight", weightStyle()}});
+    m_form->addFields(
+        "material.specular", specularOf,
+        {{"exponent", {.sliderLow = 0.1, .sliderHigh = 1e6, .scale = Scale::Logarithmic, .isShown = lobeIs(SurfaceLobe::Phong)}},
+         {"roughness", {.digits = 3, .isShown = lobeIs(SurfaceLobe::Ggx)}},
+         {"weight", weightStyle()}});
     m_form->addFields("material", materialOf,
                       {{"combine", {.isHidden = true}},
                        {"lambda", {.label = tr("Lambda"), .sliderLow = 0.0, .sliderHigh = 10.0, .step = 0.1}},
                        {"lambda_grazing",
-                        {.label = tr("At grazing"), .sliderLow = 0.0, .sliderHigh = 1.0, .isShown = [](const Scene& scene) { return scene.material.lambda > 0.0; }}},
+                        {.label = tr("At grazing"),
+                         .sliderLow = 0.0,
+                         .sliderHigh = 1.0,
+                         .isShown = [](const Scene& scene) { return scene.material.lambda > 0.0; }}},
                        {"lod_bias", {.label = tr("LOD bias"), .sliderLow = -4.0, .sliderHigh = 8.0, .step = 0.1}}});
 }
 
@@ -174,25 +171,25 @@ void MaterialPanel::addReflection()
 void MaterialPanel::addLookup()
 {
     m_form->addHeading(tr("Lookup in the map"));
-    m_form->addFields("map", mapOf,
-                      onlyFields<MapSettings>({{"mips", {.label = tr("Coarser levels")}},
-                                               {"mip_filtering",
-                                                {.label = tr("Mip filtering"),
-                                                 .isShown = [](const Scene& scene) {
-                                                     return readsLevels(scene) && scene.map.parameterization == Parameterization::Cube;
-                                                 }}},
-                                               {"anisotropy", {.isShown = readsLevels}},
-                                               {"space", {.label = tr("Space")}}}));
+    m_form->addFields(
+        "map", mapOf,
+        onlyFields<MapSettings>(
+            {{"mips", {.label = tr("Coarser levels")}},
+             {"mip_filtering",
+              {.label = tr("Mip filtering"),
+               .isShown = [](const Scene& scene) { return readsLevels(scene) && scene.map.parameterization == Parameterization::Cube; }}},
+             {"anisotropy", {.isShown = readsLevels}},
+             {"space", {.label = tr("Space")}}}));
 }
 
 void MaterialPanel::addFresnel()
 {
     m_form->addHeading(tr("Fresnel"));
-    m_form->addFields("material.fresnel", fresnelOf,
-                      {{"index",
-                        {.sliderLow = 1.0, .sliderHigh = 200.0, .scale = Scale::Logarithmic, .isShown = fresnelIs(FresnelKind::Dielectric)}},
-                       {"n", {.isHidden = true}},
-                       {"k", {.isHidden = true}}});
+    m_form->addFields(
+        "material.fresnel", fresnelOf,
+        {{"index", {.sliderLow = 1.0, .sliderHigh = 200.0, .scale = Scale::Logarithmic, .isShown = fresnelIs(FresnelKind::Dielectric)}},
+         {"n", {.isHidden = true}},
+         {"k", {.isHidden = true}}});
 
     auto* presets = new QWidget;
     auto* row = new QHBoxLayout(presets);
@@ -226,10 +223,10 @@ void MaterialPanel::addFresnel()
             fresnel.metal = chosen;
         });
     });
-    m_form->addControl(QStringLiteral("material.fresnel.metal"), {.name = "metal", .help = "conductor: name of a metal, or custom for n and k below"},
-                       {.isShown = fresnelIs(FresnelKind::Conductor)}, metals, [metals](const Scene& scene) {
-                           metals->setCurrentIndex(metals->findData(toQString(scene.material.fresnel.metal)));
-                       });
+    m_form->addControl(
+        QStringLiteral("material.fresnel.metal"), {.name = "metal", .help = "conductor: name of a metal, or custom for n and k below"},
+        {.isShown = fresnelIs(FresnelKind::Conductor)}, metals,
+        [metals](const Scene& scene) { metals->setCurrentIndex(metals->findData(toQString(scene.material.fresnel.metal))); });
     const FieldStyle component{.step = 0.05, .isShown = isCustomMetal};
     m_form->addFields("material.fresnel", fresnelOf,
                       {{"kind", {.isHidden = true}}, {"index", {.isHidden = true}}, {"n", component}, {"k", component}});
@@ -242,7 +239,10 @@ void MaterialPanel::addDiffuse()
     m_form->addHeading(tr("Diffuse"));
     m_form->addFields("material.diffuse", diffuseOf, {{"weight", weightStyle()}});
     m_form->addFields("material", materialOf,
-                      {{"combine", {.label = tr("Combine")}}, {"lambda", {.isHidden = true}}, {"lambda_grazing", {.isHidden = true}}, {"lod_bias", {.isHidden = true}}});
+                      {{"combine", {.label = tr("Combine")}},
+                       {"lambda", {.isHidden = true}},
+                       {"lambda_grazing", {.isHidden = true}},
+                       {"lod_bias", {.isHidden = true}}});
 }
 
 void MaterialPanel::showPreset()

@@ -21,22 +21,17 @@ namespace {
 constexpr double leastError = 1e-12; ///< an error of 0 has no place on a logarithmic axis
 constexpr double reach = 12.0;       ///< pixels around a point that take a click
 
-bool isDrawn(const RacePoint& point)
-{
-    return point.state == MeasurementState::Measured && point.setting.method != Method::Reference;
-}
+bool isDrawn(const RacePoint& point) { return point.state == MeasurementState::Measured && point.setting.method != Method::Reference; }
 
-QPointF valueOf(const RacePoint& point)
-{
-    return {std::max(point.seconds, 1e-7), std::max(point.error.relRms, leastError)};
-}
+QPointF valueOf(const RacePoint& point) { return {std::max(point.seconds, 1e-7), std::max(point.error.relRms, leastError)}; }
 
 } // namespace
 
 /// Nine hues that stay apart on dark grey, also for eyes that confuse red and green (after Okabe and Ito 2008).
 QColor methodColor(Method method)
 {
-    constexpr std::array<QRgb, 9> colors{0xfff0e442, 0xffaaaaaa, 0xff56b4e9, 0xff009e73, 0xffcc79a7, 0xffe69f00, 0xffd55e00, 0xff7a8cff, 0xffb6e3a1};
+    constexpr std::array<QRgb, 9> colors{0xfff0e442, 0xffaaaaaa, 0xff56b4e9, 0xff009e73, 0xffcc79a7,
+                                         0xffe69f00, 0xffd55e00, 0xff7a8cff, 0xffb6e3a1};
     return QColor::fromRgb(colors[static_cast<size_t>(method) % colors.size()]);
 }
 
@@ -45,7 +40,8 @@ MethodChart::MethodChart(QWidget* parent)
       m_ring(new QScatterSeries(this))
 {
     setAccessibleName(tr("Error against run time"));
-    setToolTip(tr("A point is a method with one setting: further left is faster, further down more accurate. Click one to pick it; the table below does the same."));
+    setToolTip(tr("A point is a method with one setting: further left is faster, further down more accurate. Click one to pick it; the "
+                  "table below does the same."));
     setRenderHint(QPainter::Antialiasing);
     setMouseTracking(true);
     viewport()->setMouseTracking(true);

@@ -20,7 +20,8 @@ bool belongs(const Stage& measured, const Stage& planned, const std::vector<Stag
     const std::string verb = measured.name.substr(0, of);
     if (of == std::string::npos || verb == "mip levels")
         return (measured.name == "repair" || measured.name == "prepare probe" || measured.name.find("probe") != std::string::npos) &&
-               planned.name.find("probe") != std::string::npos && std::none_of(plan.begin(), plan.end(), [&](const Stage& s) { return s.name == measured.name; });
+               planned.name.find("probe") != std::string::npos &&
+               std::none_of(plan.begin(), plan.end(), [&](const Stage& s) { return s.name == measured.name; });
     if (verb == "spectrum")
         return planned.name == "spectrum";
     return planned.name == "filter " + measured.name.substr(of + 4);
@@ -116,7 +117,10 @@ void PlanView::refresh()
             item = new QTreeWidgetItem(m_stages);
             item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
         }
-        const QString time = row.isLeftOut ? tr("left out") : row.isKept ? tr("kept") : row.seconds >= 0.0 ? timeText(row.seconds) : QString();
+        const QString time = row.isLeftOut        ? tr("left out")
+                             : row.isKept         ? tr("kept")
+                             : row.seconds >= 0.0 ? timeText(row.seconds)
+                                                  : QString();
         item->setText(0, row.name);
         item->setText(1, time);
         item->setText(2, row.why);

@@ -14,8 +14,8 @@ struct PlanRow {
     QString name;
     QString why;
     bool isLeftOut = false;
-    bool isKept = false;     ///< made by an earlier update
-    double seconds = -1.0;   ///< of this update; negative: not measured
+    bool isKept = false;   ///< made by an earlier update
+    double seconds = -1.0; ///< of this update; negative: not measured
 };
 
 /// The stages of a scene's plan with the times of its last update beside them.

@@ -17,10 +17,7 @@ namespace {
 constexpr int pad = 6;
 constexpr int largestBall = PresetLibrary::pictureEdge, smallestBall = 84;
 
-int ballIn(int cell)
-{
-    return std::min(largestBall, cell - 2 * pad);
-}
+int ballIn(int cell) { return std::min(largestBall, cell - 2 * pad); }
 
 /// A preset as a card: its ball and its name.
 class PresetDelegate : public QStyledItemDelegate {
@@ -131,9 +128,9 @@ void PresetGallery::point(const QString& name)
 
 void PresetGallery::explain(const QModelIndex& index)
 {
-    m_description->setText(index.isValid()              ? index.data(Qt::ToolTipRole).toString()
+    m_description->setText(index.isValid()            ? index.data(Qt::ToolTipRole).toString()
                            : m_filter.rowCount() == 0 ? tr("No preset has these letters in its name or description.")
-                                                        : QString());
+                                                      : QString());
 }
 
 void PresetGallery::choose(const QModelIndex& index)

@@ -10,8 +10,8 @@
 
 namespace mirrorball::studio {
 
-/// The built-in sphere maps to choose from: balls with their names. Letters narrow the choice, arrows move in it, a click or Enter chooses; the
-/// sentence below says what the one at hand is.
+/// The built-in sphere maps to choose from: balls with their names. Letters narrow the choice, arrows move in it, a click or Enter chooses;
+/// the sentence below says what the one at hand is.
 class PresetGallery : public QWidget {
     Q_OBJECT
 

@@ -109,7 +109,8 @@ QString table(const std::vector<std::pair<QString, QString>>& rows)
 {
     QString html = QStringLiteral("<table cellspacing='0' cellpadding='1'>");
     for (const auto& [label, value] : rows)
-        html += QStringLiteral("<tr><td style='color:#9a9a9a; padding-right:10px'>%1</td><td>%2</td></tr>").arg(label.toHtmlEscaped(), value.toHtmlEscaped());
+        html += QStringLiteral("<tr><td style='color:#9a9a9a; padding-right:10px'>%1</td><td>%2</td></tr>")
+                    .arg(label.toHtmlEscaped(), value.toHtmlEscaped());
     return html + QStringLiteral("</table>");
 }
 
@@ -136,8 +137,8 @@ bool ProbeFilter::filterAcceptsRow(int row, const QModelIndex& parent) const
 
 ProbesPanel::ProbesPanel(Workspace& workspace, QWidget* parent)
     : QWidget(parent), m_workspace(workspace), m_watcher(workspace), m_survey(this), m_group(new QComboBox), m_find(new QLineEdit),
-      m_list(new QListView), m_empty(new QLabel), m_name(new QLabel), m_facts(new QLabel), m_guessText(new QLabel),
-      m_guesses(new QWidget), m_readAs(new QComboBox), m_progress(new QProgressBar)
+      m_list(new QListView), m_empty(new QLabel), m_name(new QLabel), m_facts(new QLabel), m_guessText(new QLabel), m_guesses(new QWidget),
+      m_readAs(new QComboBox), m_progress(new QProgressBar)
 {
     m_filter.setSourceModel(&workspace.library);
     m_list->setObjectName(QStringLiteral("probes.list"));
@@ -236,12 +237,15 @@ QWidget* ProbesPanel::makeGroupRow()
         }
     });
     menu->addAction(tr("Files..."), this, [this] {
-        const QStringList files = QFileDialog::getOpenFileNames(this, tr("Add probes"), {}, tr("Images (*.exr *.hdr *.pic *.rgbe *.tif *.tiff *.tx *.png *.jpg *.jpeg);;All files (*)"));
+        const QStringList files = QFileDialog::getOpenFileNames(
+            this, tr("Add probes"), {}, tr("Images (*.exr *.hdr *.pic *.rgbe *.tif *.tiff *.tx *.png *.jpg *.jpeg);;All files (*)"));
         for (const QString& file : files)
             m_workspace.library.addFile(file);
     });
-    QAction* remove = menu->addAction(tr("Remove this folder from the list"), this, [this] { m_workspace.library.removeFolder(m_group->currentData().toString()); });
-    connect(menu, &QMenu::aboutToShow, this, [this, remove] { remove->setEnabled(m_workspace.library.folders().contains(m_group->currentData().toString())); });
+    QAction* remove = menu->addAction(tr("Remove this folder from the list"), this,
+                                      [this] { m_workspace.library.removeFolder(m_group->currentData().toString()); });
+    connect(menu, &QMenu::aboutToShow, this,
+            [this, remove] { remove->setEnabled(m_workspace.library.folders().contains(m_group->currentData().toString())); });
     add->setMenu(menu);
     layout->addWidget(m_group, 1);
     layout->addWidget(m_find, 1);
@@ -419,7 +423,8 @@ void ProbesPanel::showSurvey(const ProbeSurvey& survey, const std::vector<std::p
     if (s.beyondHalf > 0)
         rows.push_back({tr("half float"), s.beyondHalf == 1 ? tr("1 value beyond 65504") : tr("%1 values beyond 65504").arg(s.beyondHalf)});
     m_facts->setText(table(rows));
-    m_guessText->setText(m_isCertain ? QString() : tr("The shape fits several kinds. The right one has a level horizon and straight verticals:"));
+    m_guessText->setText(m_isCertain ? QString()
+                                     : tr("The shape fits several kinds. The right one has a level horizon and straight verticals:"));
     m_guessText->setVisible(!m_isCertain);
     qDeleteAll(m_guesses->findChildren<QToolButton*>());
     for (const auto& [kind, picture] : pictures) {
@@ -452,10 +457,7 @@ void ProbesPanel::showProblem(const QString& message)
     readScene();
 }
 
-QList<QToolButton*> ProbesPanel::guesses() const
-{
-    return m_guesses->findChildren<QToolButton*>();
-}
+QList<QToolButton*> ProbesPanel::guesses() const { return m_guesses->findChildren<QToolButton*>(); }
 
 void ProbesPanel::readAs(std::optional<Parameterization> kind)
 {

@@ -21,7 +21,7 @@ namespace mirrorball::studio {
 namespace {
 
 constexpr double longWait = 3.0; ///< seconds of filtering that nobody starts by a mere click
-constexpr int restTime = 1000;    ///< ms: who looks for a value is not disturbed by measurements of those on the way
+constexpr int restTime = 1000;   ///< ms: who looks for a value is not disturbed by measurements of those on the way
 constexpr int measuredSize = 64; ///< texels: small enough to measure every method while one waits
 
 enum Column { MethodColumn, TimeColumn, ErrorColumn, SettingColumn, ColumnCount };
@@ -38,10 +38,14 @@ QString secondsText(double seconds)
 QString stateText(MeasurementState state)
 {
     switch (state) {
-    case MeasurementState::Refused: return ReportPanel::tr("refused");
-    case MeasurementState::LeftOut: return ReportPanel::tr("too slow");
-    case MeasurementState::Failed: return ReportPanel::tr("failed");
-    default: return {};
+    case MeasurementState::Refused:
+        return ReportPanel::tr("refused");
+    case MeasurementState::LeftOut:
+        return ReportPanel::tr("too slow");
+    case MeasurementState::Failed:
+        return ReportPanel::tr("failed");
+    default:
+        return {};
     }
 }
 
@@ -67,9 +71,10 @@ bool isSameWork(const Scene& a, const Scene& b)
 } // namespace
 
 ReportPanel::ReportPanel(Workspace& workspace, QWidget* parent)
-    : QWidget(parent), m_workspace(workspace), m_runner(this), m_errorRunner(this), m_splitter(new QSplitter), m_chart(new MethodChart), m_table(new QTreeWidget),
-      m_status(new QLabel), m_facts(new QLabel), m_progress(new QProgressBar), m_again(new QPushButton(tr("Measure &again"))),
-      m_stop(new QPushButton(tr("&Stop"))), m_copy(new QPushButton(tr("&Copy command"))), m_use(new QPushButton(tr("&Use it anyway")))
+    : QWidget(parent), m_workspace(workspace), m_runner(this), m_errorRunner(this), m_splitter(new QSplitter), m_chart(new MethodChart),
+      m_table(new QTreeWidget), m_status(new QLabel), m_facts(new QLabel), m_progress(new QProgressBar),
+      m_again(new QPushButton(tr("Measure &again"))), m_stop(new QPushButton(tr("&Stop"))), m_copy(new QPushButton(tr("&Copy command"))),
+      m_use(new QPushButton(tr("&Use it anyway")))
 {
     m_chart->setObjectName(QStringLiteral("report.chart"));
     m_table->setObjectName(QStringLiteral("report.table"));
@@ -184,10 +189,7 @@ ReportPanel::ReportPanel(Workspace& workspace, QWidget* parent)
     m_status->setText(waitingText());
 }
 
-QString ReportPanel::waitingText()
-{
-    return tr("Methods are measured once the material has come to rest.");
-}
+QString ReportPanel::waitingText() { return tr("Methods are measured once the material has come to rest."); }
 
 void ReportPanel::resizeEvent(QResizeEvent*)
 {
@@ -228,10 +230,7 @@ void ReportPanel::addTolerance(OptionsForm& form)
     });
 }
 
-void ReportPanel::showEvent(QShowEvent*)
-{
-    follow();
-}
+void ReportPanel::showEvent(QShowEvent*) { follow(); }
 
 /// Measures when the scene has come to rest and its lobe or probe is another one; never while nobody looks.
 void ReportPanel::follow()
@@ -267,10 +266,7 @@ void ReportPanel::goOn()
         start();
 }
 
-void ReportPanel::measure()
-{
-    start();
-}
+void ReportPanel::measure() { start(); }
 
 void ReportPanel::stop()
 {
@@ -306,7 +302,8 @@ void ReportPanel::start()
     m_workspace.methodError.clear();
     const Lobe lobe = mirrorball::lobe(m_measured.material.specular);
     if (lobe.isMirror())
-        return finish(tr("The material is a mirror: its map is the environment itself, and no method filters it. Choose Phong or GGX to compare methods."));
+        return finish(tr("The material is a mirror: its map is the environment itself, and no method filters it. Choose Phong or GGX to "
+                         "compare methods."));
     if (!made || !made->environment)
         return finish(tr("There is no probe in memory to measure with."));
     m_isMeasuring = true;
@@ -333,7 +330,8 @@ void ReportPanel::measureNext(size_t setting)
     m_next = setting;
     m_progress->setValue(static_cast<int>(setting));
     if (setting >= m_race->settings().size()) {
-        const auto measured = std::count_if(m_points.begin(), m_points.end(), [](const RacePoint& p) { return p.state == MeasurementState::Measured; });
+        const auto measured =
+            std::count_if(m_points.begin(), m_points.end(), [](const RacePoint& p) { return p.state == MeasurementState::Measured; });
         const MapLayout& target = m_race->options().target;
         finish(tr("%1 into a %2 of size %3: %4 settings measured.")
                    .arg(toQString(mirrorball::describe(m_race->lobe())), fieldText(name(target.kind)))
@@ -354,9 +352,10 @@ void ReportPanel::add(const RacePoint& point)
     m_points.push_back(point);
     const bool isMeasured = point.state == MeasurementState::Measured;
     const QSignalBlocker blocker(m_table);
-    auto* row = new Row(QStringList{fieldText(name(point.setting.method)), isMeasured ? secondsText(point.seconds) : stateText(point.state),
-                                    !isMeasured || point.setting.method == Method::Reference ? QString() : shortNumberText(point.error.relRms),
-                                    toQString(point.setting.label)});
+    auto* row =
+        new Row(QStringList{fieldText(name(point.setting.method)), isMeasured ? secondsText(point.seconds) : stateText(point.state),
+                            !isMeasured || point.setting.method == Method::Reference ? QString() : shortNumberText(point.error.relRms),
+                            toQString(point.setting.label)});
     row->setData(MethodColumn, Qt::UserRole, static_cast<int>(m_points.size()) - 1);
     row->setData(TimeColumn, Qt::UserRole + 1, isMeasured ? point.seconds : 1e9);
     row->setData(ErrorColumn, Qt::UserRole + 1, isMeasured ? point.error.relRms : 1e9);

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "widgets/workspace/job_runner.h"
 #include "method_chart.h"
 #include "widgets/controls/options_form.h"
+#include "widgets/workspace/job_runner.h"
 #include "widgets/workspace/workspace.h"
 
 #include "core/report/method_race.h"
@@ -21,9 +21,9 @@
 
 namespace mirrorball::studio {
 
-/// The Report dock: error against run time of every method for the material as it stands, measured in the background while the dock is seen.
-/// A click on a point chooses the method of the scene, as an undo step; its signed error is shown in the Map dock, its command line can
-/// be copied.
+/// The Report dock: error against run time of every method for the material as it stands, measured in the background while the dock is
+/// seen. A click on a point chooses the method of the scene, as an undo step; its signed error is shown in the Map dock, its command line
+/// can be copied.
 class ReportPanel : public QWidget {
     Q_OBJECT
 
@@ -83,7 +83,7 @@ private:
     QTimer m_rest;      ///< runs out when the scene has been left alone for a while
     size_t m_next = 0;  ///< the setting that is being measured
     bool m_isMeasuring = false;
-    bool m_gaveWay = false; ///< measuring waits for the end of a drag
+    bool m_gaveWay = false;    ///< measuring waits for the end of a drag
     bool m_isArranged = false; ///< the splitter has its first sizes
     int m_picked = -1;
 };

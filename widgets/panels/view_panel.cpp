@@ -1,7 +1,7 @@
 #include "view_panel.h"
 
-#include "widgets/spheremap/sphere_map_source_field.h"
 #include "widgets/controls/text.h"
+#include "widgets/spheremap/sphere_map_source_field.h"
 
 #include "core/base/error.h"
 #include "core/preview/mesh_file.h"
@@ -29,10 +29,7 @@ auto backdropIs(Backdrop kind)
     return [kind](const Scene& scene) { return scene.view.background.kind == kind; };
 }
 
-bool showsWindow(const Scene& scene)
-{
-    return scene.view.geometry == "window";
-}
+bool showsWindow(const Scene& scene) { return scene.view.geometry == "window"; }
 
 /// The camera of a geometry's first view, with what the artist chose of the lens.
 CameraSettings firstView(const std::string& geometry, const CameraSettings& now)
@@ -45,16 +42,10 @@ CameraSettings firstView(const std::string& geometry, const CameraSettings& now)
 }
 
 /// The sphere map that a window begins with, as far as lines of sight go.
-SphereMapSettings firstOutside()
-{
-    return {.source = windowViewPresets().front().name, .space = MapSpace::World, .size = 1024};
-}
+SphereMapSettings firstOutside() { return {.source = windowViewPresets().front().name, .space = MapSpace::World, .size = 1024}; }
 
 /// Degrees of a full turn on the slider; more can be typed.
-FieldStyle turnStyle(const QString& label)
-{
-    return {.label = label, .sliderLow = -180.0, .sliderHigh = 180.0, .step = 1.0};
-}
+FieldStyle turnStyle(const QString& label) { return {.label = label, .sliderLow = -180.0, .sliderHigh = 180.0, .step = 1.0}; }
 
 const FieldStyle hidden{.isHidden = true};
 
@@ -105,10 +96,15 @@ ViewPanel::ViewPanel(Workspace& workspace, QWidget* parent) : QWidget(parent), m
     addWindow();
     m_form->addFields("view", viewOf,
                       {{"tessellation", {.label = tr("Tessellation"), .isShown = [](const Scene& scene) { return !showsWindow(scene); }}},
-                       {"tone", hidden}, {"exposure", hidden}, {"width", hidden}, {"height", hidden}, {"shading", {.label = tr("Shading")}}});
+                       {"tone", hidden},
+                       {"exposure", hidden},
+                       {"width", hidden},
+                       {"height", hidden},
+                       {"shading", {.label = tr("Shading")}}});
     m_form->addHeading(tr("Environment"));
-    m_form->addFields("probe", probeOf,
-                      {{"yaw", turnStyle(tr("Turn"))}, {"exposure", {.label = tr("Brightness"), .sliderLow = -8.0, .sliderHigh = 8.0, .step = 0.1}}});
+    m_form->addFields(
+        "probe", probeOf,
+        {{"yaw", turnStyle(tr("Turn"))}, {"exposure", {.label = tr("Brightness"), .sliderLow = -8.0, .sliderHigh = 8.0, .step = 0.1}}});
     m_form->addFields("view.background", backgroundOf,
                       {{"kind", {.label = tr("Background")}},
                        {"blur", {.digits = 3, .isShown = backdropIs(Backdrop::Blurred)}},
@@ -146,7 +142,8 @@ void ViewPanel::addGeometry()
             QStringList patterns;
             for (const std::string_view extension : preview::meshExtensions())
                 patterns << u'*' + toQString(extension);
-            const QString path = QFileDialog::getOpenFileName(this, tr("Open mesh"), {}, tr("Meshes (%1);;All files (*)").arg(patterns.join(u' ')));
+            const QString path =
+                QFileDialog::getOpenFileName(this, tr("Open mesh"), {}, tr("Meshes (%1);;All files (*)").arg(patterns.join(u' ')));
             if (!path.isEmpty())
                 useMesh(m_workspace.document, path);
         } else {
@@ -156,8 +153,9 @@ void ViewPanel::addGeometry()
         const int builtin = bodiesBox->findData(toQString(m_workspace.document.scene().view.geometry)); // a dialog may have been cancelled
         bodiesBox->setCurrentIndex(builtin >= 0 ? builtin : meshItem);
     });
-    m_form->addControl(QStringLiteral("view.geometry"), {.name = "geometry", .help = "the body that the material is shown on, or a mesh file"},
-                       {}, bodiesBox, [bodiesBox, meshItem](const Scene& scene) {
+    m_form->addControl(QStringLiteral("view.geometry"),
+                       {.name = "geometry", .help = "the body that the material is shown on, or a mesh file"}, {}, bodiesBox,
+                       [bodiesBox, meshItem](const Scene& scene) {
                            const QString shown = toQString(scene.view.geometry);
                            const int builtin = bodiesBox->findData(shown);
                            bodiesBox->setItemText(meshItem, builtin >= 0 ? tr("Mesh file…") : QFileInfo(shown).fileName());
@@ -168,29 +166,37 @@ void ViewPanel::addGeometry()
 // What lies outside, the nearest first. The nearest is the material's sphere map, which may be painted in its dock.
 void ViewPanel::addWindow()
 {
-    const auto addSource = [this](const char* path, const Field& field, const QString& label, std::function<bool(const Scene&)> isShown, auto select) {
+    const auto addSource = [this](const char* path, const Field& field, const QString& label, std::function<bool(const Scene&)> isShown,
+                                  auto select) {
         auto* control = new SphereMapSourceField(m_workspace.presets);
         connect(control, &SphereMapSourceField::edited, this, [this, label, select](const QString& source) {
-            m_workspace.document.edit(tr("Change %1").arg(label.toLower()), {}, [&](Scene& scene) { select(scene) = source.toStdString(); });
+            m_workspace.document.edit(tr("Change %1").arg(label.toLower()), {},
+                                      [&](Scene& scene) { select(scene) = source.toStdString(); });
         });
         m_form->addControl(QLatin1String(path), field, {.label = label, .isShown = std::move(isShown)}, control,
                            [control, select](const Scene& scene) { control->setSource(toQString(select(scene))); });
         control->describe(label, labelText(field.help));
     };
     const auto addDepth = [this](const char* name, const QString& label, std::function<bool(const Scene&)> isShown) {
-        m_form->addFields("view.window", [](auto& scene) -> auto& { return scene.view.window; },
-                          onlyFields<WindowSettings>({{name, {.label = label, .sliderLow = 0.1, .sliderHigh = 1e4, .scale = Scale::Logarithmic,
-                                                              .isShown = std::move(isShown)}}}));
+        m_form->addFields(
+            "view.window", [](auto& scene) -> auto& { return scene.view.window; },
+            onlyFields<WindowSettings>(
+                {{name,
+                  {.label = label, .sliderLow = 0.1, .sliderHigh = 1e4, .scale = Scale::Logarithmic, .isShown = std::move(isShown)}}}));
     };
-    addSource("view.window.nearest", fieldNamed<SphereMapSettings>("source"), tr("Outside"),
-              [](const Scene& scene) { return showsWindow(scene) && !scene.material.sphereMap.document; },
-              [](auto& scene) -> auto& { return scene.material.sphereMap.source; });
+    addSource(
+        "view.window.nearest", fieldNamed<SphereMapSettings>("source"), tr("Outside"),
+        [](const Scene& scene) { return showsWindow(scene) && !scene.material.sphereMap.document; },
+        [](auto& scene) -> auto& { return scene.material.sphereMap.source; });
     addDepth("depth", tr("Its depth"), showsWindow);
-    addSource("view.window.middle", fieldNamed<WindowSettings>("middle"), tr("Behind it"), showsWindow,
-              [](auto& scene) -> auto& { return scene.view.window.middle; });
-    addDepth("middle_depth", tr("Middle depth"), [](const Scene& scene) { return showsWindow(scene) && !scene.view.window.middle.empty(); });
-    addSource("view.window.far", fieldNamed<WindowSettings>("far"), tr("Farthest"), showsWindow,
-              [](auto& scene) -> auto& { return scene.view.window.far; });
+    addSource(
+        "view.window.middle", fieldNamed<WindowSettings>("middle"), tr("Behind it"), showsWindow,
+        [](auto& scene) -> auto& { return scene.view.window.middle; });
+    addDepth("middle_depth", tr("Middle depth"),
+             [](const Scene& scene) { return showsWindow(scene) && !scene.view.window.middle.empty(); });
+    addSource(
+        "view.window.far", fieldNamed<WindowSettings>("far"), tr("Farthest"), showsWindow,
+        [](auto& scene) -> auto& { return scene.view.window.far; });
     addDepth("far_depth", tr("Far depth"), [](const Scene& scene) { return showsWindow(scene) && !scene.view.window.far.empty(); });
 }
 
@@ -207,20 +213,19 @@ void ViewPanel::addDisplay()
         } else if (chosen.size() == 3) {
             setDisplay({.config = chosen[0].toStdString(), .display = chosen[1].toStdString(), .view = chosen[2].toStdString()});
         } else {
-            const QString path = QFileDialog::getOpenFileName(this, tr("Open OpenColorIO configuration"), {}, tr("OpenColorIO (*.ocio);;All files (*)"));
+            const QString path =
+                QFileDialog::getOpenFileName(this, tr("Open OpenColorIO configuration"), {}, tr("OpenColorIO (*.ocio);;All files (*)"));
             if (!path.isEmpty())
                 openDisplayConfig(path);
             showDisplay(m_workspace.document.scene()); // the dialog may have been cancelled
         }
     });
-    m_form->addControl(QStringLiteral("view.display"), {.name = "display", .help = "sRGB, or a display and view of an OpenColorIO configuration"}, {},
-                       m_displays, [this](const Scene& scene) { showDisplay(scene); });
+    m_form->addControl(QStringLiteral("view.display"),
+                       {.name = "display", .help = "sRGB, or a display and view of an OpenColorIO configuration"}, {}, m_displays,
+                       [this](const Scene& scene) { showDisplay(scene); });
 }
 
-void ViewPanel::openDisplayConfig(const QString& path)
-{
-    setDisplay({.config = path.toStdString()});
-}
+void ViewPanel::openDisplayConfig(const QString& path) { setDisplay({.config = path.toStdString()}); }
 
 void ViewPanel::setDisplay(DisplaySettings display)
 {
@@ -235,8 +240,8 @@ void ViewPanel::showDisplay(const Scene& scene)
 {
     const DisplaySettings& display = scene.view.display;
     const std::string config = display.config.empty() && qEnvironmentVariableIsSet("OCIO") ? "env"
-                               : display.config.empty() || display.config == "env"        ? display.config
-                                                                                          : resolved(scene, display.config);
+                               : display.config.empty() || display.config == "env"         ? display.config
+                                                                                           : resolved(scene, display.config);
     if (config != std::exchange(m_offered, config) && !config.empty())
         m_offers.start(
             [config](const JobControl&) {

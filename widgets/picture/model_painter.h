@@ -1,7 +1,7 @@
 #pragma once
 
-#include "widgets/spheremap/brush_ring.h"
 #include "preview_widget.h"
+#include "widgets/spheremap/brush_ring.h"
 
 #include <QObject>
 #include <QTimer>

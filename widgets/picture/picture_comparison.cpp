@@ -6,7 +6,8 @@ namespace mirrorball::studio {
 
 namespace {
 
-constexpr const char* vertexText = "void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }\n";
+constexpr const char* vertexText =
+    "void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }\n";
 constexpr const char* fragmentText =
     "uniform sampler2D pictureA;\nuniform sampler2D pictureB;\nuniform float gain;\nlayout(location = 0) out vec4 result;\n"
     "void main() {\n"

@@ -15,7 +15,7 @@ namespace mirrorball::studio {
 namespace {
 
 constexpr double degreesPerPixel = 0.4;
-constexpr int wipeGrip = 6; ///< pixels to either side of the line
+constexpr int wipeGrip = 6;   ///< pixels to either side of the line
 constexpr int patchGrid = 16; ///< texels: what a stroke touched is taken in whole squares, so that four coarser levels are exact
 
 TexelRect onGrid(const TexelRect& rect, int size)
@@ -35,7 +35,8 @@ Image cutOut(const Image& picture, const TexelRect& rect)
 /// What the places of lookups in a painted sphere map depend on.
 preview::RenderSettings placesOnly(const preview::RenderSettings& settings)
 {
-    preview::RenderSettings only{.width = settings.width, .height = settings.height, .geometry = settings.geometry, .camera = settings.camera};
+    preview::RenderSettings only{
+        .width = settings.width, .height = settings.height, .geometry = settings.geometry, .camera = settings.camera};
     only.windowDepths = settings.windowDepths;
     only.yaw = settings.yaw;
     only.material.paint.space = settings.material.paint.space;
@@ -234,15 +235,9 @@ void PreviewWidget::paintWipe(QPainter& painter) const
     painter.drawLine(QPointF(x, 0), QPointF(x, height()));
 }
 
-void PreviewWidget::resizeEvent(QResizeEvent*)
-{
-    redraw();
-}
+void PreviewWidget::resizeEvent(QResizeEvent*) { redraw(); }
 
-void PreviewWidget::showEvent(QShowEvent*)
-{
-    redraw();
-}
+void PreviewWidget::showEvent(QShowEvent*) { redraw(); }
 
 void PreviewWidget::frame()
 {
@@ -315,9 +310,12 @@ void PreviewWidget::mousePressEvent(QMouseEvent* event)
 bool PreviewWidget::isTurn(const QMouseEvent& event) const
 {
     switch (m_turnGesture) {
-    case TurnGesture::ShiftRight: return event.button() == Qt::RightButton && event.modifiers().testFlag(Qt::ShiftModifier);
-    case TurnGesture::ControlLeft: return event.button() == Qt::LeftButton && event.modifiers().testFlag(Qt::ControlModifier);
-    case TurnGesture::ControlMiddle: return event.button() == Qt::MiddleButton && event.modifiers().testFlag(Qt::ControlModifier);
+    case TurnGesture::ShiftRight:
+        return event.button() == Qt::RightButton && event.modifiers().testFlag(Qt::ShiftModifier);
+    case TurnGesture::ControlLeft:
+        return event.button() == Qt::LeftButton && event.modifiers().testFlag(Qt::ControlModifier);
+    case TurnGesture::ControlMiddle:
+        return event.button() == Qt::MiddleButton && event.modifiers().testFlag(Qt::ControlModifier);
     }
     return false;
 }
@@ -363,9 +361,8 @@ void PreviewWidget::drag(const QPointF& moved)
         return;
     }
     case Drag::TurnEnvironment:
-        document.edit(tr("Turn the environment"), QStringLiteral("probe.yaw"), [&](Scene& scene) {
-            scene.probe.yawDeg = std::remainder(scene.probe.yawDeg + degreesPerPixel * moved.x(), 360.0);
-        });
+        document.edit(tr("Turn the environment"), QStringLiteral("probe.yaw"),
+                      [&](Scene& scene) { scene.probe.yawDeg = std::remainder(scene.probe.yawDeg + degreesPerPixel * moved.x(), 360.0); });
         return;
     case Drag::Wipe:
         setWipe(m_last.x() / std::max(1, width()));

@@ -36,12 +36,12 @@ public:
     const QImage& picture() const { return m_picture.image; }
     /// Whether picture() is of all that is known: nothing waits to be drawn.
     bool isUpToDate() const { return !m_isDue && !m_isDrawing && !m_picture.image.isNull(); }
-    /// The place on a sphere map indexed so that colours a place of the widget; nothing beside the model. After the camera has moved it waits
-    /// until all places have been looked up; until it moves again they are known.
+    /// The place on a sphere map indexed so that colours a place of the widget; nothing beside the model. After the camera has moved it
+    /// waits until all places have been looked up; until it moves again they are known.
     std::optional<glm::dvec2> discPlaceAt(const QPointF& position, SphereMapIndex index);
 
-    /// Samples a pixel while something is dragged or painted; smooth edges follow when that ends. 1 at first: then a painted map is read without
-    /// anisotropy, too.
+    /// Samples a pixel while something is dragged or painted; smooth edges follow when that ends. 1 at first: then a painted map is read
+    /// without anisotropy, too.
     void setSamplesWhileDragging(int samples) { m_dragSamples = samples; }
     TurnGesture turnGesture() const { return m_turnGesture; }
     void setTurnGesture(TurnGesture gesture) { m_turnGesture = gesture; }
@@ -98,13 +98,13 @@ private:
     Workspace& m_workspace;
     RenderThread m_thread;
     Picture m_picture;
-    PictureOrder m_ordered;         ///< the newest
-    bool m_isDue = false;           ///< something changed: an order follows when all of this moment's events are through
-    bool m_isDrawing = false;       ///< the newest order is not fulfilled
-    bool m_isNew = false;           ///< the picture has not been painted yet
-    SphereMapChain m_patchedMap;    ///< that the newest order reads
-    TexelRect m_strokeRect;         ///< where a stroke that is being drawn has changed the sphere map since it was made
-    TexelRect m_freshRect;          ///< the part of it that the texture does not hold yet
+    PictureOrder m_ordered;                ///< the newest
+    bool m_isDue = false;                  ///< something changed: an order follows when all of this moment's events are through
+    bool m_isDrawing = false;              ///< the newest order is not fulfilled
+    bool m_isNew = false;                  ///< the picture has not been painted yet
+    SphereMapChain m_patchedMap;           ///< that the newest order reads
+    TexelRect m_strokeRect;                ///< where a stroke that is being drawn has changed the sphere map since it was made
+    TexelRect m_freshRect;                 ///< the part of it that the texture does not hold yet
     std::vector<TexelRect> m_strokeLevels; ///< the same of the coarser levels, where they are made by hand
     std::vector<TexelRect> m_freshLevels;
     std::shared_ptr<const PreparedScene> m_snapshot;

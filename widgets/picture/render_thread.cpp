@@ -50,10 +50,7 @@ Image averaged(const Image& finer)
 
 /// The whole texels of the next level inside a rectangle of this one. A row or column that only half covers one of them waits for the
 /// end of the stroke.
-TexelRect halved(const TexelRect& rect)
-{
-    return {(rect.x0 + 1) / 2, (rect.y0 + 1) / 2, rect.x1 / 2, rect.y1 / 2};
-}
+TexelRect halved(const TexelRect& rect) { return {(rect.x0 + 1) / 2, (rect.y0 + 1) / 2, rect.x1 / 2, rect.y1 / 2}; }
 
 /// Rows of OpenGL run from the bottom.
 QImage readPicture(const preview::RenderTarget& target, bool isOpaque, std::vector<quint32>& rgba)
@@ -65,9 +62,8 @@ QImage readPicture(const preview::RenderTarget& target, bool isOpaque, std::vect
     const quint32 opacity = isOpaque ? 0xff000000u : 0u;
     for (int y = 0; y < target.height; ++y) {
         const quint32* from = rgba.data() + static_cast<size_t>(target.height - 1 - y) * static_cast<size_t>(target.width);
-        std::transform(from, from + target.width, reinterpret_cast<quint32*>(image.scanLine(y)), [opacity](quint32 abgr) {
-            return (abgr & 0xff00ff00u) | (abgr & 0xffu) << 16 | (abgr >> 16 & 0xffu) | opacity;
-        });
+        std::transform(from, from + target.width, reinterpret_cast<quint32*>(image.scanLine(y)),
+                       [opacity](quint32 abgr) { return (abgr & 0xff00ff00u) | (abgr & 0xffu) << 16 | (abgr >> 16 & 0xffu) | opacity; });
     }
     return image;
 }
@@ -107,8 +103,9 @@ struct RenderThread::Context {
     {
         context.setFormat(contextFormat());
         if (!context.create() || !context.makeCurrent(&surface))
-            throw WorkError("the preview needs OpenGL 4.5 and the window system offers no context for it; install a newer driver, or Mesa's "
-                            "software renderer: apt install libgl1-mesa-dri");
+            throw WorkError(
+                "the preview needs OpenGL 4.5 and the window system offers no context for it; install a newer driver, or Mesa's "
+                "software renderer: apt install libgl1-mesa-dri");
     }
 
     Picture draw(const PictureOrder& order, const std::vector<SphereMapPatch>& patches)
@@ -235,13 +232,15 @@ std::shared_ptr<const preview::DiscPlaces> RenderThread::discPlaces(const previe
     return places.get_future().get();
 }
 
-void RenderThread::pick(const preview::RenderSettings& settings, int x, int y, std::function<void(const std::optional<preview::SurfaceHit>&)> use)
+void RenderThread::pick(const preview::RenderSettings& settings, int x, int y,
+                        std::function<void(const std::optional<preview::SurfaceHit>&)> use)
 {
     {
         const std::lock_guard lock(m_mutex);
         m_look = [this, settings, x, y, use = std::move(use)](preview::Renderer* renderer) {
             const auto hit = look(renderer, settings, x, y);
-            QMetaObject::invokeMethod(this, [use, hit] { use(hit); }, Qt::QueuedConnection);
+            QMetaObject::invokeMethod(
+                this, [use, hit] { use(hit); }, Qt::QueuedConnection);
         };
     }
     m_wake.notify_one();
@@ -285,7 +284,8 @@ void RenderThread::run(const std::stop_token& end)
                 picture.problem = QString::fromUtf8(error.what());
             }
         }
-        QMetaObject::invokeMethod(this, [this, picture] { emit drawn(picture); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this, [this, picture] { emit drawn(picture); }, Qt::QueuedConnection);
     }
 }
 

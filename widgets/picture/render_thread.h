@@ -1,7 +1,7 @@
 #pragma once
 
-#include "widgets/workspace/live_scene.h"
 #include "picture_comparison.h"
+#include "widgets/workspace/live_scene.h"
 
 #include "core/preview/renderer.h"
 #include "core/spheremap/evaluation/levels_cache.h"
@@ -43,9 +43,9 @@ struct Picture {
 
 /// Texels that a stroke changed in a map that is shown, before the map itself is made anew.
 struct SphereMapPatch {
-    SphereMapChain chain{}; ///< the map
-    Image texels{};         ///< of its finest level, RGBA
-    TexelRect rect{};       ///< where they belong
+    SphereMapChain chain{};            ///< the map
+    Image texels{};                    ///< of its finest level, RGBA
+    TexelRect rect{};                  ///< where they belong
     std::vector<LevelPatch> coarser{}; ///< where the map's levels are made by hand; otherwise they are averages
 };
 
@@ -84,8 +84,8 @@ private:
     std::condition_variable_any m_wake;
     std::optional<PictureOrder> m_order;
     std::vector<SphereMapPatch> m_patches;
-    Look m_look;        ///< may be replaced by a newer one
-    Look m_awaitedLook; ///< someone waits for it
+    Look m_look;           ///< may be replaced by a newer one
+    Look m_awaitedLook;    ///< someone waits for it
     std::jthread m_thread; ///< last: it ends first
 };
 

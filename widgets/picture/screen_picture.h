@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/image/image.h"
 #include "core/base/job.h"
+#include "core/image/image.h"
 #include "core/spheremap/math/texel_rect.h"
 
 #include <QImage>

@@ -11,10 +11,7 @@ namespace mirrorball::studio {
 
 namespace {
 
-QString imageFilter()
-{
-    return ContentForm::tr("Images (*.exr *.hdr *.tif *.tiff *.png *.jpg *.jpeg *.tga *.bmp);;All files (*)");
-}
+QString imageFilter() { return ContentForm::tr("Images (*.exr *.hdr *.tif *.tiff *.png *.jpg *.jpeg *.tga *.bmp);;All files (*)"); }
 
 const FieldStyles& layerStyles()
 {
@@ -119,20 +116,11 @@ bool isUsed(const ToonLayer& layer, std::string_view name)
     return !isOneOf(name, {"count", "shade-color", "light-color", "shade-end"}) || layer.bands.empty();
 }
 
-bool isUsed(const PhongLightsLayer& layer, std::string_view name)
-{
-    return name != "match" || layer.model == PhongModel::NH;
-}
+bool isUsed(const PhongLightsLayer& layer, std::string_view name) { return name != "match" || layer.model == PhongModel::NH; }
 
-bool isUsed(const PaintLayer& layer, std::string_view name)
-{
-    return name != "reference" || layer.unit == WidthUnit::Pixels;
-}
+bool isUsed(const PaintLayer& layer, std::string_view name) { return name != "reference" || layer.unit == WidthUnit::Pixels; }
 
-bool isUsed(const ImageLayer& layer, std::string_view name)
-{
-    return name != "tint" || layer.pass != ImagePass::Specular;
-}
+bool isUsed(const ImageLayer& layer, std::string_view name) { return name != "tint" || layer.pass != ImagePass::Specular; }
 
 } // namespace
 

@@ -78,10 +78,7 @@ void DiscHandles::choose(int handle)
     emit changed();
 }
 
-QPointF DiscHandles::shownAt(int handle) const
-{
-    return m_view.placeOf(shownPlace(m_handles[static_cast<size_t>(handle)]));
-}
+QPointF DiscHandles::shownAt(int handle) const { return m_view.placeOf(shownPlace(m_handles[static_cast<size_t>(handle)])); }
 
 int DiscHandles::at(const QPointF& place) const
 {
@@ -215,10 +212,7 @@ void DiscHandles::hover(const std::optional<QPointF>& place)
     emit changed();
 }
 
-void DiscHandles::nudge(const glm::dvec2& by)
-{
-    moveChosen(m_handles[static_cast<size_t>(m_chosen)].place + by);
-}
+void DiscHandles::nudge(const glm::dvec2& by) { moveChosen(m_handles[static_cast<size_t>(m_chosen)].place + by); }
 
 void DiscHandles::removeChosen()
 {
@@ -242,17 +236,22 @@ bool DiscHandles::pressKey(const QKeyEvent& event)
         return true;
     };
     switch (event.key()) {
-    case Qt::Key_Left: return arrow(-1.0, 0.0);
-    case Qt::Key_Right: return arrow(1.0, 0.0);
-    case Qt::Key_Up: return arrow(0.0, 1.0);
-    case Qt::Key_Down: return arrow(0.0, -1.0);
+    case Qt::Key_Left:
+        return arrow(-1.0, 0.0);
+    case Qt::Key_Right:
+        return arrow(1.0, 0.0);
+    case Qt::Key_Up:
+        return arrow(0.0, 1.0);
+    case Qt::Key_Down:
+        return arrow(0.0, -1.0);
     case Qt::Key_Delete:
     case Qt::Key_Backspace:
         if (!m_handles[static_cast<size_t>(m_chosen)].light)
             return false;
         removeChosen();
         return true;
-    default: return false;
+    default:
+        return false;
     }
 }
 

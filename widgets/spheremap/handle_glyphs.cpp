@@ -85,7 +85,9 @@ void paintHandle(QPainter& painter, const HandleGlyph& glyph)
     painter.setRenderHint(QPainter::Antialiasing);
     const QColor amber = QGuiApplication::palette().color(QPalette::Highlight).lighter(125);
     const QColor line = glyph.isHovered || (glyph.isChosen && glyph.hasFocus) ? amber : glyph.isChosen ? QColor(Qt::white) : plain;
-    const QColor fill = glyph.color ? screenColor(*glyph.color) : glyph.kind == HandleKind::Light ? QColor(255, 236, 180) : QColor(60, 60, 60);
+    const QColor fill = glyph.color                       ? screenColor(*glyph.color)
+                        : glyph.kind == HandleKind::Light ? QColor(255, 236, 180)
+                                                          : QColor(60, 60, 60);
     const double radius = glyph.isChosen ? 5.5 : 4.5;
     const Qt::PenStyle style = glyph.isOfMask ? Qt::DashLine : Qt::SolidLine;
     QPainterPath guide;

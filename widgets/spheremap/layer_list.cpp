@@ -1,7 +1,7 @@
 #include "layer_list.h"
 
-#include "widgets/picture/screen_picture.h"
 #include "widgets/controls/text.h"
+#include "widgets/picture/screen_picture.h"
 
 #include "core/base/error.h"
 
@@ -22,7 +22,11 @@ const QString layerMime = QStringLiteral("application/x-mirrorball-layer");
 
 bool readsFiles(const LayerContent& content)
 {
-    return std::visit([](const auto& layer) { return requires { std::string_view(layer.source); }; }, content);
+    return std::visit(
+        [](const auto& layer) {
+            return requires { std::string_view(layer.source); };
+        },
+        content);
 }
 
 class LayerDelegate : public QStyledItemDelegate {
@@ -44,7 +48,8 @@ public:
         painter->save();
         painter->setRenderHint(QPainter::Antialiasing);
         paintEye(*painter, QRectF(option.rect.left(), option.rect.top(), eyeWidth, option.rect.height()), visible);
-        const QRect picture(option.rect.left() + eyeWidth, option.rect.top() + (rowHeight - thumbnailSize) / 2, thumbnailSize, thumbnailSize);
+        const QRect picture(option.rect.left() + eyeWidth, option.rect.top() + (rowHeight - thumbnailSize) / 2, thumbnailSize,
+                            thumbnailSize);
         painter->setOpacity(visible ? 1.0 : 0.4);
         painter->drawPixmap(picture, index.data(LayerModel::Thumbnail).value<QPixmap>());
         const QRect text = option.rect.adjusted(eyeWidth + thumbnailSize + 8, 4, -6, -4);
@@ -109,10 +114,7 @@ void LayerModel::follow()
     }
 }
 
-int LayerModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : m_rows;
-}
+int LayerModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : m_rows; }
 
 QVariant LayerModel::data(const QModelIndex& at, int role) const
 {
@@ -190,8 +192,7 @@ bool LayerModel::setData(const QModelIndex& at, const QVariant& value, int role)
     const size_t i = static_cast<size_t>(layerOf(at.row()));
     if (role == Visible) {
         const bool visible = value.toBool();
-        m_editor.edit(visible ? tr("Show layer") : tr("Hide layer"), {},
-                      [&](SphereMapDocument& map) { map.layers[i].visible = visible; });
+        m_editor.edit(visible ? tr("Show layer") : tr("Hide layer"), {}, [&](SphereMapDocument& map) { map.layers[i].visible = visible; });
         return true;
     }
     if (role == Qt::EditRole) {
@@ -209,10 +210,7 @@ Qt::ItemFlags LayerModel::flags(const QModelIndex& at) const
     return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable | Qt::ItemIsDragEnabled;
 }
 
-QStringList LayerModel::mimeTypes() const
-{
-    return {layerMime};
-}
+QStringList LayerModel::mimeTypes() const { return {layerMime}; }
 
 QMimeData* LayerModel::mimeData(const QModelIndexList& indexes) const
 {
@@ -234,8 +232,7 @@ bool LayerModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int 
     return false; // the view must not remove the row: the model has
 }
 
-LayerList::LayerList(SphereMapEditor& editor, QWidget* parent)
-    : QListView(parent), m_editor(editor), m_model(new LayerModel(editor, this))
+LayerList::LayerList(SphereMapEditor& editor, QWidget* parent) : QListView(parent), m_editor(editor), m_model(new LayerModel(editor, this))
 {
     setObjectName(QStringLiteral("layerList"));
     setAccessibleName(tr("Layers"));

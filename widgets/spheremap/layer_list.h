@@ -43,8 +43,8 @@ private:
     mutable std::vector<std::pair<LayerContent, QPixmap>> m_thumbnails{}; ///< by layer, while the content is the same
 };
 
-/// The list: click the eye to hide, double-click the name to rename, drag to reorder; Space hides, F2 renames, Delete removes, Ctrl and arrows
-/// move the chosen layer.
+/// The list: click the eye to hide, double-click the name to rename, drag to reorder; Space hides, F2 renames, Delete removes, Ctrl and
+/// arrows move the chosen layer.
 class LayerList : public QListView {
     Q_OBJECT
 

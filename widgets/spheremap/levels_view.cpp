@@ -73,9 +73,9 @@ void LevelsView::paintEvent(QPaintEvent*)
     painter.setPen(palette().color(QPalette::Text));
     if (!m_problem.isEmpty() || m_levels.isEmpty()) {
         painter.drawText(rect().adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap,
-                         !m_problem.isEmpty()  ? m_problem
-                         : m_editor.map()      ? tr("Making the levels ...")
-                                               : tr("No sphere map"));
+                         !m_problem.isEmpty() ? m_problem
+                         : m_editor.map()     ? tr("Making the levels ...")
+                                              : tr("No sphere map"));
         return;
     }
     const QString note = m_isAuthored ? tr("Made level by level: a layer has its width in pixels, or levels of its own.")

@@ -9,8 +9,8 @@
 
 namespace mirrorball::studio {
 
-/// The mip chain of the sphere map, level by level, each magnified to the same size so that its texels show. Made in the background while the
-/// view can be seen.
+/// The mip chain of the sphere map, level by level, each magnified to the same size so that its texels show. Made in the background while
+/// the view can be seen.
 class LevelsView : public QWidget {
     Q_OBJECT
 

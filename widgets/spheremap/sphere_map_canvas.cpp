@@ -1,6 +1,5 @@
 #include "sphere_map_canvas.h"
 
-
 #include "core/spheremap/strokes/symmetry.h"
 
 #include <QHelpEvent>
@@ -34,9 +33,8 @@ QPixmap checkerboard()
 } // namespace
 
 SphereMapCanvas::SphereMapCanvas(SphereMapEditor& editor, QWidget* parent)
-    : QWidget(parent), m_editor(editor),
-      m_handles(editor,
-                {.placeOf = [this](const glm::dvec2& q) { return placeOf(q); }, .discAt = [this](const QPointF& place) { return discAt(place); }})
+    : QWidget(parent), m_editor(editor), m_handles(editor, {.placeOf = [this](const glm::dvec2& q) { return placeOf(q); },
+                                                            .discAt = [this](const QPointF& place) { return discAt(place); }})
 {
     setObjectName(QStringLiteral("sphereMapCanvas"));
     setAccessibleName(tr("Sphere map"));
@@ -63,10 +61,7 @@ SphereMapCanvas::SphereMapCanvas(SphereMapEditor& editor, QWidget* parent)
     updateCursor();
 }
 
-double SphereMapCanvas::scale() const
-{
-    return std::max(20.0, 0.5 * std::min(width(), height()) - margin) * m_zoom;
-}
+double SphereMapCanvas::scale() const { return std::max(20.0, 0.5 * std::min(width(), height()) - margin) * m_zoom; }
 
 glm::dvec2 SphereMapCanvas::discAt(const QPointF& place) const
 {

@@ -42,8 +42,7 @@ Brush draggedBrush(const Brush& before, const QPointF& moved)
     return brush;
 }
 
-SphereMapEditor::SphereMapEditor(Document& document, LiveScene& live, QObject* parent)
-    : QObject(parent), m_document(document), m_live(live)
+SphereMapEditor::SphereMapEditor(Document& document, LiveScene& live, QObject* parent) : QObject(parent), m_document(document), m_live(live)
 {
     connect(&m_document, &Document::changed, this, &SphereMapEditor::follow);
     connect(&m_document, &Document::dragFinished, this, [this] {

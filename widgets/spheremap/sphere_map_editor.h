@@ -1,9 +1,9 @@
 #pragma once
 
+#include "widgets/picture/screen_picture.h"
 #include "widgets/workspace/document.h"
 #include "widgets/workspace/job_runner.h"
 #include "widgets/workspace/live_scene.h"
-#include "widgets/picture/screen_picture.h"
 
 #include "core/spheremap/evaluation/levels_cache.h"
 #include "core/spheremap/strokes/stroke_recorder.h"
@@ -35,7 +35,8 @@ class SphereMapEditor : public QObject {
     Q_OBJECT
 
 public:
-    /// @param live  made of the document: while a control is dragged it evaluates the map for the model, and the picture is taken from there
+    /// @param live  made of the document: while a control is dragged it evaluates the map for the model, and the picture is taken from
+    /// there
     SphereMapEditor(Document& document, LiveScene& live, QObject* parent = nullptr);
     ~SphereMapEditor() override;
 
@@ -154,7 +155,7 @@ private:
     std::vector<Image> m_coarser{};
     std::shared_ptr<SphereMapCache> m_cache;      ///< touched on the worker only
     std::shared_ptr<LevelsCache> m_levelsCache{}; ///< the same; null until a stroke needs it
-    JobRunner m_runner;                      ///< last: it ends first
+    JobRunner m_runner;                           ///< last: it ends first
 };
 
 } // namespace mirrorball::studio

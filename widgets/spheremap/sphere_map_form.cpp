@@ -1,7 +1,7 @@
 #include "sphere_map_form.h"
 
-#include "widgets/controls/form_labels.h"
 #include "sphere_map_source_field.h"
+#include "widgets/controls/form_labels.h"
 #include "widgets/controls/text.h"
 
 #include <QHBoxLayout>
@@ -16,26 +16,14 @@ namespace {
 constexpr auto mapOf = [](auto& scene) -> auto& { return scene.material.sphereMap; };
 constexpr auto flecksOf = [](auto& scene) -> auto& { return scene.material.sphereMap.flecks; };
 
-bool showsWindow(const Scene& scene)
-{
-    return scene.view.geometry == "window";
-}
+bool showsWindow(const Scene& scene) { return scene.view.geometry == "window"; }
 
-bool isOnModel(const Scene& scene)
-{
-    return !showsWindow(scene);
-}
+bool isOnModel(const Scene& scene) { return !showsWindow(scene); }
 
 /// The scene's own map, where the scene has one.
-bool isOwn(const Scene& scene)
-{
-    return static_cast<bool>(scene.material.sphereMap.document);
-}
+bool isOwn(const Scene& scene) { return static_cast<bool>(scene.material.sphereMap.document); }
 
-bool hasColor(SphereMapUse use)
-{
-    return use == SphereMapUse::Replace || use == SphereMapUse::Multiply;
-}
+bool hasColor(SphereMapUse use) { return use == SphereMapUse::Replace || use == SphereMapUse::Multiply; }
 
 } // namespace
 
@@ -98,11 +86,12 @@ SphereMapForm::SphereMapForm(Workspace& workspace, QWidget* parent)
     m_form->addHeading(tr("Lookup"));
     addIndex();
     m_form->addFields(path, mapOf,
-                      onlyFields<SphereMapSettings>({{"space", {.label = tr("Space")}}, {"lookup", {.label = tr("Looked up per"), .isShown = isOnModel}}}));
-    m_form->addHeading(tr("Resolution"));
-    m_form->addFields(path, mapOf,
                       onlyFields<SphereMapSettings>(
-                          {{"size", {.choices = {128, 256, 512, 1024, 2048, 4096}}}, {"levels", {.isShown = isOnModel}}}));
+                          {{"space", {.label = tr("Space")}}, {"lookup", {.label = tr("Looked up per"), .isShown = isOnModel}}}));
+    m_form->addHeading(tr("Resolution"));
+    m_form->addFields(
+        path, mapOf,
+        onlyFields<SphereMapSettings>({{"size", {.choices = {128, 256, 512, 1024, 2048, 4096}}}, {"levels", {.isShown = isOnModel}}}));
     auto* flecks = new QLabel(tr("Flecks"));
     flecks->setProperty("role", QStringLiteral("heading"));
     m_form->addRow(flecks, OptionsForm::Span::Whole, isOnModel);
@@ -125,8 +114,8 @@ void SphereMapForm::addSource()
         m_workspace.document.edit(tr("Change the sphere map"), {}, [&](Scene& scene) { mapOf(scene).source = source.toStdString(); });
     });
     const Field field = fieldNamed<SphereMapSettings>("source");
-    m_form->addControl(QStringLiteral("material.sphere_map.source"), field, {.isShown = [](const Scene& scene) { return !isOwn(scene); }}, control,
-                       [control](const Scene& scene) { control->setSource(toQString(mapOf(scene).source)); });
+    m_form->addControl(QStringLiteral("material.sphere_map.source"), field, {.isShown = [](const Scene& scene) { return !isOwn(scene); }},
+                       control, [control](const Scene& scene) { control->setSource(toQString(mapOf(scene).source)); });
     control->describe(labelText(field.name), labelText(field.help));
 }
 
@@ -136,7 +125,8 @@ void SphereMapForm::addIndex()
     for (const std::string_view word : words(SphereMapIndex{}))
         control->addItem(labelText(word));
     connect(control, &QComboBox::activated, this, [this](int index) {
-        m_workspace.sphereMap.edit(tr("Change index"), {}, [index](SphereMapDocument& map) { map.index = static_cast<SphereMapIndex>(index); });
+        m_workspace.sphereMap.edit(tr("Change index"), {},
+                                   [index](SphereMapDocument& map) { map.index = static_cast<SphereMapIndex>(index); });
     });
     m_form->addControl(QStringLiteral("material.sphere_map.document.index"), fieldNamed<SphereMapDocument>("index"),
                        {.label = tr("Looked up by"), .isShown = isOwn}, control, [control](const Scene& scene) {

@@ -1,9 +1,9 @@
 #include "sphere_map_panel.h"
 
-#include "widgets/controls/form_labels.h"
-#include "widgets/exports/painted_export.h"
 #include "sphere_map_source_field.h"
+#include "widgets/controls/form_labels.h"
 #include "widgets/controls/text.h"
+#include "widgets/exports/painted_export.h"
 
 #include "core/base/error.h"
 #include "core/scene/sphere_map_source.h"
@@ -32,10 +32,7 @@ namespace {
 const QString noticeSubject = QStringLiteral("sphere-map");
 const QString lightsField = QStringLiteral("lights"); // of PhongLightsLayer
 
-QIcon iconOf(const char* name)
-{
-    return QIcon(QStringLiteral(":/icons/%1.svg").arg(QLatin1String(name)));
-}
+QIcon iconOf(const char* name) { return QIcon(QStringLiteral(":/icons/%1.svg").arg(QLatin1String(name))); }
 
 QToolButton* button(const char* iconName, const QString& name, const QString& help)
 {
@@ -106,7 +103,8 @@ QWidget* SphereMapPanel::makeStart()
     auto* column = new QVBoxLayout(page);
     column->setContentsMargins(12, 12, 12, 10);
     column->setSpacing(8);
-    auto* text = new QLabel(tr("A sphere map paints the look of the material by hand: one picture of a ball, in layers, shown live on the model."));
+    auto* text =
+        new QLabel(tr("A sphere map paints the look of the material by hand: one picture of a ball, in layers, shown live on the model."));
     text->setWordWrap(true);
     const auto choice = [this](const char* object, const QString& name, const QString& help, auto act) {
         auto* made = new QPushButton(name);
@@ -237,7 +235,9 @@ QWidget* SphereMapPanel::makeWork()
     m_tabs->addTab(m_levels, tr("Levels"));
     m_mapForm = new SphereMapForm(m_workspace);
     m_tabs->addTab(scrolled(m_mapForm), tr("Map"));
-    for (const auto& [tab, help] : {std::pair{0, tr("What the map is made of")}, {1, tr("What is painted with")}, {2, tr("The mip chain, level by level")},
+    for (const auto& [tab, help] : {std::pair{0, tr("What the map is made of")},
+                                    {1, tr("What is painted with")},
+                                    {2, tr("The mip chain, level by level")},
                                     {3, tr("How the map is looked up, its size, flecks, and what it is called")}})
         m_tabs->setTabToolTip(tab, help);
     auto* below = new QWidget;
@@ -268,7 +268,8 @@ void SphereMapPanel::resizeEvent(QResizeEvent* event)
     m_split->setSizes({canvas, height() - canvas});
 }
 
-/// The list is as high as its layers, as long as the parameters of the chosen one have room or half of the page; until the user divides it otherwise.
+/// The list is as high as its layers, as long as the parameters of the chosen one have room or half of the page; until the user divides it
+/// otherwise.
 void SphereMapPanel::divideLayers()
 {
     if (m_layerSplitIsChosen || m_layerSplit->height() <= 0)
@@ -573,8 +574,9 @@ void SphereMapPanel::showMap()
     m_bar->setVisible(isOwn);
     m_canvas->setVisible(isOwn);
     m_linked->setVisible(!isOwn);
-    m_linkedText->setText(isSphereMapFile(settings.source) ? tr("The material shows %1, which stays in its file.").arg(toQString(settings.source))
-                                                           : tr("The material shows the preset %1.").arg(toQString(settings.source)));
+    m_linkedText->setText(isSphereMapFile(settings.source)
+                              ? tr("The material shows %1, which stays in its file.").arg(toQString(settings.source))
+                              : tr("The material shows the preset %1.").arg(toQString(settings.source)));
     const bool isNewlyOwn = isOwn && !m_tabs->isTabVisible(0);
     for (int tab = 0; tab < m_tabs->count() - 1; ++tab)
         m_tabs->setTabVisible(tab, isOwn);

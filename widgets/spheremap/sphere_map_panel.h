@@ -4,10 +4,10 @@
 #include "layer_list.h"
 #include "levels_view.h"
 #include "mask_editor.h"
-#include "widgets/panels/preset_gallery.h"
-#include "widgets/controls/settings_form.h"
 #include "sphere_map_canvas.h"
 #include "sphere_map_form.h"
+#include "widgets/controls/settings_form.h"
+#include "widgets/panels/preset_gallery.h"
 #include "widgets/workspace/workspace.h"
 
 #include <QActionGroup>
@@ -23,8 +23,8 @@
 
 namespace mirrorball::studio {
 
-/// The dock "Sphere map": the disc to paint on, how the map is used, layers with their parameters, the brush, the levels, the map as a whole. Without a
-/// map it offers the presets; a map that stays in its file has no layers here.
+/// The dock "Sphere map": the disc to paint on, how the map is used, layers with their parameters, the brush, the levels, the map as a
+/// whole. Without a map it offers the presets; a map that stays in its file has no layers here.
 class SphereMapPanel : public QWidget {
     Q_OBJECT
 
@@ -73,15 +73,15 @@ private:
     SphereMapEditor& m_editor;
     QStackedWidget* m_pages;
     SphereMapCanvas* m_canvas = nullptr;
-    QSplitter* m_split = nullptr; ///< canvas over tabs
-    bool m_splitIsChosen = false;  ///< by the user
+    QSplitter* m_split = nullptr;      ///< canvas over tabs
+    bool m_splitIsChosen = false;      ///< by the user
     QSplitter* m_layerSplit = nullptr; ///< list over parameters
     bool m_layerSplitIsChosen = false;
-    QWidget* m_layerTop = nullptr;     ///< the list with its buttons
+    QWidget* m_layerTop = nullptr; ///< the list with its buttons
     QScrollArea* m_parameters = nullptr;
-    size_t m_shownKind = SIZE_MAX;     ///< of the layer's content
+    size_t m_shownKind = SIZE_MAX; ///< of the layer's content
     QToolBar* m_bar = nullptr;
-    QWidget* m_linked = nullptr;       ///< what stands above a map that stays in its file
+    QWidget* m_linked = nullptr; ///< what stands above a map that stays in its file
     QLabel* m_linkedText = nullptr;
     SphereMapForm* m_mapForm = nullptr;
     QTabWidget* m_tabs = nullptr;

@@ -1,8 +1,8 @@
 #include "sphere_map_source_field.h"
 
 #include "widgets/controls/disconnect_children.h"
-#include "widgets/panels/preset_gallery.h"
 #include "widgets/controls/text.h"
+#include "widgets/panels/preset_gallery.h"
 
 #include <QAction>
 #include <QCompleter>
@@ -14,7 +14,8 @@ namespace mirrorball::studio {
 
 QString sphereMapFileFilter()
 {
-    return SphereMapSourceField::tr("Sphere maps and pictures of them (*.spheremap *.exr *.hdr *.tif *.tiff *.png *.jpg *.jpeg);;All files (*)");
+    return SphereMapSourceField::tr(
+        "Sphere maps and pictures of them (*.spheremap *.exr *.hdr *.tif *.tiff *.png *.jpg *.jpeg);;All files (*)");
 }
 
 SphereMapSourceField::SphereMapSourceField(PresetLibrary& library, QWidget* parent) : QWidget(parent), m_text(new QLineEdit)
@@ -40,23 +41,20 @@ SphereMapSourceField::SphereMapSourceField(PresetLibrary& library, QWidget* pare
     file->setObjectName(QStringLiteral("chooseFile"));
     file->setToolTip(tr("Choose a file"));
     connect(file, &QAction::triggered, this, [this, set] {
-        const QString path = QFileDialog::getOpenFileName(this, tr("Choose a sphere map"), QFileInfo(m_source).path(), sphereMapFileFilter());
+        const QString path =
+            QFileDialog::getOpenFileName(this, tr("Choose a sphere map"), QFileInfo(m_source).path(), sphereMapFileFilter());
         if (!path.isEmpty())
             set(path);
     });
     QAction* preset = m_text->addAction(QIcon(QStringLiteral(":/icons/sphere-map.svg")), QLineEdit::TrailingPosition);
     preset->setObjectName(QStringLiteral("choosePreset"));
     preset->setToolTip(tr("Choose a preset"));
-    connect(preset, &QAction::triggered, this, [this, &library, set] {
-        connect(openPresetGallery(library, *this, m_source), &PresetGallery::chosen, this, set);
-    });
+    connect(preset, &QAction::triggered, this,
+            [this, &library, set] { connect(openPresetGallery(library, *this, m_source), &PresetGallery::chosen, this, set); });
     connect(m_text, &QLineEdit::editingFinished, this, [this, set] { set(m_text->text().trimmed()); });
 }
 
-SphereMapSourceField::~SphereMapSourceField()
-{
-    disconnectChildren(*this);
-}
+SphereMapSourceField::~SphereMapSourceField() { disconnectChildren(*this); }
 
 void SphereMapSourceField::setSource(const QString& source)
 {

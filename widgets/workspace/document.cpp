@@ -27,10 +27,7 @@ Document::Document(QObject* parent) : QObject(parent)
     connect(&m_undoStack, &QUndoStack::cleanChanged, this, [this](bool clean) { emit modifiedChanged(!clean); });
 }
 
-QString Document::title() const
-{
-    return m_filePath.isEmpty() ? tr("Untitled") : QFileInfo(m_filePath).fileName();
-}
+QString Document::title() const { return m_filePath.isEmpty() ? tr("Untitled") : QFileInfo(m_filePath).fileName(); }
 
 void Document::edit(const QString& label, const QString& mergeKey, const std::function<void(Scene&)>& change)
 {
@@ -68,8 +65,8 @@ void Document::editReversibly(const QString& label, std::function<void(Scene&)> 
         step(changed);
         apply(changed);
     };
-    m_undoStack.push(new ReversibleEdit(label, [change, redo = std::move(redo)] { change(redo); },
-                                        [change, undo = std::move(undo)] { change(undo); }));
+    m_undoStack.push(new ReversibleEdit(
+        label, [change, redo = std::move(redo)] { change(redo); }, [change, undo = std::move(undo)] { change(undo); }));
 }
 
 void Document::finishEdit()
@@ -102,10 +99,7 @@ void Document::replace(const Scene& scene, const QString& path)
     emit changed(Part::All);
 }
 
-void Document::reset(const Scene& scene)
-{
-    replace(scene, {});
-}
+void Document::reset(const Scene& scene) { replace(scene, {}); }
 
 void Document::load(const QString& path)
 {

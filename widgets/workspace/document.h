@@ -37,8 +37,8 @@ public:
     /// Changes the scene by one undo step. Edits of the same non-empty key merge into one step until finishEdit(): a drag.
     /// An edit that makes the scene invalid is left undone and reported by refused().
     void edit(const QString& label, const QString& mergeKey, const std::function<void(Scene&)>& change);
-    /// The same for a change that knows how to take itself back, and is small beside the scene: a stroke on a painted map. The undo step keeps
-    /// the two functions and no scene; `undo` gets the scene that `redo` left.
+    /// The same for a change that knows how to take itself back, and is small beside the scene: a stroke on a painted map. The undo step
+    /// keeps the two functions and no scene; `undo` gets the scene that `redo` left.
     void editReversibly(const QString& label, std::function<void(Scene&)> redo, std::function<void(Scene&)> undo);
     /// The end of a drag.
     void finishEdit();
@@ -49,7 +49,8 @@ public:
     void reset(const Scene& scene = {});
     /// @throws FileError; the document then is as it was
     void load(const QString& path);
-    /// Writes the scene and makes `path` the document's file. Paths below its folder become relative to it. @throws InvalidArgument, WorkError
+    /// Writes the scene and makes `path` the document's file. Paths below its folder become relative to it. @throws InvalidArgument,
+    /// WorkError
     void save(const QString& path);
     /// A scene found after a crash: not saved yet. @param path  the file it belongs to; empty: none
     void recover(const Scene& scene, const QString& path);

@@ -5,7 +5,8 @@
 namespace mirrorball::studio {
 
 EditScene::EditScene(const QString& label, QString mergeKey, Scene before, Scene after, Apply apply)
-    : QUndoCommand(label), m_mergeKey(std::move(mergeKey)), m_before(std::move(before)), m_after(std::move(after)), m_apply(std::move(apply))
+    : QUndoCommand(label), m_mergeKey(std::move(mergeKey)), m_before(std::move(before)), m_after(std::move(after)),
+      m_apply(std::move(apply))
 {
 }
 

@@ -83,7 +83,8 @@ void JobRunner::run(const std::stop_token& end)
                                  if (sinceReport.elapsed() < progressPeriod)
                                      return;
                                  sinceReport.start();
-                                 QMetaObject::invokeMethod(this, [this, fraction] { emit progressed(fraction); }, Qt::QueuedConnection);
+                                 QMetaObject::invokeMethod(
+                                     this, [this, fraction] { emit progressed(fraction); }, Qt::QueuedConnection);
                              }};
         Deliver deliver;
         QString error;

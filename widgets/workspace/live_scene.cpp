@@ -77,7 +77,8 @@ private:
             return;
         meshProblem.clear();
         try {
-            mesh = timedStage(record.stages, "read mesh", [&] { return std::make_shared<const preview::Mesh>(preview::readMesh(path, job)); });
+            mesh =
+                timedStage(record.stages, "read mesh", [&] { return std::make_shared<const preview::Mesh>(preview::readMesh(path, job)); });
         } catch (const Cancelled&) {
             throw;
         } catch (const Error& error) {
@@ -110,16 +111,10 @@ void LiveScene::follow()
     request();
 }
 
-void LiveScene::refresh()
-{
-    request();
-}
+void LiveScene::refresh() { request(); }
 
 // Another probe takes a while: a coarse picture of it comes first, the full one follows.
-bool LiveScene::startsAnew() const
-{
-    return !m_made || m_made->scene.probe.source != m_document.scene().probe.source;
-}
+bool LiveScene::startsAnew() const { return !m_made || m_made->scene.probe.source != m_document.scene().probe.source; }
 
 void LiveScene::request()
 {
@@ -129,9 +124,9 @@ void LiveScene::request()
     m_requested = m_document.scene();
     m_requestedDetail = wantsCoarse ? coarse : MapDetail{};
     m_isUpToDate = false;
-    m_runner.start(
-        [maker = m_maker, scene = m_requested, detail = m_requestedDetail](const JobControl& job) { return maker->make(scene, detail, job); },
-        [this](std::shared_ptr<const PreparedScene> made) { use(std::move(made)); }, running);
+    m_runner.start([maker = m_maker, scene = m_requested,
+                    detail = m_requestedDetail](const JobControl& job) { return maker->make(scene, detail, job); },
+                   [this](std::shared_ptr<const PreparedScene> made) { use(std::move(made)); }, running);
 }
 
 void LiveScene::use(std::shared_ptr<const PreparedScene> made)

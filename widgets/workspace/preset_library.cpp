@@ -1,7 +1,7 @@
 #include "preset_library.h"
 
-#include "widgets/picture/screen_picture.h"
 #include "widgets/controls/text.h"
+#include "widgets/picture/screen_picture.h"
 
 #include "core/spheremap/evaluation/contact_sheet.h"
 #include "core/spheremap/evaluation/evaluate.h"
@@ -37,10 +37,7 @@ int PresetLibrary::rowOf(const QString& name) const
     return found == m_entries.end() ? -1 : static_cast<int>(found - m_entries.begin());
 }
 
-int PresetLibrary::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_entries.size());
-}
+int PresetLibrary::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(m_entries.size()); }
 
 QVariant PresetLibrary::data(const QModelIndex& index, int role) const
 {
@@ -48,17 +45,22 @@ QVariant PresetLibrary::data(const QModelIndex& index, int role) const
         return {};
     const Entry& entry = m_entries[static_cast<size_t>(index.row())];
     switch (role) {
-    case Qt::DisplayRole: return fieldText(entry.preset->title);
+    case Qt::DisplayRole:
+        return fieldText(entry.preset->title);
     case Qt::DecorationRole:
         if (!entry.isAsked) // asking is no change that a view could see
             const_cast<PresetLibrary*>(this)->ask(index.row());
         return entry.picture.isNull() ? QVariant() : QVariant(entry.picture);
-    case Qt::ToolTipRole: return fieldText(entry.preset->description);
-    case Qt::AccessibleTextRole: return fieldText(entry.preset->title) + QStringLiteral(". ") + fieldText(entry.preset->description);
-    case NameRole: return toQString(entry.preset->name);
+    case Qt::ToolTipRole:
+        return fieldText(entry.preset->description);
+    case Qt::AccessibleTextRole:
+        return fieldText(entry.preset->title) + QStringLiteral(". ") + fieldText(entry.preset->description);
+    case NameRole:
+        return toQString(entry.preset->name);
     case SearchRole:
         return QStringList{toQString(entry.preset->name), fieldText(entry.preset->title), fieldText(entry.preset->description)}.join(u' ');
-    default: return {};
+    default:
+        return {};
     }
 }
 

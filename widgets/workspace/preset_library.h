@@ -12,8 +12,9 @@
 
 namespace mirrorball::studio {
 
-/// The built-in sphere maps, those for models first and then what may lie outside a window, as pictures of balls. A picture is made in the background
-/// when a view first asks for it, the first one asked for first, and kept while the program runs: it takes less time than to read one from disk.
+/// The built-in sphere maps, those for models first and then what may lie outside a window, as pictures of balls. A picture is made in the
+/// background when a view first asks for it, the first one asked for first, and kept while the program runs: it takes less time than to
+/// read one from disk.
 class PresetLibrary : public QAbstractListModel {
     Q_OBJECT
 

@@ -47,10 +47,7 @@ QImage developed(const EnvironmentMap& map)
     return toQImage(toDisplay(map.image, exposure, ToneCurve::Filmic)).convertToFormat(QImage::Format_RGB32);
 }
 
-QString cacheFolder()
-{
-    return QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/thumbnails");
-}
+QString cacheFolder() { return QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/thumbnails"); }
 
 /// Where the thumbnail of a file as it is now is kept.
 QString cachePath(const QString& source)
@@ -82,10 +79,7 @@ void prune()
 
 } // namespace
 
-bool isProbeFile(const QString& path)
-{
-    return QDir::match(probeFilters(), QFileInfo(path).fileName());
-}
+bool isProbeFile(const QString& path) { return QDir::match(probeFilters(), QFileInfo(path).fileName()); }
 
 ProbeLibrary::ProbeLibrary(QObject* parent) : QAbstractListModel(parent), m_runner(this)
 {
@@ -196,10 +190,7 @@ void ProbeLibrary::refresh(const QString& source)
     emit dataChanged(index(row), index(row));
 }
 
-int ProbeLibrary::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_entries.size());
-}
+int ProbeLibrary::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(m_entries.size()); }
 
 QVariant ProbeLibrary::data(const QModelIndex& index, int role) const
 {
@@ -207,7 +198,8 @@ QVariant ProbeLibrary::data(const QModelIndex& index, int role) const
         return {};
     const Entry& entry = m_entries[static_cast<size_t>(index.row())];
     switch (role) {
-    case Qt::DisplayRole: return entry.name;
+    case Qt::DisplayRole:
+        return entry.name;
     case Qt::DecorationRole:
         if (entry.state == Entry::State::Unknown) // asking is no change that a view could see
             const_cast<ProbeLibrary*>(this)->ask(index.row());
@@ -216,13 +208,20 @@ QVariant ProbeLibrary::data(const QModelIndex& index, int role) const
         if (entry.group == builtinGroup())
             return toQString(builtinProbe(entry.name.toStdString()).description);
         return entry.problem.isEmpty() ? QDir::toNativeSeparators(entry.source) : entry.problem;
-    case Qt::AccessibleTextRole: return entry.name + QStringLiteral(", ") + (entry.problem.isEmpty() ? entry.facts : entry.problem);
-    case SourceRole: return entry.source;
-    case GroupRole: return entry.group;
-    case FactsRole: return entry.facts;
-    case ProblemRole: return entry.problem;
-    case CertainRole: return entry.isCertain;
-    default: return {};
+    case Qt::AccessibleTextRole:
+        return entry.name + QStringLiteral(", ") + (entry.problem.isEmpty() ? entry.facts : entry.problem);
+    case SourceRole:
+        return entry.source;
+    case GroupRole:
+        return entry.group;
+    case FactsRole:
+        return entry.facts;
+    case ProblemRole:
+        return entry.problem;
+    case CertainRole:
+        return entry.isCertain;
+    default:
+        return {};
     }
 }
 
@@ -252,7 +251,8 @@ ProbeLibrary::Loaded ProbeLibrary::load(const QString& source, const JobControl&
     try {
         const ReducedProbe probe = reduceProbe(isFile ? toPath(source).string() : source.toStdString(), {.height = thumbnailHeight}, job);
         result.thumbnail = developed(thumbnailOf(probe, thumbnailHeight, {}, job));
-        result.facts = QStringLiteral("%1 %2 × %3").arg(toQString(name(probe.detection.layout.kind))).arg(probe.info.width).arg(probe.info.height);
+        result.facts =
+            QStringLiteral("%1 %2 × %3").arg(toQString(name(probe.detection.layout.kind))).arg(probe.info.width).arg(probe.info.height);
         result.isCertain = probe.detection.certain;
     } catch (const Cancelled&) {
         throw;

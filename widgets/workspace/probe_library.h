@@ -16,8 +16,9 @@ namespace mirrorball::studio {
 /// Whether the name of a file says that it holds an image that can be a probe.
 bool isProbeFile(const QString& path);
 
-/// The probes that a user can choose from: the built-in ones, single files, and those in some folders, which are watched. Files and folders are
-/// kept between runs. A thumbnail is made in the background when a view first asks for it, the last one asked for first, and kept on disk.
+/// The probes that a user can choose from: the built-in ones, single files, and those in some folders, which are watched. Files and folders
+/// are kept between runs. A thumbnail is made in the background when a view first asks for it, the last one asked for first, and kept on
+/// disk.
 class ProbeLibrary : public QAbstractListModel {
     Q_OBJECT
 

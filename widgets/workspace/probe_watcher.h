@@ -9,8 +9,8 @@
 
 namespace mirrorball::studio {
 
-/// Watches the file of the document's probe: when it changes on disk, everything is made anew of it. Editors that write a new file and rename
-/// it into place are seen too, and a file that was missing and appears.
+/// Watches the file of the document's probe: when it changes on disk, everything is made anew of it. Editors that write a new file and
+/// rename it into place are seen too, and a file that was missing and appears.
 class ProbeWatcher : public QObject {
     Q_OBJECT
 

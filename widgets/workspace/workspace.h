@@ -1,12 +1,12 @@
 #pragma once
 
-#include "widgets/controls/direction_cursor.h"
 #include "document.h"
 #include "live_scene.h"
-#include "widgets/panels/method_error.h"
-#include "widgets/controls/notices.h"
 #include "preset_library.h"
 #include "probe_library.h"
+#include "widgets/controls/direction_cursor.h"
+#include "widgets/controls/notices.h"
+#include "widgets/panels/method_error.h"
 #include "widgets/spheremap/sphere_map_editor.h"
 
 namespace mirrorball::studio {

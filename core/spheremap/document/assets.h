@@ -13,7 +13,8 @@ namespace mirrorball {
 /// What layers read from files and what they computed from it, kept from one evaluation to the next. Share one object among the evaluations
 /// of a document, so that an image is read and a probe is filtered once. May be used from several threads.
 ///
-/// A slider that turns a probe asks for a new asset with each movement: what has not been asked for the longest is forgotten beyond `budget`.
+/// A slider that turns a probe asks for a new asset with each movement: what has not been asked for the longest is forgotten beyond
+/// `budget`.
 class SphereMapAssets {
 public:
     /// @param budget  bytes that are kept; the newest asset always is
@@ -25,8 +26,8 @@ public:
         size_t bytes = 0; ///< that it holds, about
     };
 
-    /// The asset of that key, made when it is asked for the first time, or again after it was forgotten. A key names everything that the asset
-    /// depends on.
+    /// The asset of that key, made when it is asked for the first time, or again after it was forgotten. A key names everything that the
+    /// asset depends on.
     template <typename T>
     std::shared_ptr<const T> get(const std::string& key, const std::function<Made<T>()>& make)
     {

@@ -44,9 +44,6 @@ void readJson(const std::string& path, const nlohmann::json& json, EmbeddedSpher
         map.document = namingPlace(path, [&] { return std::make_shared<const SphereMapDocument>(sphereMapFromJson(json)); });
 }
 
-nlohmann::ordered_json writeJson(const EmbeddedSphereMap& map)
-{
-    return map ? sphereMapToJson(*map.document) : nlohmann::ordered_json();
-}
+nlohmann::ordered_json writeJson(const EmbeddedSphereMap& map) { return map ? sphereMapToJson(*map.document) : nlohmann::ordered_json(); }
 
 } // namespace mirrorball

@@ -1,11 +1,10 @@
 #pragma once
 
-#include "core/spheremap/layers/adjust.h"
 #include "core/spheremap/evaluation/blend.h"
+#include "core/spheremap/layers/adjust.h"
 #include "core/spheremap/layers/blur.h"
 #include "core/spheremap/layers/cold_warm.h"
 #include "core/spheremap/layers/colorgram.h"
-#include "core/spheremap/math/gradient.h"
 #include "core/spheremap/layers/hatching.h"
 #include "core/spheremap/layers/image_layer.h"
 #include "core/spheremap/layers/paint_layer.h"
@@ -15,6 +14,7 @@
 #include "core/spheremap/layers/toon.h"
 #include "core/spheremap/layers/turn.h"
 #include "core/spheremap/layers/window.h"
+#include "core/spheremap/math/gradient.h"
 
 #include <optional>
 #include <span>
@@ -34,9 +34,9 @@ struct UnknownLayer {
 
 /// What a layer is: one of the kinds, each a plain struct of parameters with visitFields (fields.h) and a static `kind`.
 /// To add a kind: its struct and its `prepare` in a file of its own, and its name here.
-using LayerContent = std::variant<FillLayer, GradientLayer, WindowLayer, ColdWarmLayer, SilhouetteLayer, HatchingLayer, ToonLayer, ColorgramLayer,
-                                  PhongLightsLayer, ProbeLayer, ImageLayer, PaintLayer, BlurLayer, TwistLayer, RotateLayer, HueSaturationLayer,
-                                  CurvesLayer, PosterizeLayer, InvertLayer, UnknownLayer>;
+using LayerContent = std::variant<FillLayer, GradientLayer, WindowLayer, ColdWarmLayer, SilhouetteLayer, HatchingLayer, ToonLayer,
+                                  ColorgramLayer, PhongLightsLayer, ProbeLayer, ImageLayer, PaintLayer, BlurLayer, TwistLayer, RotateLayer,
+                                  HueSaturationLayer, CurvesLayer, PosterizeLayer, InvertLayer, UnknownLayer>;
 
 /// All kinds but the unknown one, in the order of LayerContent.
 std::span<const LayerKind> layerKinds();

@@ -1,8 +1,8 @@
 #include "sphere_map_file.h"
 
+#include "core/spheremap/strokes/stroke_json.h"
 #include "layer_json.h"
 #include "sphere_map_json.h"
-#include "core/spheremap/strokes/stroke_json.h"
 
 namespace mirrorball {
 
@@ -57,7 +57,9 @@ void changePath(LayerContent& content, ChangePath change, const std::filesystem:
 
 SphereMapDocument withPathsFrom(SphereMapDocument document, const std::filesystem::path& folder, ChangePath change)
 {
-    const auto whole = [](const std::filesystem::path& path) { return std::filesystem::absolute(path.empty() ? "." : path).lexically_normal(); };
+    const auto whole = [](const std::filesystem::path& path) {
+        return std::filesystem::absolute(path.empty() ? "." : path).lexically_normal();
+    };
     const std::filesystem::path from = whole(document.folder), to = whole(folder);
     for (Layer& layer : document.layers) {
         changePath(layer.content, change, from, to);

@@ -59,14 +59,22 @@ template <typename Visit>
 auto withMode(BlendMode mode, Visit&& visit)
 {
     switch (mode) {
-    case BlendMode::Multiply: return visit(Multiply{});
-    case BlendMode::Screen: return visit(Screen{});
-    case BlendMode::Add: return visit(Add{});
-    case BlendMode::Overlay: return visit(Overlay{});
-    case BlendMode::SoftLight: return visit(SoftLight{});
-    case BlendMode::Darken: return visit(Darken{});
-    case BlendMode::Lighten: return visit(Lighten{});
-    case BlendMode::Normal: break;
+    case BlendMode::Multiply:
+        return visit(Multiply{});
+    case BlendMode::Screen:
+        return visit(Screen{});
+    case BlendMode::Add:
+        return visit(Add{});
+    case BlendMode::Overlay:
+        return visit(Overlay{});
+    case BlendMode::SoftLight:
+        return visit(SoftLight{});
+    case BlendMode::Darken:
+        return visit(Darken{});
+    case BlendMode::Lighten:
+        return visit(Lighten{});
+    case BlendMode::Normal:
+        break;
     }
     return visit(Normal{});
 }

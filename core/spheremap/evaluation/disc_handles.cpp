@@ -77,16 +77,15 @@ Grip<Layer> centreGrip(const Layer& layer)
 
 /// An arm that turns one angle.
 template <typename Layer>
-Grip<Layer> armGrip(const Layer& layer, std::string_view field, double Layer::* angle, const glm::dvec2& from, double length,
+Grip<Layer> armGrip(const Layer& layer, std::string_view field, double Layer::*angle, const glm::dvec2& from, double length,
                     double zero = 0.0, double sign = 1.0)
 {
-    return {{.kind = HandleKind::Arm,
-             .place = from + polarPlace(length, zero + sign * layer.*angle),
-             .from = from,
-             .values = {degrees(field, layer.*angle)}},
-            [=](Layer& changed, const glm::dvec2& wanted) {
-                changed.*angle = turned(sign * (angleOf(wanted - from) - zero), changed.*angle);
-            }};
+    return {
+        {.kind = HandleKind::Arm,
+         .place = from + polarPlace(length, zero + sign * layer.*angle),
+         .from = from,
+         .values = {degrees(field, layer.*angle)}},
+        [=](Layer& changed, const glm::dvec2& wanted) { changed.*angle = turned(sign * (angleOf(wanted - from) - zero), changed.*angle); }};
 }
 
 template <typename Layer>
@@ -95,10 +94,7 @@ Grips<Layer> grips(const Layer&)
     return {};
 }
 
-Shows showing(const PhongLight& light)
-{
-    return light.intensity == 0.0 && light.diffuse > 0.0 ? Shows::Facing : Shows::Highlight;
-}
+Shows showing(const PhongLight& light) { return light.intensity == 0.0 && light.diffuse > 0.0 ? Shows::Facing : Shows::Highlight; }
 
 Grips<PhongLightsLayer> grips(const PhongLightsLayer& layer)
 {
@@ -257,8 +253,8 @@ Grips<ColorgramLayer> grips(const ColorgramLayer& layer)
     return all;
 }
 
-/// Turns about +Y and then +X that take +Z to a direction, in degrees: (sin y, -sin x cos y, cos x cos y). Of the two ways the one nearer to the
-/// present turn about +Y.
+/// Turns about +Y and then +X that take +Z to a direction, in degrees: (sin y, -sin x cos y, cos x cos y). Of the two ways the one nearer
+/// to the present turn about +Y.
 glm::dvec2 turnsTo(const glm::dvec3& d, double presentY)
 {
     const double y = std::asin(std::clamp(d.x, -1.0, 1.0)), x = std::atan2(-d.y, d.z);

@@ -8,11 +8,12 @@
 #include <string_view>
 #include <vector>
 
-/// What of a layer can be dragged on the disc: lights where they show, centres, ends, angles. The reverse of evaluating a layer: from a place
-/// on its picture to the parameters that put it there.
+/// What of a layer can be dragged on the disc: lights where they show, centres, ends, angles. The reverse of evaluating a layer: from a
+/// place on its picture to the parameters that put it there.
 namespace mirrorball {
 
-/// Light: where a light shows. Place: a centre. Corner: of a frame. Arm: the end of a line from what it belongs to. Ring: on a circle about it.
+/// Light: where a light shows. Place: a centre. Corner: of a frame. Arm: the end of a line from what it belongs to. Ring: on a circle about
+/// it.
 enum class HandleKind { Light, Place, Corner, Arm, Ring };
 
 /// A parameter that a handle sets.
@@ -24,9 +25,9 @@ struct HandleValue {
 
 struct DiscHandle {
     HandleKind kind = HandleKind::Place;
-    glm::dvec2 place{0.0};            ///< past the rim: on the ball's back, see facingPlace(), or simply outside
-    glm::dvec2 from{0.0};             ///< arms, rings: what they belong to
-    std::optional<int> light{};       ///< which of a list of lights it is
+    glm::dvec2 place{0.0};             ///< past the rim: on the ball's back, see facingPlace(), or simply outside
+    glm::dvec2 from{0.0};              ///< arms, rings: what they belong to
+    std::optional<int> light{};        ///< which of a list of lights it is
     std::optional<glm::dvec3> color{}; ///< what it stands for, linear RGB
     std::vector<HandleValue> values{};
 };
@@ -34,8 +35,9 @@ struct DiscHandle {
 /// The handles of a layer; none for kinds without places and directions, among them paint.
 std::vector<DiscHandle> discHandles(const LayerContent& content);
 
-/// Drags a handle: sets its parameters, within their fields' ranges, so that its place is the one wanted, or the nearest that there is. Angles
-/// change by the shortest way, so that a drag can go around and around. Everything else of the layer stays. @param handle  an index into discHandles()
+/// Drags a handle: sets its parameters, within their fields' ranges, so that its place is the one wanted, or the nearest that there is.
+/// Angles change by the shortest way, so that a drag can go around and around. Everything else of the layer stays. @param handle  an index
+/// into discHandles()
 void moveHandle(LayerContent& content, size_t handle, const glm::dvec2& wanted);
 
 /// Whether a layer is a list of lights, to which some can be added.

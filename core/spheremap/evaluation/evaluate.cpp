@@ -259,9 +259,9 @@ MIRRORBALL_VECTOR_CLONES float weigh(int count, const float* __restrict share, f
     return *std::max_element(most, most + lanes);
 }
 
-/// The brightest light that a layer gives, or that layers make together: what would be brighter is this bright. Even the product of two such,
-/// through the strongest adjustment, stays far below the largest float, so that nothing overflows to infinity, whose products with 0 are no
-/// numbers; and a probe's sun does not come near it.
+/// The brightest light that a layer gives, or that layers make together: what would be brighter is this bright. Even the product of two
+/// such, through the strongest adjustment, stays far below the largest float, so that nothing overflows to infinity, whose products with 0
+/// are no numbers; and a probe's sun does not come near it.
 constexpr float brightest = 1e10f;
 
 /// Colours that are not multiplied by their opacity.

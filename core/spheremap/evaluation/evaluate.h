@@ -4,8 +4,8 @@
 #include "core/spheremap/document/sphere_map_document.h"
 #include "core/spheremap/math/texel_rect.h"
 
-#include "core/image/image.h"
 #include "core/base/job.h"
+#include "core/image/image.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -26,17 +26,17 @@ enum class UnknownLayers { Refuse, Skip };
 enum class PaintTarget { Layer, Mask };
 
 struct EvaluateOptions {
-    int size = 512;                      ///< texels along an edge, [1, 8192]
-    int level = 0;                       ///< of a chain, [0, 16]: decides which layers take part
-    int levelSize = 0;                   ///< edge of the texels that a width in pixels means, where not `size`; 0: `size`
-    std::optional<TexelRect> region{};   ///< what to evaluate; empty: the whole map
+    int size = 512;                    ///< texels along an edge, [1, 8192]
+    int level = 0;                     ///< of a chain, [0, 16]: decides which layers take part
+    int levelSize = 0;                 ///< edge of the texels that a width in pixels means, where not `size`; 0: `size`
+    std::optional<TexelRect> region{}; ///< what to evaluate; empty: the whole map
     UnknownLayers unknownLayers = UnknownLayers::Refuse;
     std::shared_ptr<SphereMapAssets> assets{}; ///< null: files are read again
     /// The strokes of a layer or of its mask by the layer's index, where they are at hand already (a StrokeCanvas): size x size, RGBA,
     /// multiplied by opacity. Null: they are evaluated.
     std::function<const Image*(size_t layer, PaintTarget)> raster{};
-    size_t firstLayer = 0;       ///< those below it are in `below`
-    size_t endLayer = SIZE_MAX;  ///< this one and those above are left out
+    size_t firstLayer = 0;        ///< those below it are in `below`
+    size_t endLayer = SIZE_MAX;   ///< this one and those above are left out
     const Image* below = nullptr; ///< the whole map with the layers below firstLayer, as evaluate() gave it; null: nothing
 };
 
@@ -53,7 +53,8 @@ Image evaluate(const SphereMapDocument& document, const EvaluateOptions& options
 TexelRect touchedBy(const SphereMapDocument& document, size_t layer, const TexelRect& touched, const EvaluateOptions& options);
 
 /// The mip chain, largest first, each level half of the one before rounded down, to 1 x 1. Where a layer is made for the levels
-/// (hasAuthoredLevels()), each level is evaluated by itself, finer by the factor levelOversampling and averaged; otherwise it is plainChain().
+/// (hasAuthoredLevels()), each level is evaluated by itself, finer by the factor levelOversampling and averaged; otherwise it is
+/// plainChain().
 /// @throws as evaluate()
 std::vector<Image> evaluateLevels(const SphereMapDocument& document, int size, const JobControl& job = {});
 /// The same with options; `region`, `level` and `levelSize` are not used.

@@ -28,9 +28,11 @@ std::vector<LevelPatch> LevelsCache::update(const SphereMapDocument& document, c
         if (touched.empty())
             continue;
         const int factor = oversamplingOfLevel(cache.levelSize());
-        const TexelRect rect{touched.x0 / factor, touched.y0 / factor, (touched.x1 + factor - 1) / factor, (touched.y1 + factor - 1) / factor};
-        patches.push_back({level, rect, blockAverages(cache.image(), {rect.x0 * factor, rect.y0 * factor, rect.x1 * factor, rect.y1 * factor},
-                                                      factor, job)});
+        const TexelRect rect{touched.x0 / factor, touched.y0 / factor, (touched.x1 + factor - 1) / factor,
+                             (touched.y1 + factor - 1) / factor};
+        patches.push_back(
+            {level, rect,
+             blockAverages(cache.image(), {rect.x0 * factor, rect.y0 * factor, rect.x1 * factor, rect.y1 * factor}, factor, job)});
     }
     return patches;
 }

@@ -13,8 +13,8 @@ struct LevelPatch {
     Image texels{};
 };
 
-/// The coarser levels of a hand-made chain while an artist paints: what evaluateLevels() gives below the largest, but a stroke evaluates again
-/// only what it touched of each.
+/// The coarser levels of a hand-made chain while an artist paints: what evaluateLevels() gives below the largest, but a stroke evaluates
+/// again only what it touched of each.
 class LevelsCache {
 public:
     /// @param options  as of evaluateLevels(); `size` is that of level 0. @throws InvalidArgument naming the field

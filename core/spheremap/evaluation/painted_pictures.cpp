@@ -31,9 +31,12 @@ std::vector<Image> evaluated(const SphereMapDocument& document, const PaintedOpt
 {
     const EvaluateOptions whole{.size = options.size - 2 * options.border};
     switch (options.levels) {
-    case PaintedLevels::Authored: return evaluateLevels(document, whole, job);
-    case PaintedLevels::Plain: return plainChain(evaluate(document, whole, job), job);
-    case PaintedLevels::One: break;
+    case PaintedLevels::Authored:
+        return evaluateLevels(document, whole, job);
+    case PaintedLevels::Plain:
+        return plainChain(evaluate(document, whole, job), job);
+    case PaintedLevels::One:
+        break;
     }
     return {bordered(evaluate(document, whole, job), options.border)};
 }

@@ -16,8 +16,8 @@ enum class PaintedLevels {
 };
 
 struct PaintedOptions {
-    int size = 512;  ///< edge of the picture, borders included
-    int border = 0;  ///< texels between the disc and the picture's edge, in the rim's colours, see bordered(); 0 where there are more levels
+    int size = 512; ///< edge of the picture, borders included
+    int border = 0; ///< texels between the disc and the picture's edge, in the rim's colours, see bordered(); 0 where there are more levels
     PaintedLevels levels = PaintedLevels::One;
 };
 

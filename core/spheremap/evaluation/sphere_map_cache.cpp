@@ -44,10 +44,7 @@ Change changeOf(const Layer& a, const Layer& b)
     return change;
 }
 
-TexelRect whole(int size)
-{
-    return {0, 0, size, size};
-}
+TexelRect whole(int size) { return {0, 0, size, size}; }
 
 /// Then a stroke reads or reaches more than it touches, and what lies below it is worth keeping.
 bool holdsWarp(const SphereMapDocument& document)
@@ -67,7 +64,9 @@ SphereMapCache::SphereMapCache(const EvaluateOptions& options) : m_options(optio
     m_options.below = nullptr;
     if (!m_options.assets)
         m_options.assets = std::make_shared<SphereMapAssets>();
-    evaluate({}, {.size = m_options.size, .level = m_options.level, .levelSize = m_options.levelSize,
+    evaluate({}, {.size = m_options.size,
+                  .level = m_options.level,
+                  .levelSize = m_options.levelSize,
                   .region = TexelRect{0, 0, 1, 1}}); // checks the options
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "evaluate.h"
 #include "core/spheremap/strokes/stroke_canvas.h"
+#include "evaluate.h"
 
 #include <map>
 #include <optional>
@@ -45,9 +45,9 @@ private:
     std::optional<SphereMapDocument> m_document{};
     Image m_image{};
     std::map<Painted, StrokeCanvas> m_canvases{}; ///< of visible paint layers and painted masks
-    size_t m_lastChanged = SIZE_MAX;             ///< the lowest layer of the last change
-    Image m_below{};                             ///< layers below m_belowLayer, of m_document
-    size_t m_belowLayer = 0;                     ///< 0: nothing is kept
+    size_t m_lastChanged = SIZE_MAX;              ///< the lowest layer of the last change
+    Image m_below{};                              ///< layers below m_belowLayer, of m_document
+    size_t m_belowLayer = 0;                      ///< 0: nothing is kept
 };
 
 } // namespace mirrorball

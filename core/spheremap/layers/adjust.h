@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/spheremap/math/curve_table.h"
 #include "core/spheremap/document/layer_kind.h"
+#include "core/spheremap/math/curve_table.h"
 #include "core/spheremap/math/level.h"
 #include "core/spheremap/math/span.h"
 
@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-/// Layers that change the colours below them, each point by itself. Curves and steps work on the square root of a channel, which is about what
-/// the eye and a display make of light, and on light of any size.
+/// Layers that change the colours below them, each point by itself. Curves and steps work on the square root of a channel, which is about
+/// what the eye and a display make of light, and on light of any size.
 namespace mirrorball {
 
 /// Hue, saturation and value of the hexcone model: V is the largest channel, S = (V - smallest)/V. Brighter than 1 stays so.

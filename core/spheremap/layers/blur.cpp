@@ -16,8 +16,9 @@ namespace {
 
 /// What is blurred varies over sigma, so it is computed on a grid of cells about half a sigma wide and read smoothly from there. The grid
 /// is azimuthal equidistant, p = theta (cos phi, sin phi) with theta the angle from +Z: the picture's own grid would do badly at the rim,
-/// where it shows a wide angle in a narrow ring. Mirror directions go all around, and near -Z such a grid is stretched without bound: what lies
-/// behind has a grid of its own, about -Z. So no grid is stretched by more than pi/2, and a kernel never reaches more than that many cells.
+/// where it shows a wide angle in a narrow ring. Mirror directions go all around, and near -Z such a grid is stretched without bound: what
+/// lies behind has a grid of its own, about -Z. So no grid is stretched by more than pi/2, and a kernel never reaches more than that many
+/// cells.
 constexpr float cellsPerSigma = 2.0f;
 constexpr float reachInSigmas = 3.5f;
 
@@ -139,13 +140,15 @@ public:
     }
 
     /// Blurring moves light at most so far in the picture: an angle a on the ball is at most a radii, and half of that by mirror
-    /// directions, where however the whole rim is one direction. Behind the rim the ball has its nearest point's colour, which is no farther away.
+    /// directions, where however the whole rim is one direction. Behind the rim the ball has its nearest point's colour, which is no
+    /// farther away.
     TexelRect widened(const TexelRect& rect) const
     {
         const TexelRect all{0, 0, m_size, m_size};
         if (m_mirror)
             return all;
-        const float reach = (reachInSigmas * m_sigma + 4.0f * m_grid.cell) * 0.5f * static_cast<float>(m_size); // cells: the grid's interpolation
+        const float reach =
+            (reachInSigmas * m_sigma + 4.0f * m_grid.cell) * 0.5f * static_cast<float>(m_size); // cells: the grid's interpolation
         if (reach > static_cast<float>(m_size))
             return all;
         TexelRect grown = rect.grown(static_cast<int>(std::ceil(reach)) + 2, m_size);
@@ -216,7 +219,8 @@ private:
         const int samples = cells.side == Side::Front ? 1 : std::max(1, static_cast<int>(std::lround(arc * half * radius * scale)));
         glm::vec4 sum(0.0f);
         for (int k = 0; k < samples; ++k) {
-            const float turn = arc * ((static_cast<float>(k) + 0.5f) / static_cast<float>(samples) - 0.5f), c = std::cos(turn), sn = std::sin(turn);
+            const float turn = arc * ((static_cast<float>(k) + 0.5f) / static_cast<float>(samples) - 0.5f), c = std::cos(turn),
+                        sn = std::sin(turn);
             const glm::vec2 q = radius * (samples > 1 ? glm::vec2(c * phi.x - sn * phi.y, sn * phi.x + c * phi.y) : phi);
             glm::vec4 rgba;
             sampleLinearly(source, half * (1.0f + q.x) * scale, half * (1.0f - q.y) * scale, given.x0 >> level, given.y0 >> level, &rgba.x);
@@ -321,7 +325,8 @@ private:
         const float kappa = 1.44269504f / (m_sigma * m_sigma); // for 2^x
         const int reach = static_cast<int>(std::ceil(1.6f * std::ceil(angle / m_grid.cell)));
         const float nearest = std::min(theta, Grid::farthest) / m_grid.cell, middle = 0.5f * static_cast<float>(m_grid.size - 1);
-        const int ci = static_cast<int>(std::lround(nearest * phi.x + middle)), cj = static_cast<int>(std::lround(nearest * phi.y + middle));
+        const int ci = static_cast<int>(std::lround(nearest * phi.x + middle)),
+                  cj = static_cast<int>(std::lround(nearest * phi.y + middle));
         const int i0 = std::max(ci - reach, 0), i1 = std::min(ci + reach, m_grid.size - 1);
         const int count = (i1 - i0 + 8) / 8 * 8; // the padding holds zeros
         for (int row = std::max(cj - reach, 0); row <= std::min(cj + reach, m_grid.size - 1); ++row)

@@ -8,9 +8,9 @@ namespace mirrorball {
 
 /// A Gaussian blur on the sphere, not in the picture: the von Mises-Fisher kernel over the directions m that the texels stand for,
 ///   L'(n) = sum_j L_j w_j k_j / sum_j w_j k_j,  k_j = exp((n.m_j - 1)/sigma^2),  w_j the solid angle of texel j,
-/// which for small sigma is the Gaussian of that standard deviation in every direction on the ball, so in the picture it narrows towards the
-/// rim. Directions are normals on the front hemisphere of a map that is indexed by normal, mirror directions of one indexed by reflection.
-/// A constant stays constant.
+/// which for small sigma is the Gaussian of that standard deviation in every direction on the ball, so in the picture it narrows towards
+/// the rim. Directions are normals on the front hemisphere of a map that is indexed by normal, mirror directions of one indexed by
+/// reflection. A constant stays constant.
 struct BlurLayer {
     static constexpr LayerKind kind{"blur", "Blur", "a Gaussian blur on the sphere", LayerRole::Warp};
     double sigmaDeg = 8.0;

@@ -36,7 +36,8 @@ struct ColdWarmLayer {
         visit(Field{"balance", "moves the dividing line: above 0 there is more warmth", -1, 1, "disc radii"}, self.balance);
         visit(Field{"blur", "standard deviation", 0, 2, "disc radii"}, self.blur);
         visit(Field{"highlight", "radius of the white disc", 0, 1, "disc radii"}, self.highlight);
-        visit(Field{"highlight-distance", "of the white disc from the centre, on the warm side", 0, 1, "disc radii"}, self.highlightDistance);
+        visit(Field{"highlight-distance", "of the white disc from the centre, on the warm side", 0, 1, "disc radii"},
+              self.highlightDistance);
     }
 };
 

@@ -49,7 +49,8 @@ public:
     }
     glm::vec3 at(float s) const
     {
-        const float scaled = s * m_scale, x = scaled < static_cast<float>(entries) ? scaled : static_cast<float>(entries); // the last for NaN
+        const float scaled = s * m_scale,
+                    x = scaled < static_cast<float>(entries) ? scaled : static_cast<float>(entries); // the last for NaN
         const int i = static_cast<int>(x);
         return glm::mix(m_entries[static_cast<size_t>(i)], m_entries[static_cast<size_t>(i) + 1], x - static_cast<float>(i));
     }

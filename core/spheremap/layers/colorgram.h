@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/spheremap/math/gradient_table.h"
 #include "core/spheremap/document/layer_kind.h"
+#include "core/spheremap/math/gradient_table.h"
 #include "core/spheremap/math/level.h"
 #include "core/spheremap/math/span.h"
 
@@ -11,8 +11,8 @@ namespace mirrorball {
 enum class ColorgramSource { Gradient, Grating };
 std::span<const std::string_view> words(ColorgramSource); // gradient grating
 
-/// How the grooves of a grating run. Scattered: small pieces turned every way, as in foil. Straight: one direction. Rings: around the centre, as
-/// on a disc that faces the eye.
+/// How the grooves of a grating run. Scattered: small pieces turned every way, as in foil. Straight: one direction. Rings: around the
+/// centre, as on a disc that faces the eye.
 enum class Grooves { Scattered, Straight, Rings };
 std::span<const std::string_view> words(Grooves); // scattered straight rings
 
@@ -21,17 +21,18 @@ std::vector<GradientStop> rainbow();
 
 /// Rainbow rings or arcs around a white centre, which multiplied over a surface leaves it as it is where it faces the eye.
 ///
-/// Gradient: the colour at t = rings (rho - c)/(1 - c) + sweep phi' / 2 pi + ripple cos(arcs phi'), repeated, with c the centre's radius and
-/// phi' = phi + twist rho: the twist makes left differ from right.
+/// Gradient: the colour at t = rings (rho - c)/(1 - c) + sweep phi' / 2 pi + ripple cos(arcs phi'), repeated, with c the centre's radius
+/// and phi' = phi + twist rho: the twist makes left differ from right.
 ///
-/// Grating: light from l reaches the eye v in order m where the path difference is m wavelengths, m lambda = pitch |(l + v).t|, with t the unit
-/// tangent across the grooves; for scattered ones the longest, pitch |h - (h.n) n| with h = l + v. Each order adds the colour of its
+/// Grating: light from l reaches the eye v in order m where the path difference is m wavelengths, m lambda = pitch |(l + v).t|, with t the
+/// unit tangent across the grooves; for scattered ones the longest, pitch |h - (h.n) n| with h = l + v. Each order adds the colour of its
 /// wavelength, seen by the CIE 1931 observer (cie_observer.h) under a light of equal energy, at 1/m of the strength; `spread` is the
 /// light's extent. Order 0, the mirror direction, is white. Colours outside Rec.709 are mixed with white until they lie inside.
 /// Source: 003 section 6, figures 18 and 19; Born and Wolf, Principles of Optics, section 8.6.1 for the grating.
 struct ColorgramLayer {
-    static constexpr LayerKind kind{"colorgram", "Colorgram", "rainbow rings and arcs, drawn or diffracted, to be multiplied over a material",
-                                    LayerRole::Generator, BlendMode::Multiply};
+    static constexpr LayerKind kind{"colorgram", "Colorgram",
+                                    "rainbow rings and arcs, drawn or diffracted, to be multiplied over a material", LayerRole::Generator,
+                                    BlendMode::Multiply};
     ColorgramSource source = ColorgramSource::Gradient;
     std::vector<GradientStop> stops = rainbow();
     double rings = 2.0;

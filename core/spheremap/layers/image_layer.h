@@ -10,8 +10,8 @@
 
 namespace mirrorball {
 
-/// What of a picture is used. Blender's matcaps have two passes, `diffuse`, which takes the colour of the object, and `specular`, which lies
-/// over it; a file without such passes is all diffuse, one with a specular pass alone has a black diffuse one.
+/// What of a picture is used. Blender's matcaps have two passes, `diffuse`, which takes the colour of the object, and `specular`, which
+/// lies over it; a file without such passes is all diffuse, one with a specular pass alone has a black diffuse one.
 enum class ImagePass { All, Diffuse, Specular };
 std::span<const std::string_view> words(ImagePass); // all diffuse specular
 

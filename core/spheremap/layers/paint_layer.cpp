@@ -6,10 +6,7 @@
 
 namespace mirrorball {
 
-bool sameButStrokes(const PaintLayer& a, const PaintLayer& b)
-{
-    return a.unit == b.unit && a.reference == b.reference;
-}
+bool sameButStrokes(const PaintLayer& a, const PaintLayer& b) { return a.unit == b.unit && a.reference == b.reference; }
 
 std::vector<Stroke> strokesAt(const PaintLayer& layer, const Level& level)
 {

@@ -2,18 +2,18 @@
 
 #include "core/spheremap/document/layer_kind.h"
 #include "core/spheremap/math/level.h"
-#include "core/spheremap/strokes/stroke.h"
 #include "core/spheremap/math/texel_rect.h"
+#include "core/spheremap/strokes/stroke.h"
 
-#include "core/image/image.h"
 #include "core/base/job.h"
+#include "core/image/image.h"
 
 #include <vector>
 
 namespace mirrorball {
 
-/// What an artist painted: strokes, which keep their look at every size (stroke_raster.h). With widths in pixels the tips are as many pixels
-/// wide on every level as they are on one of `reference` texels, so that painted lines keep their width on the screen. Source: 000
+/// What an artist painted: strokes, which keep their look at every size (stroke_raster.h). With widths in pixels the tips are as many
+/// pixels wide on every level as they are on one of `reference` texels, so that painted lines keep their width on the screen. Source: 000
 /// section 4.
 struct PaintLayer {
     static constexpr LayerKind kind{"paint", "Paint", "strokes of a brush"};

@@ -65,8 +65,8 @@ SpanGenerator prepare(const PhongLightsLayer& layer, const Level&)
         const bool isBehind = glm::length(half) < 1e-6; // has no half vector, and no point of the ball mirrors it
         const glm::dvec3 axis = mirror || isBehind ? l : glm::normalize(half);
         const double exponent = !mirror && layer.match == ExponentMatch::Matched ? matchedExponent(light.exponent) : light.exponent;
-        lights.push_back({glm::vec3(axis), glm::vec3(l), glm::vec3(light.color * (isBehind ? 0.0 : light.intensity)), glm::vec3(light.color * light.diffuse),
-                          static_cast<float>(exponent)});
+        lights.push_back({glm::vec3(axis), glm::vec3(l), glm::vec3(light.color * (isBehind ? 0.0 : light.intensity)),
+                          glm::vec3(light.color * light.diffuse), static_cast<float>(exponent)});
     }
     return [lights, mirror, ambient = glm::vec3(layer.ambient)](const DiscSpan& at, ColorSpan& out) {
         fill(out, at.count, ambient.r, ambient.g, ambient.b);

@@ -46,8 +46,8 @@ std::span<const std::string_view> words(ExponentMatch); // typed matched
 /// reflection in world space, it shows lights that stand in the world. With n.h it needs the eye at +Z, and lights move with the eye.
 /// Source: 003 sections 5.1 and 5.2, equation 4 and figure 15.
 struct PhongLightsLayer {
-    static constexpr LayerKind kind{"phong-lights", "Phong lights", "highlights of lights, to be added to a material",
-                                    LayerRole::Generator, BlendMode::Add};
+    static constexpr LayerKind kind{"phong-lights", "Phong lights", "highlights of lights, to be added to a material", LayerRole::Generator,
+                                    BlendMode::Add};
     std::vector<PhongLight> lights{PhongLight{}};
     PhongModel model = PhongModel::RV;
     ExponentMatch match = ExponentMatch::Matched;

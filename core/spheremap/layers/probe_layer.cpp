@@ -25,10 +25,14 @@ constexpr std::array shareWords{"mirrored"sv, "transmitted"sv};
 Lobe lobeOf(const ProbeLayer& layer)
 {
     switch (layer.lobe) {
-    case ProbeLobe::Phong: return phongLobe(layer.exponent);
-    case ProbeLobe::Ggx: return ggxLobe(layer.roughness * layer.roughness);
-    case ProbeLobe::Diffuse: return diffuseLobe();
-    case ProbeLobe::Mirror: break;
+    case ProbeLobe::Phong:
+        return phongLobe(layer.exponent);
+    case ProbeLobe::Ggx:
+        return ggxLobe(layer.roughness * layer.roughness);
+    case ProbeLobe::Diffuse:
+        return diffuseLobe();
+    case ProbeLobe::Mirror:
+        break;
     }
     return ggxLobe(0.0);
 }
@@ -83,10 +87,9 @@ DiscPicture bake(const ProbeLayer& layer, const std::string& path, SphereMapAsse
     if (direct)
         return DiscPicture(std::move(map.image));
     const double tilt = layer.tiltDeg * pi / 180.0;
-    return DiscPicture(diffuse ? discOf(map, tilt, size, [](const glm::dvec2& q) {
-                                     return glm::dvec3(q, std::sqrt(std::max(1.0 - glm::dot(q, q), 0.0)));
-                                 })
-                               : discOf(map, tilt, size, sphere_map::directionFromDisc));
+    return DiscPicture(
+        diffuse ? discOf(map, tilt, size, [](const glm::dvec2& q) { return glm::dvec3(q, std::sqrt(std::max(1.0 - glm::dot(q, q), 0.0))); })
+                : discOf(map, tilt, size, sphere_map::directionFromDisc));
 }
 
 /// F (or 1 - F) times a colour, by n.v = z: a table over [0, 1].
@@ -128,7 +131,8 @@ SpanGenerator prepare(const ProbeLayer& layer, const Level& level)
         fresnel.conductor = *metal;
     }
     const std::string path = assetPath(level, layer.source);
-    const std::string key = "probe|" + assetKey(path) + "|" + describe(lobeOf(layer)) + "|" + numberText(layer.yawDeg) + "|" + numberText(layer.tiltDeg);
+    const std::string key =
+        "probe|" + assetKey(path) + "|" + describe(lobeOf(layer)) + "|" + numberText(layer.yawDeg) + "|" + numberText(layer.tiltDeg);
     SphereMapAssets* assets = level.assets;
     const auto picture = assets->get<DiscPicture>(key, [&] {
         DiscPicture baked = bake(layer, path, *assets);

@@ -14,7 +14,8 @@ namespace mirrorball {
 
 std::span<const std::string_view> words(FresnelKind); // none dielectric conductor
 
-/// The lobe that a probe is filtered with, filter/lobe.h. Mirror, phong and ggx are read in the mirror direction, diffuse in that of the normal.
+/// The lobe that a probe is filtered with, filter/lobe.h. Mirror, phong and ggx are read in the mirror direction, diffuse in that of the
+/// normal.
 enum class ProbeLobe { Mirror, Phong, Ggx, Diffuse };
 std::span<const std::string_view> words(ProbeLobe); // mirror phong ggx diffuse
 
@@ -22,8 +23,9 @@ std::span<const std::string_view> words(ProbeLobe); // mirror phong ggx diffuse
 enum class FresnelShare { Mirrored, Transmitted };
 std::span<const std::string_view> words(FresnelShare); // mirrored transmitted
 
-/// A light probe filtered through a lobe, times a Fresnel term: the look of a real material as a layer, to be painted over; the probe may be
-/// changed underneath later. The probe stands in eye space: its +Z, turned by the yaw and the tilt, lies behind the eye and is mirrored at the centre.
+/// A light probe filtered through a lobe, times a Fresnel term: the look of a real material as a layer, to be painted over; the probe may
+/// be changed underneath later. The probe stands in eye space: its +Z, turned by the yaw and the tilt, lies behind the eye and is mirrored
+/// at the centre.
 struct ProbeLayer {
     static constexpr LayerKind kind{"probe", "Light probe", "a material under a light probe: lobe and Fresnel term baked in"};
     std::string source = "builtin:studio";

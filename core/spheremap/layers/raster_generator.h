@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/spheremap/math/span.h"
-#include "core/spheremap/strokes/stroke_tiles.h"
 #include "core/spheremap/math/texel_rect.h"
+#include "core/spheremap/strokes/stroke_tiles.h"
 
 #include "core/image/image.h"
 

@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    static constexpr int edge = 8;  ///< texels of a block
+    static constexpr int edge = 8;       ///< texels of a block
     static constexpr float reach = 3.0f; ///< texels that sampleSmoothly() reads around a place, and a little
 
     TexelRect whole() const { return {0, 0, m_size, m_size}; }
@@ -79,7 +79,8 @@ Warp resampling(int size, Source source, Around around)
         parallelRows(result.height, job, [&](int first, int last) {
             for (int y = first; y < last; ++y)
                 for (int x = 0; x < result.width; ++x) {
-                    glm::vec2 q((static_cast<float>(wanted.x0 + x) + 0.5f) * texel - 1.0f, 1.0f - (static_cast<float>(wanted.y0 + y) + 0.5f) * texel);
+                    glm::vec2 q((static_cast<float>(wanted.x0 + x) + 0.5f) * texel - 1.0f,
+                                1.0f - (static_cast<float>(wanted.y0 + y) + 0.5f) * texel);
                     const float length = glm::length(q);
                     if (length > 1.0f)
                         q /= length;
@@ -132,8 +133,8 @@ Warp prepare(const RotateLayer& layer, const Level& level)
             place /= std::max(glm::length(place), 1e-6f);
         return place;
     };
-    // Turning keeps chords, and seen from the front a chord only shortens. From the back, points a chord c apart come to the rim in directions at
-    // most asin(c / r) < 1.6 c / r apart, where r is how far one of them is from the axis.
+    // Turning keeps chords, and seen from the front a chord only shortens. From the back, points a chord c apart come to the rim in
+    // directions at most asin(c / r) < 1.6 c / r apart, where r is how far one of them is from the axis.
     return resampling(level.size, source, [=](const glm::vec2& q, float h) -> Circle {
         const auto height = [](float r) { return std::sqrt(std::max(1.0f - r * r, 0.0f)); };
         const float length = std::min(glm::length(q), 1.0f), z = height(length);

@@ -2,8 +2,8 @@
 
 #include "core/spheremap/math/texel_rect.h"
 
-#include "core/image/image.h"
 #include "core/base/job.h"
+#include "core/image/image.h"
 
 #include <functional>
 

@@ -144,8 +144,10 @@ glm::dvec2 windowPlace(const WindowLayer& layer, const glm::dvec2& uv)
     glm::dvec2 q = kept(glm::dvec2(glm::normalize(frame.centre + uv.x * frame.e1 + uv.y * frame.e2)));
     for (int i = 0; i < 20; ++i) {
         const glm::dvec2 off = windowCoordinates(layer, q) - uv;
-        const glm::dvec2 dx = (windowCoordinates(layer, q + glm::dvec2(h, 0.0)) - windowCoordinates(layer, q - glm::dvec2(h, 0.0))) / (2.0 * h);
-        const glm::dvec2 dy = (windowCoordinates(layer, q + glm::dvec2(0.0, h)) - windowCoordinates(layer, q - glm::dvec2(0.0, h))) / (2.0 * h);
+        const glm::dvec2 dx =
+            (windowCoordinates(layer, q + glm::dvec2(h, 0.0)) - windowCoordinates(layer, q - glm::dvec2(h, 0.0))) / (2.0 * h);
+        const glm::dvec2 dy =
+            (windowCoordinates(layer, q + glm::dvec2(0.0, h)) - windowCoordinates(layer, q - glm::dvec2(0.0, h))) / (2.0 * h);
         const double det = dx.x * dy.y - dx.y * dy.x;
         if (glm::length(off) < 1e-9 || std::abs(det) < 1e-9)
             break;

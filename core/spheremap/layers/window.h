@@ -10,9 +10,9 @@ namespace mirrorball {
 
 /// A sketch of a window, as if mirrored in the ball: panes between bars, everything else transparent.
 ///
-/// The window is a rectangle in coordinates (u, v) about its centre c on the disc. Flat: (u, v) = q - c. Curved: lines on the tangent plane of
-/// the ball at c, (u, v) = (n.e1, n.e2) / (n.c), whose images bulge as those of straight bars in a mirror ball do. `curvature` mixes
-/// the two. Source: 000 section 4 and figure 15, first column.
+/// The window is a rectangle in coordinates (u, v) about its centre c on the disc. Flat: (u, v) = q - c. Curved: lines on the tangent plane
+/// of the ball at c, (u, v) = (n.e1, n.e2) / (n.c), whose images bulge as those of straight bars in a mirror ball do. `curvature` mixes the
+/// two. Source: 000 section 4 and figure 15, first column.
 struct WindowLayer {
     static constexpr LayerKind kind{"window", "Window", "panes and bars, as if a window were mirrored"};
     int columns = 2;

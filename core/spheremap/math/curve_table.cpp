@@ -33,9 +33,8 @@ CurveTable::CurveTable(std::vector<CurvePoint> points)
             ++k;
         const double way = std::max(points[k + 1].x - points[k].x, 1e-6), t = std::clamp((x - points[k].x) / way, 0.0, 1.0);
         const double t2 = t * t, t3 = t2 * t;
-        m_entries[static_cast<size_t>(i)] =
-            static_cast<float>((2 * t3 - 3 * t2 + 1) * points[k].y + (t3 - 2 * t2 + t) * way * tangent[k] +
-                               (3 * t2 - 2 * t3) * points[k + 1].y + (t3 - t2) * way * tangent[k + 1]);
+        m_entries[static_cast<size_t>(i)] = static_cast<float>((2 * t3 - 3 * t2 + 1) * points[k].y + (t3 - 2 * t2 + t) * way * tangent[k] +
+                                                               (3 * t2 - 2 * t3) * points[k + 1].y + (t3 - t2) * way * tangent[k + 1]);
     }
 }
 

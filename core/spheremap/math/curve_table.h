@@ -22,9 +22,9 @@ struct CurvePoint {
     }
 };
 
-/// A smooth curve through points, monotone between them, as a table over [0, 1], read linearly: a cubic whose tangents lie within the circle of
-/// radius 3. Before the first point and behind the last it is flat; past 1 it goes on as a straight line through the origin, f(x) = x f(1).
-/// Source: Fritsch and Carlson 1980.
+/// A smooth curve through points, monotone between them, as a table over [0, 1], read linearly: a cubic whose tangents lie within the
+/// circle of radius 3. Before the first point and behind the last it is flat; past 1 it goes on as a straight line through the origin, f(x)
+/// = x f(1). Source: Fritsch and Carlson 1980.
 class CurveTable {
 public:
     /// @param points  in any order, two or more

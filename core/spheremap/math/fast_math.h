@@ -44,10 +44,7 @@ inline float log2(float x)
 }
 
 /// x^p for x >= 0 and p >= 0; 0^0 = 1.
-inline float pow(float x, float p)
-{
-    return exp2(p * log2(std::max(x, 1e-37f)));
-}
+inline float pow(float x, float p) { return exp2(p * log2(std::max(x, 1e-37f))); }
 
 inline float exp(float x) { return exp2(x * 1.44269504f); }
 
@@ -72,7 +69,7 @@ inline float atan2(float y, float x)
 inline float cos(float x)
 {
     float t = x * 0.159154943f;
-    t -= floor(t + 0.5f); // turns, in [-1/2, 1/2)
+    t -= floor(t + 0.5f);                                             // turns, in [-1/2, 1/2)
     const float s = 6.28318531f * (0.25f - std::fabs(t)), s2 = s * s; // cos x = sin s, s in [-pi/2, pi/2]
     return s * (1.0f - s2 * (1.66666667e-1f - s2 * (8.33333333e-3f - s2 * (1.98412698e-4f - s2 * 2.75573192e-6f))));
 }

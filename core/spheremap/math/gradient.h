@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gradient_table.h"
 #include "core/spheremap/document/layer_kind.h"
+#include "gradient_table.h"
 #include "level.h"
 #include "span.h"
 
@@ -22,7 +22,8 @@ struct FillLayer {
 };
 
 /// What a gradient runs along. Radial: t = |q - centre| / radius. Linear: t = (q - centre).d / (2 radius) + 1/2, d at the angle. Angular:
-/// once around the centre, from the angle on. Shaded: t = (n.l + 1) / 2, from the point that faces away from a light to the one that faces it.
+/// once around the centre, from the angle on. Shaded: t = (n.l + 1) / 2, from the point that faces away from a light to the one that faces
+/// it.
 enum class GradientShape { Radial, Linear, Angular, Shaded };
 std::span<const std::string_view> words(GradientShape); // radial linear angular shaded
 
@@ -31,7 +32,8 @@ enum class GradientRepeat { Clamp, Repeat, Mirror };
 std::span<const std::string_view> words(GradientRepeat); // clamp repeat mirror
 
 struct GradientLayer {
-    static constexpr LayerKind kind{"gradient", "Gradient", "colours between stops, around a centre, across, around, or from shade to light"};
+    static constexpr LayerKind kind{"gradient", "Gradient",
+                                    "colours between stops, around a centre, across, around, or from shade to light"};
     GradientShape shape = GradientShape::Shaded;
     std::vector<GradientStop> stops{{0.0, {0.02, 0.02, 0.03}}, {1.0, {0.9, 0.88, 0.85}}};
     ColorMixing mixing = ColorMixing::Oklab;
@@ -48,7 +50,8 @@ struct GradientLayer {
     template <typename Self, typename Visit>
     static void visitFields(Self& self, Visit&& visit)
     {
-        visit(Field{"shape", "radial: around the centre; linear: across; angular: once around; shaded: by the angle to a light"}, self.shape);
+        visit(Field{"shape", "radial: around the centre; linear: across; angular: once around; shaded: by the angle to a light"},
+              self.shape);
         visit(Field{"stops", "colours and where they stand", 0, 64}, self.stops);
         visit(Field{"mixing", "oklab: steps look even; linear: as light mixes"}, self.mixing);
         visit(Field{"repeat", "what happens past the ends"}, self.repeat);

@@ -24,12 +24,12 @@ std::span<const std::string_view> words(WidthUnit); // disc pixels
 
 /// What a layer is made ready for.
 struct Level {
-    int size = 512;             ///< texels along an edge of what is evaluated
-    int levelSize = 512;        ///< of the level that it stands for: smaller than `size` where a level is evaluated finer and then averaged
-    int level = 0;              ///< of the chain
+    int size = 512;      ///< texels along an edge of what is evaluated
+    int levelSize = 512; ///< of the level that it stands for: smaller than `size` where a level is evaluated finer and then averaged
+    int level = 0;       ///< of the chain
     SphereMapIndex index = SphereMapIndex::Normal;
-    std::filesystem::path folder{};       ///< relative paths start here
-    SphereMapAssets* assets = nullptr;    ///< never null while layers are made ready
+    std::filesystem::path folder{};    ///< relative paths start here
+    SphereMapAssets* assets = nullptr; ///< never null while layers are made ready
 
     /// Edge of a texel in radii of the disc.
     double texel() const { return 2.0 / size; }

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-/// Where on the disc a light shows, and which light shows there: what a handle needs that is dragged on the disc. A document means the same by
-/// the normal and by the mirror direction (SphereMapIndex), so these places hold for both.
+/// Where on the disc a light shows, and which light shows there: what a handle needs that is dragged on the disc. A document means the same
+/// by the normal and by the mirror direction (SphereMapIndex), so these places hold for both.
 namespace mirrorball {
 
 /// A light as lightDirection() takes it; the azimuth in (-180, 180], the polar angle in [0, 180].
@@ -31,7 +31,10 @@ inline double angleOf(const glm::dvec2& q) { return std::atan2(q.y, q.x) * 180.0
 /// Where the highlight peaks, by (r.l)^n and by (n.h)^n alike: the normal halfway between light and eye.
 ///   |q| = sin(polar / 2)
 /// So every light has its place in the disc; the rim is a light right behind. It is sphere_map::discFromDirection(l).
-inline glm::dvec2 highlightPlace(const LightAngles& light) { return polarPlace(std::sin(0.5 * light.polarDeg * pi / 180.0), light.azimuthDeg); }
+inline glm::dvec2 highlightPlace(const LightAngles& light)
+{
+    return polarPlace(std::sin(0.5 * light.polarDeg * pi / 180.0), light.azimuthDeg);
+}
 
 /// Its inverse; places past the rim stand for the nearest one on it.
 inline LightAngles lightOfHighlight(const glm::dvec2& q)

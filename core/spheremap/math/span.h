@@ -18,7 +18,7 @@ struct DiscSpan {
     int count = 0;
     int column = 0; ///< of the first texel, in the map
     int row = 0;
-    float texel = 0.0f; ///< edge of a texel in radii of the disc: what edges are smoothed over
+    float texel = 0.0f;                ///< edge of a texel in radii of the disc: what edges are smoothed over
     alignas(64) float x[spanLength];   ///< unit normal, to the right
     alignas(64) float y[spanLength];   ///< up
     alignas(64) float z[spanLength];   ///< towards the viewer, 0 at the rim

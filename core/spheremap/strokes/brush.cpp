@@ -17,10 +17,7 @@ double radiusAt(const Brush& brush, double pressure)
     return brush.radius * std::max(1.0 - brush.pressureRadius * (1.0 - pressure), 1.0 / 32.0);
 }
 
-double strengthAt(const Brush& brush, double pressure)
-{
-    return brush.flow * (1.0 - brush.pressureFlow * (1.0 - pressure));
-}
+double strengthAt(const Brush& brush, double pressure) { return brush.flow * (1.0 - brush.pressureFlow * (1.0 - pressure)); }
 
 DabProfile dabProfile(double radius, double hardness, double strength)
 {

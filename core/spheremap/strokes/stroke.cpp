@@ -58,10 +58,7 @@ double mostTouches(const Stroke& stroke)
     return touches;
 }
 
-double mostDabsOf(const Stroke& stroke)
-{
-    return mostTouches(stroke) * stroke.symmetry.radial * (stroke.symmetry.mirror ? 2.0 : 1.0);
-}
+double mostDabsOf(const Stroke& stroke) { return mostTouches(stroke) * stroke.symmetry.radial * (stroke.symmetry.mirror ? 2.0 : 1.0); }
 
 } // namespace
 

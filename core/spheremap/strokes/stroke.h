@@ -28,7 +28,7 @@ struct Stroke {
     bool operator==(const Stroke&) const = default;
 };
 
-inline constexpr double mostStrokes = 100000;                ///< in one list of strokes
+inline constexpr double mostStrokes = 100000;               ///< in one list of strokes
 inline constexpr size_t mostStrokePoints = size_t{1} << 20; ///< in one list of strokes
 inline constexpr size_t mostDabs = size_t{1} << 21;         ///< in one list of strokes, symmetry included
 inline constexpr double farthestPoint = 4.0;                ///< of a coordinate from the centre, disc radii
@@ -57,9 +57,9 @@ struct StrokeDabs {
     size_t touches() const { return dabs.size() / copies; }
 };
 
-/// Dabs lie `spacing` diameters apart along the way, the diameter being that under the pressure there; the first is on the first point. A dab
-/// depends on nothing later in the stroke: lengthening a stroke only appends touches. Smudging takes steps of at most 1/10 of a diameter,
-/// because it is a motion.
+/// Dabs lie `spacing` diameters apart along the way, the diameter being that under the pressure there; the first is on the first point. A
+/// dab depends on nothing later in the stroke: lengthening a stroke only appends touches. Smudging takes steps of at most 1/10 of a
+/// diameter, because it is a motion.
 /// @throws InvalidArgument when there would be more than mostDabs
 StrokeDabs strokeDabs(const Stroke& stroke);
 

@@ -42,10 +42,7 @@ MapLayout checked(int size)
 
 } // namespace
 
-StrokeCanvas::StrokeCanvas(int size)
-    : m_image(checked(size).size, size, 4), m_painted(size)
-{
-}
+StrokeCanvas::StrokeCanvas(int size) : m_image(checked(size).size, size, 4), m_painted(size) {}
 
 TexelRect StrokeCanvas::update(std::span<const Stroke> strokes, const JobControl& job)
 {
@@ -61,9 +58,9 @@ TexelRect StrokeCanvas::update(std::span<const Stroke> strokes, const JobControl
 TileSet StrokeCanvas::advance(std::span<const Stroke> strokes, const JobControl& job)
 {
     const size_t shorter = std::min(m_strokes.size(), strokes.size());
-    const size_t same =
-        static_cast<size_t>(std::mismatch(m_strokes.begin(), m_strokes.begin() + static_cast<std::ptrdiff_t>(shorter), strokes.begin()).first -
-                            m_strokes.begin());
+    const size_t same = static_cast<size_t>(
+        std::mismatch(m_strokes.begin(), m_strokes.begin() + static_cast<std::ptrdiff_t>(shorter), strokes.begin()).first -
+        m_strokes.begin());
     TileSet dirty(size());
     if (same == m_strokes.size() && same == strokes.size())
         return dirty;

@@ -35,9 +35,9 @@ private:
 
     std::vector<Stroke> m_strokes{};
     std::vector<TexelStroke> m_texelStrokes{};
-    Image m_base{};           ///< the first m_baseCount strokes; empty while that is none
+    Image m_base{}; ///< the first m_baseCount strokes; empty while that is none
     size_t m_baseCount = 0;
-    Image m_image{};          ///< all strokes
+    Image m_image{}; ///< all strokes
     TileSet m_painted;
 };
 

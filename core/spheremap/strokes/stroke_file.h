@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-/// Recorded strokes by themselves (`*.strokes`): JSON, {"version": 1, "strokes": [...]}, each stroke as in stroke_json.h. What a script or another
-/// program hands over to be painted; a document holds its strokes in its layers.
+/// Recorded strokes by themselves (`*.strokes`): JSON, {"version": 1, "strokes": [...]}, each stroke as in stroke_json.h. What a script or
+/// another program hands over to be painted; a document holds its strokes in its layers.
 namespace mirrorball {
 
 inline constexpr int strokeFileVersion = 1;

@@ -3,14 +3,14 @@
 #include "stroke.h"
 #include "tile_set.h"
 
-#include "core/image/image.h"
 #include "core/base/job.h"
+#include "core/image/image.h"
 
 #include <span>
 #include <vector>
 
-/// Strokes as texels: an RGBA raster, linear, premultiplied, transparent where nothing was painted. The disc is inscribed in the square as in
-/// sphere_map.h; what is painted outside it is kept, for the map to bleed.
+/// Strokes as texels: an RGBA raster, linear, premultiplied, transparent where nothing was painted. The disc is inscribed in the square as
+/// in sphere_map.h; what is painted outside it is kept, for the map to bleed.
 ///
 /// Paint   L' = (1 - c) L + c (color, 1)      with c the stroke's cover, brush.h
 /// Erase   L' = (1 - c) L
@@ -26,7 +26,7 @@ struct TexelDab {
     glm::dvec2 p{0.0};      ///< image position
     glm::dvec2 motion{0.0}; ///< in texels, y down
     DabProfile profile{};
-    float outer = 0.0f;     ///< texels: nothing happens farther from p
+    float outer = 0.0f; ///< texels: nothing happens farther from p
 
     TexelRect bounds() const;
 };

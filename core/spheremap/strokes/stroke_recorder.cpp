@@ -7,15 +7,9 @@ namespace mirrorball {
 
 namespace {
 
-double rounded(double value)
-{
-    return std::round(value * 1e5) / 1e5;
-}
+double rounded(double value) { return std::round(value * 1e5) / 1e5; }
 
-StrokePoint middle(const StrokePoint& a, const StrokePoint& b)
-{
-    return {0.5 * (a.q + b.q), 0.5 * (a.pressure + b.pressure)};
-}
+StrokePoint middle(const StrokePoint& a, const StrokePoint& b) { return {0.5 * (a.q + b.q), 0.5 * (a.pressure + b.pressure)}; }
 
 } // namespace
 
@@ -73,14 +67,8 @@ void StrokeRecorder::endStroke()
     m_samples.clear();
 }
 
-void StrokeRecorder::lift()
-{
-    endStroke();
-}
+void StrokeRecorder::lift() { endStroke(); }
 
-void StrokeRecorder::finish()
-{
-    endStroke();
-}
+void StrokeRecorder::finish() { endStroke(); }
 
 } // namespace mirrorball

@@ -67,10 +67,7 @@ public:
                 tiles.push_back(i);
         return tiles;
     }
-    bool empty() const
-    {
-        return std::find(m_tiles.begin(), m_tiles.end(), std::uint8_t{1}) == m_tiles.end();
-    }
+    bool empty() const { return std::find(m_tiles.begin(), m_tiles.end(), std::uint8_t{1}) == m_tiles.end(); }
     /// The smallest rectangle around all of them.
     TexelRect bounds() const
     {

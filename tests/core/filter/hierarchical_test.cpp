@@ -16,8 +16,8 @@ TEST(Hierarchical, HoldsItsTolerance)
     const std::vector<glm::dvec3> directions = test::randomDirections(150);
     for (const EnvironmentMap& probe : {test::noiseProbe(64, 3), test::sunProbe(64, 1e6f, 20, 17), test::sunProbe(64, 50.0f, 3, 1)}) {
         const RadianceTree tree(probe);
-        for (const Lobe& lobe : {phongLobe(0), phongLobe(0.5), phongLobe(1.5), phongLobe(10), phongLobe(200), diffuseLobe(), ggxLobe(0.1), ggxLobe(1),
-                                 tabulatedLobe({0, 1, 0, 2})}) {
+        for (const Lobe& lobe : {phongLobe(0), phongLobe(0.5), phongLobe(1.5), phongLobe(10), phongLobe(200), diffuseLobe(), ggxLobe(0.1),
+                                 ggxLobe(1), tabulatedLobe({0, 1, 0, 2})}) {
             const auto reference = referenceSum(probe, lobe, directions);
             for (const double tolerance : {1e-1, 1e-2, 1e-4}) {
                 const auto sums = hierarchicalSum(tree, lobe, directions, {.tolerance = tolerance});

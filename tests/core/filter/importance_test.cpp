@@ -19,7 +19,8 @@ constexpr MapLayout cube{Parameterization::Cube, 12, 0};
 TEST(Importance, SamplesFollowTheLobe)
 {
     // Their means of cos t and of P_2 are k_1 and k_2.
-    for (const Lobe& lobe : {phongLobe(1), phongLobe(50), phongLobe(5000), diffuseLobe(), ggxLobe(0.09), ggxLobe(1.0), tabulatedLobe({0, 1, 0, 2})}) {
+    for (const Lobe& lobe :
+         {phongLobe(1), phongLobe(50), phongLobe(5000), diffuseLobe(), ggxLobe(0.09), ggxLobe(1.0), tabulatedLobe({0, 1, 0, 2})}) {
         const auto samples = lobeSamples(lobe, 4096, 512);
         const auto k = legendreCoefficients(lobe, 2);
         double c = 0.0, c2 = 0.0;
@@ -39,7 +40,7 @@ TEST(Importance, SamplesFollowTheLobe)
 TEST(Importance, RareSamplesReadCoarserLevels)
 {
     const auto few = lobeSamples(phongLobe(20), 64, 512), many = lobeSamples(phongLobe(20), 4096, 512);
-    EXPECT_GT(few.back().level, few.front().level); // the rim is sampled sparsely
+    EXPECT_GT(few.back().level, few.front().level);          // the rim is sampled sparsely
     EXPECT_NEAR(few[32].level - many[2048].level, 3.0, 0.3); // 64 times as many samples: cells of an eighth the width
 }
 
@@ -68,7 +69,8 @@ TEST(Importance, AQuarterMillionSamplesOfAConstantAreThatConstant)
     const MapLayout one{Parameterization::Cube, 1, 0};
     FilterSource source(test::constantProbe(16, 0.7f));
     for (const float value :
-         prefilter(source, {.lobe = phongLobe(5), .target = one, .method = Method::Importance, .knobs = {.samples = samples}}).map.image.texels)
+         prefilter(source, {.lobe = phongLobe(5), .target = one, .method = Method::Importance, .knobs = {.samples = samples}})
+             .map.image.texels)
         EXPECT_NEAR(value / 0.7f, 1.0f, 1e-6f);
     // What a sum in float would have made of them, with no lookup at all: far beyond the furnace's 1e-6.
     float naive = 0.0f;
@@ -111,7 +113,7 @@ TEST(Importance, LookupsHoldTheEnergyOfTheTexels)
             map.image.texel(x, row)[0] = 1.0f;
         const double area = 2 * height * texelSolidAngle(layout, 0, row);
         EXPECT_NEAR(energy(withInterpolatedEnergy(map)) / area, 1.0, 2e-4) << row; // of the midpoint rule
-        if (row == 0) { // 13/12 for small h
+        if (row == 0) {                                                            // 13/12 for small h
             const double h = pi / height, half = std::sin(0.5 * h);
             EXPECT_NEAR(energy(map) / area, 2.0 / h * half + (1.0 - 2.0 / h * half) / (1.0 - std::cos(h)), 2e-4);
         }

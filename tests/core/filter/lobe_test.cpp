@@ -26,16 +26,22 @@ long double integrate(F f, int steps = 200000)
 
 std::vector<Lobe> someLobes()
 {
-    return {phongLobe(0.0),  phongLobe(1e-3), phongLobe(0.5), phongLobe(1.0), phongLobe(7.3),  phongLobe(50.0), phongLobe(5000.0),
-            diffuseLobe(),   ggxLobe(0.01),   ggxLobe(0.09),  ggxLobe(0.36),  ggxLobe(0.9999), ggxLobe(1.0),
-            tabulatedLobe({0.0, 0.1, 0.5, 3.0, 1.0})};
+    return {phongLobe(0.0),    phongLobe(1e-3),
+            phongLobe(0.5),    phongLobe(1.0),
+            phongLobe(7.3),    phongLobe(50.0),
+            phongLobe(5000.0), diffuseLobe(),
+            ggxLobe(0.01),     ggxLobe(0.09),
+            ggxLobe(0.36),     ggxLobe(0.9999),
+            ggxLobe(1.0),      tabulatedLobe({0.0, 0.1, 0.5, 3.0, 1.0})};
 }
 
 TEST(Lobe, IntegratesToOneOverTheSphere)
 {
     for (const Lobe& lobe : someLobes()) {
         const LobeShape shape(lobe);
-        const double sphere = 2.0 * pi * static_cast<double>(integrate([&](long double c) { return static_cast<long double>(shape.relative(static_cast<double>(c))); }));
+        const double sphere =
+            2.0 * pi *
+            static_cast<double>(integrate([&](long double c) { return static_cast<long double>(shape.relative(static_cast<double>(c))); }));
         EXPECT_NEAR(sphere / shape.integral(), 1.0, lobe.kind == LobeKind::Tabulated ? 1e-7 : 1e-9) << describe(lobe);
     }
 }
@@ -77,9 +83,11 @@ TEST(Lobe, QuadratureAgreesWithAnIndependentIntegral)
         const auto k = legendreCoefficients(lobe, 40);
         for (const int l : {1, 2, 7, 40}) {
             const auto integrand = [&](long double c) {
-                return static_cast<long double>(shape.relative(static_cast<double>(c)) * std::legendre(static_cast<unsigned>(l), static_cast<double>(c)));
+                return static_cast<long double>(shape.relative(static_cast<double>(c)) *
+                                                std::legendre(static_cast<unsigned>(l), static_cast<double>(c)));
             };
-            EXPECT_NEAR(k[static_cast<size_t>(l)], 2.0 * pi * static_cast<double>(integrate(integrand)) / shape.integral(), 1e-9) << alpha << " l=" << l;
+            EXPECT_NEAR(k[static_cast<size_t>(l)], 2.0 * pi * static_cast<double>(integrate(integrand)) / shape.integral(), 1e-9)
+                << alpha << " l=" << l;
         }
     }
 }

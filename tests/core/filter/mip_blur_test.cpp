@@ -75,7 +75,9 @@ TEST(MipBlur, PerFaceFilteringShowsSeamsThatConsistentFilteringDoesNot)
 {
     FilterSource source(test::noiseProbe(128, 4));
     const auto ratio = [&](MipFiltering filtering, double lambda) {
-        return seamSteps(prefilter(source, {.target = cube64, .method = Method::Mip, .knobs = {.lambda = lambda, .mipFiltering = filtering}}).map).ratio();
+        return seamSteps(
+                   prefilter(source, {.target = cube64, .method = Method::Mip, .knobs = {.lambda = lambda, .mipFiltering = filtering}}).map)
+            .ratio();
     };
     for (const double lambda : {2.0, 3.0, 4.0}) {
         const double consistent = ratio(MipFiltering::AcrossSeams, lambda), perFace = ratio(MipFiltering::PerFace, lambda);
@@ -96,13 +98,15 @@ TEST(MipBlur, SmallTargetsReadTheLevelOfTheirOwnTexels)
     // Lambda is a least level: a target of 4 texels a face reads level 4 of 64 even without one.
     const MipPyramid pyramid = blurPyramid(gradient(cube64), MipFiltering::AcrossSeams);
     const MapLayout small{Parameterization::Cube, 4, 0};
-    EXPECT_EQ(mipBlur(pyramid, MipFiltering::AcrossSeams, 0.0, small, 0.0).image, mipBlur(pyramid, MipFiltering::AcrossSeams, 2.0, small, 0.0).image);
+    EXPECT_EQ(mipBlur(pyramid, MipFiltering::AcrossSeams, 0.0, small, 0.0).image,
+              mipBlur(pyramid, MipFiltering::AcrossSeams, 2.0, small, 0.0).image);
 }
 
 TEST(MipBlur, AnExplicitLambdaNeedsNoLobe)
 {
     FilterSource source(test::noiseProbe(64, 4));
-    const PrefilterOptions options{.lobe = ggxLobe(0.0), .target = {Parameterization::Cube, 16, 0}, .method = Method::Mip, .knobs = {.lambda = 3.0}};
+    const PrefilterOptions options{
+        .lobe = ggxLobe(0.0), .target = {Parameterization::Cube, 16, 0}, .method = Method::Mip, .knobs = {.lambda = 3.0}};
     const PrefilterOutcome outcome = prefilter(source, options);
     EXPECT_TRUE(outcome.filtered);
     EXPECT_EQ(outcome.method, Method::Mip);

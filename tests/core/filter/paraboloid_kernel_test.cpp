@@ -10,10 +10,7 @@
 namespace mirrorball {
 namespace {
 
-double reachOfPhong(double exponent, double clamp)
-{
-    return std::acos(std::pow(clamp, 1.0 / exponent));
-}
+double reachOfPhong(double exponent, double clamp) { return std::acos(std::pow(clamp, 1.0 / exponent)); }
 
 /// The table of 000 section 3.2.5: a half of 512 texels, clamped at 0.1, with a convolution of at most 7 texels.
 TEST(ParaboloidKernel, SizesAndShrinkFactorsAreThoseOfThePublishedTable)
@@ -22,7 +19,8 @@ TEST(ParaboloidKernel, SizesAndShrinkFactorsAreThoseOfThePublishedTable)
         double exponent;
         KernelSizes sizes;
     };
-    const Row table[] = {{10, {174, 260, 32, 64}}, {50, {78, 136, 16, 32}}, {100, {56, 100, 8, 16}}, {250, {36, 66, 8, 16}}, {500, {26, 48, 4, 8}}};
+    const Row table[] = {
+        {10, {174, 260, 32, 64}}, {50, {78, 136, 16, 32}}, {100, {56, 100, 8, 16}}, {250, {36, 66, 8, 16}}, {500, {26, 48, 4, 8}}};
     for (const Row& row : table) {
         EXPECT_EQ(kernelSizes(reachOfPhong(row.exponent, 0.1), 512, 7), row.sizes) << "exponent " << row.exponent;
         EXPECT_NEAR(LobeShape(phongLobe(row.exponent)).support(0.1), reachOfPhong(row.exponent, 0.1), 1e-6) << "the lobe's own reach";

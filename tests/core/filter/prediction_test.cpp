@@ -39,7 +39,8 @@ TEST(Prediction, OfTheErrorIsCalibratedOnTheTestProbes)
     std::vector<EnvironmentMap> probes{renderBuiltinProbe("sky", {Parameterization::Latlong, 128, 0})};
     const auto paths = test::sharedProbes1k();
     for (size_t i = 0; i < paths.size(); i += 2)
-        probes.push_back(reproject(EnvironmentMap({Parameterization::Latlong, 512, 0}, readImage(paths[i])), {.target = {Parameterization::Latlong, 128, 0}}));
+        probes.push_back(reproject(EnvironmentMap({Parameterization::Latlong, 512, 0}, readImage(paths[i])),
+                                   {.target = {Parameterization::Latlong, 128, 0}}));
     const std::vector<Claim> claims{
         {Method::Spectral, 1e-3, {}, 1.5, 1e9, 0.05},
         {Method::Hierarchical, 1e-2, {}, 2.0, 1e9, 0.05},
@@ -60,8 +61,10 @@ TEST(Prediction, OfTheErrorIsCalibratedOnTheTestProbes)
                     continue;
                 const double predicted = predictedError(claim.method, options, traits(source));
                 const double measured = errorMetrics(prefilter(source, options).map, exact).relRms;
-                EXPECT_LE(measured / std::max(predicted, claim.floor * claim.tolerance), claim.tooLow) << "probe " << i << ' ' << describe(lobe) << ' ' << name(claim.method) << ' ' << claim.knobs.samples;
-                EXPECT_LE(predicted / measured, claim.tooHigh) << "probe " << i << ' ' << describe(lobe) << ' ' << name(claim.method) << ' ' << claim.knobs.samples;
+                EXPECT_LE(measured / std::max(predicted, claim.floor * claim.tolerance), claim.tooLow)
+                    << "probe " << i << ' ' << describe(lobe) << ' ' << name(claim.method) << ' ' << claim.knobs.samples;
+                EXPECT_LE(predicted / measured, claim.tooHigh)
+                    << "probe " << i << ' ' << describe(lobe) << ' ' << name(claim.method) << ' ' << claim.knobs.samples;
             }
         }
     }

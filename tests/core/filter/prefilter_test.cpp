@@ -51,10 +51,7 @@ std::vector<Method> methodsFor(const Lobe& lobe)
     return methods;
 }
 
-double largest(const EnvironmentMap& map)
-{
-    return *std::max_element(map.image.texels.begin(), map.image.texels.end());
-}
+double largest(const EnvironmentMap& map) { return *std::max_element(map.image.texels.begin(), map.image.texels.end()); }
 
 TEST(Reference, OfOneTexelIsTheNormalisedKernel)
 {
@@ -123,7 +120,8 @@ TEST(Prefilter, PredictsItsError)
     for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-6}) {
         PrefilterOutcome outcome;
         const ErrorMetrics e = againstReference(
-            probe, {.lobe = phongLobe(50), .target = {Parameterization::Cube, 16, 0}, .method = Method::Spectral, .tolerance = tolerance}, &outcome);
+            probe, {.lobe = phongLobe(50), .target = {Parameterization::Cube, 16, 0}, .method = Method::Spectral, .tolerance = tolerance},
+            &outcome);
         EXPECT_LE(e.relRms, tolerance);
         EXPECT_LE(outcome.predictedError, tolerance);
     }
@@ -149,7 +147,8 @@ TEST(Prefilter, ALobeOnAPoleIsNoSpecialCase)
     for (size_t i = 0; i < poles.size(); ++i)
         EXPECT_NEAR(direct[i].x / reference[i].x, 1.0, 1e-9);
     // Odd sizes of these maps have a texel centre exactly on a pole (octahedral: both).
-    const ErrorMetrics e = againstReference(probe, {.lobe = phongLobe(100), .target = {Parameterization::Octahedral, 9, 0}, .method = Method::Spectral});
+    const ErrorMetrics e =
+        againstReference(probe, {.lobe = phongLobe(100), .target = {Parameterization::Octahedral, 9, 0}, .method = Method::Spectral});
     EXPECT_LE(e.relRms, 1e-5);
 }
 
@@ -259,7 +258,8 @@ TEST(Prefilter, StaysFiniteAndInRangeAtTheExtremes)
             }
         }
     for (const double roughness : {0.0, 1e-4, 0.1, 0.5, 1.0})
-        for (const float value : filtered(probe, {.lobe = ggxLobe(roughness * roughness), .target = {Parameterization::Cube, 8, 0}}).image.texels)
+        for (const float value :
+             filtered(probe, {.lobe = ggxLobe(roughness * roughness), .target = {Parameterization::Cube, 8, 0}}).image.texels)
             ASSERT_TRUE(std::isfinite(value)) << roughness;
 }
 
@@ -313,7 +313,8 @@ TEST(Prefilter, ARotationOfTheProbeRotatesTheMap)
             b.image.texel(x, y)[0] = static_cast<float>(scene(turned(d)));
         }
     const MapLayout layout{Parameterization::Latlong, 64, 0};
-    const EnvironmentMap fa = filtered(a, {.lobe = ggxLobe(0.25), .target = layout}), fb = filtered(b, {.lobe = ggxLobe(0.25), .target = layout});
+    const EnvironmentMap fa = filtered(a, {.lobe = ggxLobe(0.25), .target = layout}),
+                         fb = filtered(b, {.lobe = ggxLobe(0.25), .target = layout});
     for (int y = 0; y < 64; y += 5)
         for (int x = 0; x < 128; x += 5) {
             const double expected = fa.radiance(turned(texelDirection(layout, x, y))).x;

@@ -96,7 +96,9 @@ TEST(MapPicture, ColoursLuminanceOnItsScaleAndClampsBeyondIt)
 
 TEST(ColorScale, RisesInLightnessAndIsNeutralInTheMiddle)
 {
-    const auto lightness = [](const glm::vec3& c) { return 0.2126 * decodeSrgb(c.r) + 0.7152 * decodeSrgb(c.g) + 0.0722 * decodeSrgb(c.b); };
+    const auto lightness = [](const glm::vec3& c) {
+        return 0.2126 * decodeSrgb(c.r) + 0.7152 * decodeSrgb(c.g) + 0.0722 * decodeSrgb(c.b);
+    };
     for (int i = 1; i <= 32; ++i)
         EXPECT_GT(lightness(falseColor(i / 32.0)), lightness(falseColor((i - 1) / 32.0)));
     EXPECT_EQ(signedColor(0.0).r, signedColor(0.0).g);
@@ -110,8 +112,8 @@ TEST(MapPicture, DrawsTheEquatorWhereTheLatlongHasIt)
     const MapLayout latlong{Parameterization::Latlong, 64, 0};
     const Image overlay = mapOverlay(wholeSheet(latlong, 256), {.grid = true});
     EXPECT_GT(overlay.texel(40, 64)[3], 0.55f); // half a pixel from it
-    EXPECT_LT(overlay.texel(37, 71)[3], 0.05f);  // between the lines of 15 degrees
-    EXPECT_GT(overlay.texel(37, 42)[3], 0.1f); // latitude 30: 128/6 = 21.3 pixels up
+    EXPECT_LT(overlay.texel(37, 71)[3], 0.05f); // between the lines of 15 degrees
+    EXPECT_GT(overlay.texel(37, 42)[3], 0.1f);  // latitude 30: 128/6 = 21.3 pixels up
 }
 
 TEST(MapPicture, DrawsSeamsAtTheEdgesOfCharts)

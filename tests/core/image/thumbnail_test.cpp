@@ -86,7 +86,8 @@ TEST(Thumbnail, OffersTheKindsThatASquareMayBe)
     writeImage(folder / "square.hdr", renderBuiltinProbe("studio", {Parameterization::Sphere, 64, 0}).image);
     const ReducedProbe reduced = reduceProbe((folder / "square.hdr").string(), {.height = 32});
     EXPECT_FALSE(reduced.detection.certain);
-    EXPECT_THAT(possibleKinds(reduced), testing::UnorderedElementsAre(Parameterization::Angular, Parameterization::Sphere, Parameterization::Octahedral));
+    EXPECT_THAT(possibleKinds(reduced),
+                testing::UnorderedElementsAre(Parameterization::Angular, Parameterization::Sphere, Parameterization::Octahedral));
     const EnvironmentMap expected = renderBuiltinProbe("studio", {Parameterization::Latlong, 32, 0});
     const EnvironmentMap guess = thumbnailOf(reduced, 32, Parameterization::Sphere);
     const glm::dvec3 d = glm::normalize(glm::dvec3(0.3, 0.2, 1.0));

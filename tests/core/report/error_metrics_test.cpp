@@ -49,7 +49,8 @@ TEST(ErrorMetrics, AreInfiniteWhereTheReferenceIsBlackAndTheMapIsNot)
 
 TEST(ErrorMetrics, RefuseMapsOfDifferentLayouts)
 {
-    EXPECT_THROW(errorMetrics(EnvironmentMap({Parameterization::Cube, 4, 0}), EnvironmentMap({Parameterization::Cube, 8, 0})), InvalidArgument);
+    EXPECT_THROW(errorMetrics(EnvironmentMap({Parameterization::Cube, 4, 0}), EnvironmentMap({Parameterization::Cube, 8, 0})),
+                 InvalidArgument);
 }
 
 } // namespace

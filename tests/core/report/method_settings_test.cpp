@@ -19,7 +19,8 @@ TEST(LobeWords, AreReadBackAsTheyAreDescribed)
 
 TEST(LobeWords, RefuseOthersNamingTheWord)
 {
-    for (const char* word : {"", "phong", "phong:", "phong:x", "phong:5x", "phong:-1", "ggx:2", "ggx:nan", "phong:inf", "cone:3", "diffuse:1", "phong:50,"})
+    for (const char* word :
+         {"", "phong", "phong:", "phong:x", "phong:5x", "phong:-1", "ggx:2", "ggx:nan", "phong:inf", "cone:3", "diffuse:1", "phong:50,"})
         EXPECT_THROW(lobesFromWords(word), InvalidArgument) << word;
     try {
         lobesFromWords("phong:50,cone:3");
@@ -53,8 +54,9 @@ TEST(MethodSettings, GoFromCheapToDearAndHoldTheTolerance)
 
 TEST(MethodSettings, SpellNumbersShort)
 {
-    const std::pair<double, const char*> cases[] = {{1e-3, "1e-3"}, {0.25, "0.25"}, {50, "50"}, {1024, "1.02e3"}, {1.5e7, "1.5e7"},
-                                                    {2.345e-5, "2.35e-5"}, {0, "0"}, {-1e-6, "-1e-6"}, {123, "123"}};
+    const std::pair<double, const char*> cases[] = {{1e-3, "1e-3"},   {0.25, "0.25"},   {50, "50"},
+                                                    {1024, "1.02e3"}, {1.5e7, "1.5e7"}, {2.345e-5, "2.35e-5"},
+                                                    {0, "0"},         {-1e-6, "-1e-6"}, {123, "123"}};
     for (const auto& [value, text] : cases)
         EXPECT_EQ(shortNumber(value), text);
     EXPECT_EQ(shortNumber(16384, 6), "16384");
@@ -73,7 +75,8 @@ TEST(MethodSettings, SpellTheCommandThatMakesTheMap)
                                       .target = cube,
                                       .method = Method::Paraboloid,
                                       .knobs = {.paraboloid = {.kernel = ParaboloidKernel::Blended, .clamp = 0.1, .largestKernel = 7}}}),
-              "mirrorball filter p.hdr -o map.exr --lobe diffuse --to cube --size 64 --method paraboloid --paraboloid blended --paraboloid-clamp 0.1 "
+              "mirrorball filter p.hdr -o map.exr --lobe diffuse --to cube --size 64 --method paraboloid --paraboloid blended "
+              "--paraboloid-clamp 0.1 "
               "--paraboloid-kernel 7");
 }
 

@@ -76,7 +76,8 @@ TEST(ReferenceSamples, OfAnUnresolvedLobeAreTheBilinearLookup)
     FilterSource source(test::noiseProbe(16, 3));
     const ReferenceSamples samples = referenceSamples(source, phongLobe(1e6), cube16, 50, {});
     for (size_t i = 0; i < samples.texels.size(); ++i)
-        EXPECT_EQ(samples.values[i], glm::dvec3(source.latlong()->radiance(texelDirection(cube16, samples.texels[i].x, samples.texels[i].y))));
+        EXPECT_EQ(samples.values[i],
+                  glm::dvec3(source.latlong()->radiance(texelDirection(cube16, samples.texels[i].x, samples.texels[i].y))));
 }
 
 } // namespace

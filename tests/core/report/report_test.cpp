@@ -23,10 +23,7 @@ namespace {
 
 const MapLayout cube8{Parameterization::Cube, 8, 0};
 
-ErrorTimeOptions smallOptions()
-{
-    return {.target = cube8, .sweep = Sweep::Few, .repeats = 2, .longest = 60.0, .directions = 10000};
-}
+ErrorTimeOptions smallOptions() { return {.target = cube8, .sweep = Sweep::Few, .repeats = 2, .longest = 60.0, .directions = 10000}; }
 
 const Measurement* find(const ReportCase& c, Method method, double tolerance = -1.0)
 {
@@ -52,7 +49,7 @@ TEST(ErrorTime, MeasuresEveryMethodOrSaysWhyNot)
     EXPECT_LE(spectral->error.relRms, 1e-5);
     EXPECT_EQ(spectral->times.seconds.size(), 2u);
     EXPECT_EQ(spectral->nextLobe.seconds.size(), 2u);
-    EXPECT_NEAR(spectral->energy, 1.0, 0.01); // the map's 384 texels sample its own mean
+    EXPECT_NEAR(spectral->energy, 1.0, 0.01);   // the map's 384 texels sample its own mean
     EXPECT_EQ(spectral->seamRatios.size(), 2u); // 8 and 4 texels
     EXPECT_EQ(std::count_if(c.measurements.begin(), c.measurements.end(),
                             [](const Measurement& m) { return m.setting.method == Method::Spectral && !m.errorPicture.empty(); }),
@@ -139,7 +136,8 @@ TEST(CostGrowth, HasAPointForEveryMethodExponentAndWidth)
 
 TEST(Thumbnails, DataUrisAreThoseOfRfc4648)
 {
-    const std::pair<const char*, const char*> vectors[] = {{"", ""}, {"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"}, {"foobar", "Zm9vYmFy"}};
+    const std::pair<const char*, const char*> vectors[] = {
+        {"", ""}, {"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"}, {"foobar", "Zm9vYmFy"}};
     for (const auto& [bytes, text] : vectors)
         EXPECT_EQ(dataUri(bytes), "data:image/png;base64," + std::string(text));
 }

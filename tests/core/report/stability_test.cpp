@@ -25,7 +25,8 @@ TEST_P(Stability, HoldsInEveryCase)
     EXPECT_GT(ran, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, Stability, ::testing::ValuesIn(allMethods), [](const auto& method) { return std::string(name(method.param)); });
+INSTANTIATE_TEST_SUITE_P(Methods, Stability, ::testing::ValuesIn(allMethods),
+                         [](const auto& method) { return std::string(name(method.param)); });
 
 TEST(StabilityTable, AutoNeverPicksAMethodThatRefuses)
 {

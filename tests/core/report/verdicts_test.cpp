@@ -51,15 +51,17 @@ TEST(TimeForError, LiesOnTheLineBetweenTwoSettings)
 
 TEST(TimeForError, PassesOverSettingsThatAreDearerAndWorse)
 {
-    const std::vector<Measurement> all{measured(Method::Direct, 1.0, 1e-4), measured(Method::Direct, 2.0, 1e-3), measured(Method::Direct, 4.0, 1e-5)};
+    const std::vector<Measurement> all{measured(Method::Direct, 1.0, 1e-4), measured(Method::Direct, 2.0, 1e-3),
+                                       measured(Method::Direct, 4.0, 1e-5)};
     EXPECT_EQ(timeForError(all, Method::Direct, 1e-3)->seconds, 1.0);
 }
 
 ReportCase exampleCase()
 {
     ReportCase c{.lobe = phongLobe(50)};
-    c.measurements = {measured(Method::Reference, 600.0, 0.0), measured(Method::Auto, 0.012, 5e-4, 1e-3), measured(Method::Spectral, 0.01, 4e-4),
-                      measured(Method::Importance, 1.0, 1e-2), measured(Method::Importance, 100.0, 1e-3), measured(Method::Mip, 0.001, 0.1)};
+    c.measurements = {measured(Method::Reference, 600.0, 0.0),   measured(Method::Auto, 0.012, 5e-4, 1e-3),
+                      measured(Method::Spectral, 0.01, 4e-4),    measured(Method::Importance, 1.0, 1e-2),
+                      measured(Method::Importance, 100.0, 1e-3), measured(Method::Mip, 0.001, 0.1)};
     c.measurements[1].ran = Method::Spectral;
     return c;
 }
@@ -107,7 +109,9 @@ TEST(Conclusions, SayWhatTheFiguresSay)
 {
     const std::string said = text(exampleReport());
     EXPECT_THAT(said, testing::HasSubstr("For phong:50 at rel_rms 1e-3 the fastest method is spectral (10 ms)"));
-    EXPECT_THAT(said, testing::HasSubstr("spectral is 10000 times faster than importance sampling at equal error and 60000 times faster than the reference sum"));
+    EXPECT_THAT(
+        said, testing::HasSubstr(
+                  "spectral is 10000 times faster than importance sampling at equal error and 60000 times faster than the reference sum"));
     EXPECT_THAT(said, testing::HasSubstr("auto meets rel_rms 1e-3 in 1 of 1 case and is within 1.3 times the fastest"));
     EXPECT_THAT(said, testing::HasSubstr("mip (best 0.1) never reaches"));
 }
@@ -124,10 +128,7 @@ TEST(Conclusions, ChangeWithTheFigures)
     EXPECT_THAT(said, testing::Not(testing::HasSubstr("never reaches")));
 }
 
-TEST(Conclusions, SayNothingOfWhatWasNotMeasured)
-{
-    EXPECT_EQ(text(Report{.machine = {.cores = 2}, .threads = 2}), "");
-}
+TEST(Conclusions, SayNothingOfWhatWasNotMeasured) { EXPECT_EQ(text(Report{.machine = {.cores = 2}, .threads = 2}), ""); }
 
 TEST(Conclusions, WarnOfABusyMachine)
 {

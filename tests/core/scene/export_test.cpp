@@ -11,8 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
-#include <memory>
 #include <fstream>
+#include <memory>
 
 namespace mirrorball {
 namespace {
@@ -188,7 +188,8 @@ EmbeddedSphereMap mapWithLevels()
     SphereMapDocument map;
     map.title = "Two colours";
     map.index = SphereMapIndex::Reflection;
-    map.layers = {{.name = "Fine", .content = FillLayer{.color = {1, 0, 0}}}, {.name = "Coarse", .content = FillLayer{.color = {0, 1, 0}}, .firstLevel = 1}};
+    map.layers = {{.name = "Fine", .content = FillLayer{.color = {1, 0, 0}}},
+                  {.name = "Coarse", .content = FillLayer{.color = {0, 1, 0}}, .firstLevel = 1}};
     return {std::make_shared<const SphereMapDocument>(map)};
 }
 
@@ -217,7 +218,8 @@ TEST_F(Export, WritesTheLevelsOfAPaintedMapAsTheSceneShowsThem)
 TEST_F(Export, WritesAChainAsOneFileALevelAndFaceWhereTheNameAsksForIt)
 {
     Scene scene = exportingScene();
-    scene.exports = {{.name = "whole", .kind = ExportKind::Chain, .size = 8}, {.name = "parts", .kind = ExportKind::Chain, .size = 8, .file = "%s-%d.exr"},
+    scene.exports = {{.name = "whole", .kind = ExportKind::Chain, .size = 8},
+                     {.name = "parts", .kind = ExportKind::Chain, .size = 8, .file = "%s-%d.exr"},
                      {.name = "mips", .kind = ExportKind::Source, .size = 4, .file = "mips.%d.hdr", .mips = true}};
     exportScene(scene, m_folder);
     for (int level = 0; level < 4; ++level) {

@@ -106,7 +106,8 @@ TEST(LiveMaps, ShowASphereMapWithoutLayersOfUnknownKindAndNameThem)
 {
     LiveMaps live;
     SphereMapDocument map;
-    map.layers = {{.content = FillLayer{.color = {0.25, 0.5, 0.75}}}, {.name = "Fur", .content = UnknownLayer{.name = "fur", .text = "{}"}}};
+    map.layers = {{.content = FillLayer{.color = {0.25, 0.5, 0.75}}},
+                  {.name = "Fur", .content = UnknownLayer{.name = "fur", .text = "{}"}}};
     const MadeScene made = live.update(paintedScene(map), {});
     EXPECT_THAT(made.problem, HasSubstr("without layer 2 \"Fur\""));
     ASSERT_EQ(made.maps.sphereMaps.size(), 1u);

@@ -379,8 +379,8 @@ TEST(Plan, TellsWhatItsStagesAreExpectedToCost)
     scene.map.mips = true;
     scene.exports = {{.name = "env", .kind = ExportKind::Source, .mips = true}};
     const Plan plan = makePlan(scene, probe, {.exports = std::vector<std::string>{}});
-    for (const char* name : {"compute probe", "spectrum", "filter specular map", "mip levels of specular map", "filter irradiance map", "draw",
-                             "resample env", "mip levels of env", "save env"})
+    for (const char* name : {"compute probe", "spectrum", "filter specular map", "mip levels of specular map", "filter irradiance map",
+                             "draw", "resample env", "mip levels of env", "save env"})
         EXPECT_GT(stage(plan, name).expected.seconds, 0.0) << name;
     // What a stage leaves behind: three floats a texel, and a third as much again for the levels below.
     EXPECT_EQ(stage(plan, "filter irradiance map").expected.bytes, 64 * 384 * 12);
@@ -403,7 +403,8 @@ TEST(Plan, FollowsTheMethodThatTheSceneAsksFor)
     Scene scene;
     scene.material.specular = {.lobe = SurfaceLobe::Phong, .exponent = 50.0};
     scene.filter = {.method = Method::Importance, .tolerance = 1e-2, .samples = 64};
-    scene.exports = {{.name = "gloss", .kind = ExportKind::Specular, .size = 32}, {.name = "matt", .kind = ExportKind::Diffuse, .size = 32}};
+    scene.exports = {{.name = "gloss", .kind = ExportKind::Specular, .size = 32},
+                     {.name = "matt", .kind = ExportKind::Diffuse, .size = 32}};
     const Plan plan = makePlan(scene, {Parameterization::Latlong, 512, 0}, {.exports = std::vector<std::string>{}});
     for (const MapPlan* map : {&*plan.specular, &plan.exports[0].map}) {
         EXPECT_EQ(map->filters.front().method, Method::Importance);

@@ -54,7 +54,10 @@ protected:
 struct Changer {
     int count = 0;
 
-    void operator()(const Field& field, double& value) { value = std::min(field.high, std::max(field.low, value + 0.1 * ++count + 1.0 / 3)); }
+    void operator()(const Field& field, double& value)
+    {
+        value = std::min(field.high, std::max(field.low, value + 0.1 * ++count + 1.0 / 3));
+    }
     void operator()(const Field&, int& value) { value += 3; }
     void operator()(const Field&, bool& value) { value = !value; }
     void operator()(const Field&, std::string& value) { value = value == "gold" ? "custom" : value + "é \" x"; }
@@ -63,11 +66,8 @@ struct Changer {
     void operator()(const Field&, Parameterization& value) { value = Parameterization::Paraboloid; }
     void operator()(const Field&, EmbeddedSphereMap&) {} // embedded_sphere_map_test.cpp
     template <typename E>
-        requires std::is_enum_v<E>
-    void operator()(const Field&, E& value)
-    {
-        value = value == E{} ? E{1} : E{};
-    }
+    requires std::is_enum_v<E>
+    void operator()(const Field&, E& value) { value = value == E{} ? E{1} : E{}; }
     void operator()(const Field&, std::vector<ExportTarget>& value)
     {
         value.resize(2);
@@ -84,7 +84,7 @@ struct Changer {
                     .unknown = {{"note", "\"later\""}}};
     }
     template <typename T>
-        requires requires(T& value) { value.unknown; }
+    requires requires(T& value) { value.unknown; }
     void operator()(const Field&, T& value)
     {
         T::visitFields(value, *this);
@@ -219,7 +219,8 @@ TEST_F(SceneFile, EachBadFieldIsNamedWithWhatItMustBe)
     };
     for (const auto& c : cases) {
         const std::string message = refusal(std::string("{\"version\": 1, ") + c.members + "}");
-        EXPECT_THAT(message, AllOf(HasSubstr("test.mirrorball"), HasSubstr(std::string(c.field) + ": "), HasSubstr(c.must), Not(HasSubstr("\n"))))
+        EXPECT_THAT(message,
+                    AllOf(HasSubstr("test.mirrorball"), HasSubstr(std::string(c.field) + ": "), HasSubstr(c.must), Not(HasSubstr("\n"))))
             << c.members;
     }
 }
@@ -342,10 +343,20 @@ TEST(SceneFields, AreSetByPathWithTheChecksOfAFile)
     EXPECT_TRUE(scene.exports[0].half);
 
     const Scene before = scene;
-    for (const auto& [path, value] : {std::pair{"material.specular.exponent", "nan"}, {"material.specular.exponent", "-1"},
-                                      {"material.shine", "1"}, {"material", "1"}, {"", "1"}, {"exports[1].half", "true"},
-                                      {"exports[x].half", "true"}, {"exports[0", "true"}, {"view.width", "3.5"}, {"view.tone", "none "},
-                                      {"view.width", ""}, {"version", "2"}, {"material.lambda.x", "1"}, {"exports[0]name", "b c"}})
+    for (const auto& [path, value] : {std::pair{"material.specular.exponent", "nan"},
+                                      {"material.specular.exponent", "-1"},
+                                      {"material.shine", "1"},
+                                      {"material", "1"},
+                                      {"", "1"},
+                                      {"exports[1].half", "true"},
+                                      {"exports[x].half", "true"},
+                                      {"exports[0", "true"},
+                                      {"view.width", "3.5"},
+                                      {"view.tone", "none "},
+                                      {"view.width", ""},
+                                      {"version", "2"},
+                                      {"material.lambda.x", "1"},
+                                      {"exports[0]name", "b c"}})
         EXPECT_THROW(setField(scene, path, value), InvalidArgument) << path << " = " << value;
     EXPECT_EQ(scene, before);
 }
@@ -374,8 +385,8 @@ TEST(MaterialPresets, AreValidDistinctAndDescribed)
             EXPECT_NE(presets[i].material, presets[j].material) << presets[i].name << " and " << presets[j].name;
         }
     }
-    for (const char* name : {"mirror", "chrome", "gold", "copper", "glass", "car-paint", "porcelain", "plastic-red", "brushed-metal", "satin",
-                             "matte", "pearl"})
+    for (const char* name : {"mirror", "chrome", "gold", "copper", "glass", "car-paint", "porcelain", "plastic-red", "brushed-metal",
+                             "satin", "matte", "pearl"})
         EXPECT_NE(findMaterialPreset(name), nullptr) << name;
     EXPECT_EQ(findMaterialPreset("unobtainium"), nullptr);
 }

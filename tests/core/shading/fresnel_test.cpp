@@ -91,7 +91,8 @@ TEST(Fresnel, OfAConductorAgreesWithTheAmplitudeFormInLongDouble)
         for (const double k : {1e-9, 1e-3, 0.5, 3.0, 9.0, 100.0})
             for (int i = 0; i <= 200; ++i) {
                 const double c = i / 200.0;
-                EXPECT_NEAR(fresnelConductor(c, n, k), static_cast<double>(amplitudeForm(c, {n, k})), 1e-12) << n << " " << k << " at " << c;
+                EXPECT_NEAR(fresnelConductor(c, n, k), static_cast<double>(amplitudeForm(c, {n, k})), 1e-12)
+                    << n << " " << k << " at " << c;
             }
 }
 

@@ -37,7 +37,8 @@ TEST(Distortion, HasTheSolidAngleOfTheClosedFormInEveryParameterization)
 // along the rim, 1/cos(theta/2) radially against its inverse, squares.
 TEST(Distortion, KnowsTheAnisotropyOfTheClassicalMaps)
 {
-    const MapLayout paraboloid{Parameterization::Paraboloid, 64, 3}, latlong{Parameterization::Latlong, 64, 0}, sphere{Parameterization::Sphere, 64, 0};
+    const MapLayout paraboloid{Parameterization::Paraboloid, 64, 3}, latlong{Parameterization::Latlong, 64, 0},
+        sphere{Parameterization::Sphere, 64, 0};
     atInnerPositions(paraboloid, [&](const glm::dvec2& p) { EXPECT_NEAR(distortion(paraboloid, p).anisotropy(), 1.0, 1e-5); });
     atInnerPositions(latlong, [&](const glm::dvec2& p) {
         EXPECT_NEAR(distortion(latlong, p).anisotropy() * std::sqrt(1.0 - std::pow(direction(latlong, p).y, 2.0)), 1.0, 1e-5);

@@ -67,11 +67,11 @@ TEST(Curves, NeverTurnBackBetweenRisingPoints)
 
 TEST(Posterize, LeavesAsManyTonesAsCounted)
 {
-    const Image map = picture({{.content = GradientLayer{.shape = GradientShape::Linear,
-                                                         .stops = {{0.0, glm::dvec3(0.0)}, {1.0, glm::dvec3(1.0)}},
-                                                         .angleDeg = 0.0}},
-                               {.content = PosterizeLayer{.tones = 5, .softness = 0.0}}},
-                              512);
+    const Image map = picture(
+        {{.content =
+              GradientLayer{.shape = GradientShape::Linear, .stops = {{0.0, glm::dvec3(0.0)}, {1.0, glm::dvec3(1.0)}}, .angleDeg = 0.0}},
+         {.content = PosterizeLayer{.tones = 5, .softness = 0.0}}},
+        512);
     std::set<int> tones;
     for (int x = 0; x < 512; ++x)
         tones.insert(static_cast<int>(std::lround(1000.0 * std::sqrt(map.texel(x, 256)[0]))));
@@ -83,13 +83,15 @@ TEST(Posterize, LeavesAsManyTonesAsCounted)
 TEST(Invert, TwiceIsAsBefore)
 {
     expectNear(adjusted({0.0, 1.0, 0.25}, InvertLayer{}), {1.0, 0.0, 0.25});
-    const std::vector<float> twice = picture({{.content = FillLayer{{0.1, 0.5, 0.9}}}, {.content = InvertLayer{}}, {.content = InvertLayer{}}}, 1).texels;
+    const std::vector<float> twice =
+        picture({{.content = FillLayer{{0.1, 0.5, 0.9}}}, {.content = InvertLayer{}}, {.content = InvertLayer{}}}, 1).texels;
     expectNear(twice, {0.1, 0.5, 0.9});
 }
 
 TEST(Adjustments, MixWithWhatLiesBelowByTheirOpacity)
 {
-    const std::vector<float> half = picture({{.content = FillLayer{{1.0, 0.0, 0.0}}}, {.opacity = 0.5, .content = InvertLayer{}}}, 1).texels;
+    const std::vector<float> half =
+        picture({{.content = FillLayer{{1.0, 0.0, 0.0}}}, {.opacity = 0.5, .content = InvertLayer{}}}, 1).texels;
     expectNear(half, {0.5, 0.5, 0.5});
     for (const LayerKind& kind : layerKinds())
         if (kind.role != LayerRole::Generator) {
@@ -132,7 +134,8 @@ TEST(Blur, AConstantStaysConstant)
 {
     for (const SphereMapIndex index : {SphereMapIndex::Normal, SphereMapIndex::Reflection})
         for (const double sigma : {0.0, 1.0, 10.0, 60.0}) {
-            const Image map = picture({{.opacity = 0.5, .content = FillLayer{{1.0, 2.0, 3.0}}}, {.content = BlurLayer{.sigmaDeg = sigma}}}, 64, index);
+            const Image map =
+                picture({{.opacity = 0.5, .content = FillLayer{{1.0, 2.0, 3.0}}}, {.content = BlurLayer{.sigmaDeg = sigma}}}, 64, index);
             for (size_t i = 0; i < map.texels.size(); ++i)
                 ASSERT_NEAR(map.texels[i], std::vector<float>({0.5f, 1.0f, 1.5f, 0.5f})[i % 4], 2e-5f) << sigma;
         }
@@ -191,7 +194,8 @@ TEST(Blur, IsTheGaussianOnTheSphereEvenAtTheRim)
         layers.push_back({.content = BlurLayer{.sigmaDeg = sigmaDeg}});
         const Image sharp = picture(scene, size, index), blurred = picture(layers, size, index);
         // In 240ths of the map: the centre, half way, where mirror directions turn backwards, the rim.
-        for (const auto& [u, v] : {std::pair{120, 120}, {72, 54}, {180, 156}, {36, 120}, {120, 12}, {198, 192}, {205, 120}, {60, 180}, {120, 2}, {236, 122}}) {
+        for (const auto& [u, v] :
+             {std::pair{120, 120}, {72, 54}, {180, 156}, {36, 120}, {120, 12}, {198, 192}, {205, 120}, {60, 180}, {120, 2}, {236, 122}}) {
             const int x = u * size / 240, y = v * size / 240;
             const glm::dvec2 q((x + 0.5) * 2.0 / size - 1.0, 1.0 - (y + 0.5) * 2.0 / size);
             const glm::dvec3 expected = blurredByDefinition(sharp, q, sigmaDeg * pi / 180.0, index == SphereMapIndex::Reflection);

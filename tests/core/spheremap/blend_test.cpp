@@ -18,10 +18,10 @@ TEST(Blend, IsTheWordedRuleWithinZeroAndOne)
     EXPECT_FLOAT_EQ(blended(BlendMode::Add, 0.3f, 0.6f), 0.9f);
     EXPECT_FLOAT_EQ(blended(BlendMode::Darken, 0.3f, 0.6f), 0.3f);
     EXPECT_FLOAT_EQ(blended(BlendMode::Lighten, 0.3f, 0.6f), 0.6f);
-    EXPECT_NEAR(blended(BlendMode::Overlay, 0.16f, 0.36f), 0.48f * 0.48f, 1e-6f);      // roots 0.4 and 0.6: 2 * 0.24
-    EXPECT_NEAR(blended(BlendMode::Overlay, 0.36f, 0.16f), 0.52f * 0.52f, 1e-6f);      // roots 0.6 and 0.4: 1 - 2 * 0.4 * 0.6
-    EXPECT_NEAR(blended(BlendMode::SoftLight, 0.36f, 0.25f), 0.36f, 1e-6f);            // the middle source changes nothing
-    EXPECT_NEAR(blended(BlendMode::SoftLight, 0.25f, 0.0f), 0.25f * 0.25f, 1e-6f);     // root 0.5: 0.5 - 0.5 * 0.5
+    EXPECT_NEAR(blended(BlendMode::Overlay, 0.16f, 0.36f), 0.48f * 0.48f, 1e-6f);  // roots 0.4 and 0.6: 2 * 0.24
+    EXPECT_NEAR(blended(BlendMode::Overlay, 0.36f, 0.16f), 0.52f * 0.52f, 1e-6f);  // roots 0.6 and 0.4: 1 - 2 * 0.4 * 0.6
+    EXPECT_NEAR(blended(BlendMode::SoftLight, 0.36f, 0.25f), 0.36f, 1e-6f);        // the middle source changes nothing
+    EXPECT_NEAR(blended(BlendMode::SoftLight, 0.25f, 0.0f), 0.25f * 0.25f, 1e-6f); // root 0.5: 0.5 - 0.5 * 0.5
 }
 
 TEST(Blend, StaysFiniteRisesAndLeavesNoGapForLightOfAnySize)

@@ -25,7 +25,8 @@ glm::dvec2 placeOf(int x, int y) { return {(x + 0.5) * texel - 1.0, 1.0 - (y + 0
 
 glm::dvec3 colorAt(const Image& map, const glm::dvec2& q)
 {
-    const float* rgba = map.texel(std::clamp(static_cast<int>((q.x + 1.0) / texel), 0, size - 1), std::clamp(static_cast<int>((1.0 - q.y) / texel), 0, size - 1));
+    const float* rgba = map.texel(std::clamp(static_cast<int>((q.x + 1.0) / texel), 0, size - 1),
+                                  std::clamp(static_cast<int>((1.0 - q.y) / texel), 0, size - 1));
     return {rgba[0], rgba[1], rgba[2]};
 }
 
@@ -57,7 +58,8 @@ std::vector<LayerContent> examples()
     std::vector<LayerContent> all;
     for (const LayerKind& kind : layerKinds())
         all.push_back(makeContent(kind.name));
-    all.push_back(PhongLightsLayer{.lights = {{.azimuthDeg = -30.0, .polarDeg = 140.0}, {.polarDeg = 30.0, .intensity = 0.0, .diffuse = 1.0}}});
+    all.push_back(
+        PhongLightsLayer{.lights = {{.azimuthDeg = -30.0, .polarDeg = 140.0}, {.polarDeg = 30.0, .intensity = 0.0, .diffuse = 1.0}}});
     all.push_back(ToonLayer{.highlightDeg = 0.0, .rim = 0.2});
     for (const GradientShape shape : {GradientShape::Radial, GradientShape::Linear, GradientShape::Angular, GradientShape::Shaded})
         all.push_back(GradientLayer{.shape = shape, .centerX = 0.1, .centerY = -0.2, .radius = 0.5});
@@ -79,7 +81,8 @@ TEST(LightPlace, IsTheSphereMapsPlaceOfTheLight)
             const glm::dvec2 q = highlightPlace({azimuth, polar});
             const glm::dvec2 mapped = sphere_map::discFromDirection(lightDirection(azimuth, polar));
             EXPECT_NEAR(glm::distance(q, mapped), 0.0, 1e-12) << azimuth << ' ' << polar;
-            for (const LightAngles& back : {lightOfHighlight(q), lightOfFacing(facingPlace({azimuth, polar})), lightAngles(lightDirection(azimuth, polar))}) {
+            for (const LightAngles& back :
+                 {lightOfHighlight(q), lightOfFacing(facingPlace({azimuth, polar})), lightAngles(lightDirection(azimuth, polar))}) {
                 EXPECT_NEAR(back.azimuthDeg, azimuth, 1e-6);
                 EXPECT_NEAR(back.polarDeg, polar, 1e-6);
             }
@@ -94,15 +97,18 @@ TEST(DiscHandles, LieWithinATexelOfTheHighlightEvenOfLightsBehind)
                 const PhongLightsLayer layer{.lights = {{.azimuthDeg = azimuth, .polarDeg = polar, .exponent = 400.0}}, .model = model};
                 const std::vector<DiscHandle> handles = discHandles(layer);
                 ASSERT_EQ(handles.size(), 1u);
-                EXPECT_LT(glm::distance(brightest(picture({{.content = layer}}, index)), handles[0].place), texel) << azimuth << ' ' << polar;
+                EXPECT_LT(glm::distance(brightest(picture({{.content = layer}}, index)), handles[0].place), texel)
+                    << azimuth << ' ' << polar;
             }
 }
 
 TEST(DiscHandles, LieWhereTheSurfaceFacesALightThatOnlyShades)
 {
-    const GradientLayer shaded{.shape = GradientShape::Shaded, .stops = {{0.0, glm::dvec3(0.0)}, {1.0, glm::dvec3(1.0)}}, .mixing = ColorMixing::Linear};
+    const GradientLayer shaded{
+        .shape = GradientShape::Shaded, .stops = {{0.0, glm::dvec3(0.0)}, {1.0, glm::dvec3(1.0)}}, .mixing = ColorMixing::Linear};
     const PhongLightsLayer matt{.lights = {{.intensity = 0.0, .diffuse = 1.0}}};
-    EXPECT_LT(glm::distance(brightest(picture({{.content = shaded}})), discHandles(shaded)[0].place), 2.0 * texel); // a flat top, in steps of a table
+    EXPECT_LT(glm::distance(brightest(picture({{.content = shaded}})), discHandles(shaded)[0].place),
+              2.0 * texel); // a flat top, in steps of a table
     EXPECT_LT(glm::distance(brightest(picture({{.content = matt}})), discHandles(matt)[0].place), texel);
     const glm::dvec2 behind = discHandles(GradientLayer{.polarDeg = 120.0})[0].place;
     EXPECT_NEAR(glm::length(behind), 2.0 - std::sqrt(0.75), 1e-12);
@@ -111,13 +117,15 @@ TEST(DiscHandles, LieWhereTheSurfaceFacesALightThatOnlyShades)
 TEST(DiscHandles, LieOnAToonsHighlight)
 {
     const ToonLayer toon{.shadeColor = glm::dvec3(0.0), .lightColor = glm::dvec3(0.5), .highlightDeg = 1.0};
-    EXPECT_LT(glm::distance(brightest(picture({{.content = toon}})), discHandles(toon)[0].place), 1.5 * texel); // the middle of a small flat spot
+    EXPECT_LT(glm::distance(brightest(picture({{.content = toon}})), discHandles(toon)[0].place),
+              1.5 * texel); // the middle of a small flat spot
 }
 
 TEST(DiscHandles, LieWhereRotateTakesTheCentre)
 {
     const Layer spot{.content = PhongLightsLayer{.lights = {{.polarDeg = 0.0, .exponent = 200.0}}}};
-    for (const RotateLayer& turn : {RotateLayer{.angleDeg = 50.0, .rightDeg = 30.0, .upDeg = -20.0}, RotateLayer{.rightDeg = -60.0, .upDeg = 25.0}})
+    for (const RotateLayer& turn :
+         {RotateLayer{.angleDeg = 50.0, .rightDeg = 30.0, .upDeg = -20.0}, RotateLayer{.rightDeg = -60.0, .upDeg = 25.0}})
         EXPECT_LT(glm::distance(brightest(picture({spot, {.content = turn}})), discHandles(turn)[0].place), texel);
 }
 
@@ -171,9 +179,11 @@ TEST(DiscHandles, MovedToWhereTheyAreChangeNothing)
             const std::vector<DiscHandle> after = discHandles(moved);
             ASSERT_EQ(after.size(), handles.size());
             for (size_t k = 0; k < after.size(); ++k)
-                EXPECT_NEAR(glm::distance(after[k].place, handles[k].place), 0.0, 4e-4) << kindOf(content).name << ' ' << i << ' ' << k; // values are rounded
+                EXPECT_NEAR(glm::distance(after[k].place, handles[k].place), 0.0, 4e-4)
+                    << kindOf(content).name << ' ' << i << ' ' << k; // values are rounded
             for (size_t k = 0; k < handles[i].values.size(); ++k)
-                EXPECT_NEAR(after[i].values[k].value, handles[i].values[k].value, 0.011) << kindOf(content).name << ' ' << handles[i].values[k].field;
+                EXPECT_NEAR(after[i].values[k].value, handles[i].values[k].value, 0.011)
+                    << kindOf(content).name << ' ' << handles[i].values[k].field;
         }
     }
 }

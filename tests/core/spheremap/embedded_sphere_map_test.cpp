@@ -49,9 +49,10 @@ TEST(EmbeddedSphereMap, WhatIsWrongInsideIsNamedFromTheSceneOn)
         loadScene(folder / "a.mirrorball");
         FAIL();
     } catch (const FileError& error) {
-        EXPECT_EQ(std::string(error.what()).substr((folder / "a.mirrorball").string().size()),
-                  ": material.sphere_map.document.layers[0].content.strokes[0].points[0]: has a pressure outside [0, 1]; pressure is the third "
-                  "number of a point");
+        EXPECT_EQ(
+            std::string(error.what()).substr((folder / "a.mirrorball").string().size()),
+            ": material.sphere_map.document.layers[0].content.strokes[0].points[0]: has a pressure outside [0, 1]; pressure is the third "
+            "number of a point");
     }
 }
 

@@ -1,7 +1,7 @@
 #include "core/base/error.h"
 #include "core/sphere/direction.h"
-#include "core/spheremap/evaluation/evaluate.h"
 #include "core/spheremap/document/presets.h"
+#include "core/spheremap/evaluation/evaluate.h"
 
 #include <gtest/gtest.h>
 
@@ -91,8 +91,8 @@ TEST(EvaluateSphereMap, EveryKindIsFiniteEvenAtTheVeryCentre)
 TEST(EvaluateSphereMap, NoParametersInTheirRangesOverflow)
 {
     const ProbeLayer glare{.exposure = 64.0, .tint = glm::dvec3(1000.0)};
-    const Image covered = evaluate(stack({{.content = glare}, {.blend = BlendMode::Multiply, .content = glare}, white, {.content = CurvesLayer{}}}),
-                                   {.size = 33});
+    const Image covered = evaluate(
+        stack({{.content = glare}, {.blend = BlendMode::Multiply, .content = glare}, white, {.content = CurvesLayer{}}}), {.size = 33});
     EXPECT_EQ(covered, evaluate(stack({white, {.content = CurvesLayer{}}}), {.size = 33}));
     std::vector<Layer> brighter(20, {.content = HueSaturationLayer{.value = 1000.0}});
     brighter.front() = white;
@@ -112,10 +112,7 @@ TEST(EvaluateSphereMap, NoParametersInTheirRangesOverflow)
     }
 }
 
-TEST(EvaluateSphereMap, WithoutLayersIsTransparent)
-{
-    EXPECT_EQ(evaluate({}, {.size = 3}), Image(3, 3, 4));
-}
+TEST(EvaluateSphereMap, WithoutLayersIsTransparent) { EXPECT_EQ(evaluate({}, {.size = 3}), Image(3, 3, 4)); }
 
 TEST(EvaluateSphereMap, LayersCoverByTheirOpacity)
 {
@@ -201,8 +198,9 @@ TEST(EvaluateSphereMap, RefusesVisibleUnknownLayersUnlessToldToSkipThem)
         evaluate(document, {.size = 4});
         FAIL();
     } catch (const InvalidArgument& error) {
-        EXPECT_STREQ(error.what(), "layers[1].content.kind: \"plasma\" is no kind of layer that this version knows; hide the layer or update "
-                                   "Mirrorball");
+        EXPECT_STREQ(error.what(),
+                     "layers[1].content.kind: \"plasma\" is no kind of layer that this version knows; hide the layer or update "
+                     "Mirrorball");
     }
     EXPECT_EQ(evaluate(document, {.size = 4, .unknownLayers = UnknownLayers::Skip}), evaluate(stack({white}), {.size = 4}));
     document.layers[1].visible = false;
@@ -287,7 +285,9 @@ TEST(EvaluateSphereMap, SaysWhichLayerIsWrong)
     };
     EXPECT_EQ(messageOf({.name = "Matcap", .content = ImageLayer{}}), "layers[1] \"Matcap\": source: must be an image file; it is empty");
     EXPECT_EQ(messageOf({.content = ProbeLayer{.source = ""}}).find("layers[1] \"Light probe\": source"), 0u);
-    EXPECT_EQ(messageOf({.name = "Glow", .mask = Mask{.content = ImageLayer{.source = "gone.png"}}}).find("layers[1].mask \"Glow\": gone.png"), 0u);
+    EXPECT_EQ(
+        messageOf({.name = "Glow", .mask = Mask{.content = ImageLayer{.source = "gone.png"}}}).find("layers[1].mask \"Glow\": gone.png"),
+        0u);
 }
 
 TEST(SphereMapLevels, LayersTakePartInTheLevelsTheyName)

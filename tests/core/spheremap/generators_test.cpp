@@ -2,8 +2,8 @@
 #include "core/image/builtin_probes.h"
 #include "core/image/image_io.h"
 #include "core/sphere/sphere_map.h"
-#include "core/spheremap/math/cie_observer.h"
 #include "core/spheremap/evaluation/evaluate.h"
+#include "core/spheremap/math/cie_observer.h"
 #include "core/spheremap/math/fast_math.h"
 #include "core/spheremap/math/light_direction.h"
 #include "core/spheremap/math/oklab.h"
@@ -63,7 +63,8 @@ TEST(FastMath, AgreesWithTheLibrary)
         EXPECT_NEAR(fast::log2(p), std::log2(static_cast<double>(p)), 4e-6 * std::max(1.0, std::abs(x))) << x;
         EXPECT_EQ(fast::floor(static_cast<float>(x)), std::floor(static_cast<float>(x)));
         EXPECT_NEAR(fast::cos(static_cast<float>(x)), std::cos(x), 1e-5);
-        EXPECT_NEAR(fast::atan2(static_cast<float>(std::sin(x)), static_cast<float>(std::cos(x))), std::atan2(std::sin(x), std::cos(x)), 1e-5);
+        EXPECT_NEAR(fast::atan2(static_cast<float>(std::sin(x)), static_cast<float>(std::cos(x))), std::atan2(std::sin(x), std::cos(x)),
+                    1e-5);
     }
     EXPECT_EQ(fast::pow(0.0f, 0.0f), 1.0f);
     EXPECT_NEAR(fast::pow(0.9f, 400.0f), std::pow(0.9, 400.0), 1e-21);
@@ -89,16 +90,24 @@ TEST(CieObserver, PeaksInTheGreenAndSeesEqualEnergyAsWhite)
         if (cieObserver(w).y > cieObserver(peak).y)
             peak = w;
     }
-    EXPECT_NEAR(peak, 555.0, 8.0);   // the luminosity function's peak
-    EXPECT_NEAR(sum.x, 106.9, 1.5);  // CIE 1931: each sums to 106.86 over 1 nm steps
+    EXPECT_NEAR(peak, 555.0, 8.0);  // the luminosity function's peak
+    EXPECT_NEAR(sum.x, 106.9, 1.5); // CIE 1931: each sums to 106.86 over 1 nm steps
     EXPECT_NEAR(sum.y, 106.9, 1.5);
     EXPECT_NEAR(sum.z, 106.9, 1.5);
 }
 
 TEST(WindowLayer, HasItsPanesAndBars)
 {
-    const WindowLayer window{.columns = 3, .rows = 2, .width = 1.2, .height = 0.8, .frame = 0.1, .centerX = 0.0, .centerY = 0.0, .tiltDeg = 0.0,
-                             .curvature = 0.0, .frameOpacity = 0.0};
+    const WindowLayer window{.columns = 3,
+                             .rows = 2,
+                             .width = 1.2,
+                             .height = 0.8,
+                             .frame = 0.1,
+                             .centerX = 0.0,
+                             .centerY = 0.0,
+                             .tiltDeg = 0.0,
+                             .curvature = 0.0,
+                             .frameOpacity = 0.0};
     const Image map = picture({{.content = window}}, 400);
     const auto runs = [&](bool alongRow, int line) {
         int count = 0;
@@ -109,9 +118,9 @@ TEST(WindowLayer, HasItsPanesAndBars)
         }
         return count;
     };
-    EXPECT_EQ(runs(true, 200 - 40), 3);  // through the upper panes, 0.2 up
-    EXPECT_EQ(runs(false, 200), 2);      // through the middle pane
-    EXPECT_EQ(runs(true, 200), 0);       // along the middle bar
+    EXPECT_EQ(runs(true, 200 - 40), 3); // through the upper panes, 0.2 up
+    EXPECT_EQ(runs(false, 200), 2);     // through the middle pane
+    EXPECT_EQ(runs(true, 200), 0);      // along the middle bar
     // Open area of the panes: (1.2 - 3 * 0.1)(0.8 - 2 * 0.1) of a disc radius squared, in texels of 1/200.
     double area = 0.0;
     for (size_t i = 3; i < map.texels.size(); i += 4)
@@ -121,7 +130,14 @@ TEST(WindowLayer, HasItsPanesAndBars)
 
 TEST(WindowLayer, BarsBendOutwardsAsInAMirrorBall)
 {
-    const WindowLayer window{.columns = 1, .rows = 1, .width = 1.2, .height = 1.2, .frame = 0.0, .centerX = 0.0, .centerY = 0.0, .tiltDeg = 0.0,
+    const WindowLayer window{.columns = 1,
+                             .rows = 1,
+                             .width = 1.2,
+                             .height = 1.2,
+                             .frame = 0.0,
+                             .centerX = 0.0,
+                             .centerY = 0.0,
+                             .tiltDeg = 0.0,
                              .curvature = 1.0};
     const Image map = picture({{.content = window}}, 400);
     const auto halfWidth = [&](int row) {
@@ -148,7 +164,8 @@ TEST(ColdWarmLayer, IsHalfAndHalfOnTheDividingLine)
 TEST(HatchingLayer, CoversAsMuchAsItsLinesAreWideAtAnySize)
 {
     // From tone 0 on and at once at full width: straight lines that cover 0.3 of the disc, finer than texels or coarser.
-    const HatchingLayer lines{.density = 40.0, .angleDeg = 30.0, .width = 0.3, .curvature = 0.0, .from = 0.0, .to = 1e-4, .cross = false, .jitter = 0.0};
+    const HatchingLayer lines{
+        .density = 40.0, .angleDeg = 30.0, .width = 0.3, .curvature = 0.0, .from = 0.0, .to = 1e-4, .cross = false, .jitter = 0.0};
     for (const int size : {32, 64, 256, 1000}) {
         const Image map = picture({{.content = lines}}, size);
         double sum = 0.0, count = 0.0;
@@ -197,19 +214,21 @@ TEST(ColorgramLayer, IsWhiteInTheCentreAndTwistTellsLeftFromRight)
     EXPECT_NEAR(arcs.texel(70, 80)[0], arcs.texel(70, 20)[0], 1e-4f); // mirrored in the horizontal axis ...
     layer.twistDeg = 90.0;
     const Image twisted = picture({{.content = layer}}, 101);
-    EXPECT_GT(std::abs(twisted.texel(70, 80)[0] - twisted.texel(70, 20)[0]) + std::abs(twisted.texel(70, 80)[2] - twisted.texel(70, 20)[2]), 0.05f);
+    EXPECT_GT(std::abs(twisted.texel(70, 80)[0] - twisted.texel(70, 20)[0]) + std::abs(twisted.texel(70, 80)[2] - twisted.texel(70, 20)[2]),
+              0.05f);
 }
 
 TEST(ColorgramLayer, GratingsShowTheWavelengthOfThePathDifference)
 {
     // A light at the eye: lambda = 2 pitch rho in the first order. With 700 nm there is no other order of visible light below 760 nm.
-    const ColorgramLayer layer{.source = ColorgramSource::Grating, .center = 0.01, .strength = 1.0, .pitch = 700.0, .orders = 1, .spread = 0.005};
+    const ColorgramLayer layer{
+        .source = ColorgramSource::Grating, .center = 0.01, .strength = 1.0, .pitch = 700.0, .orders = 1, .spread = 0.005};
     const int size = 1400;
     const Image map = picture({{.content = layer}}, size);
     const auto at = [&](double wavelength) { return map.texel(size / 2 + static_cast<int>(wavelength / 1400.0 * size / 2), size / 2); };
-    EXPECT_GT(at(450)[2], 2.0f * at(450)[1]); // blue
-    EXPECT_GT(at(530)[1], 2.0f * at(530)[0]); // green
-    EXPECT_GT(at(640)[0], 4.0f * at(640)[1]); // red
+    EXPECT_GT(at(450)[2], 2.0f * at(450)[1]);               // blue
+    EXPECT_GT(at(530)[1], 2.0f * at(530)[0]);               // green
+    EXPECT_GT(at(640)[0], 4.0f * at(640)[1]);               // red
     EXPECT_LT(at(300)[0] + at(300)[1] + at(300)[2], 0.02f); // ultraviolet
     EXPECT_LT(at(900)[0] + at(900)[1] + at(900)[2], 0.02f); // infrared
 }
@@ -227,7 +246,7 @@ TEST(PhongLights, FollowTheMirrorDirection)
 
 TEST(PhongLights, MatchedExponentsMakeBothModelsAlike)
 {
-    EXPECT_NEAR(matchedExponent(30.0, 1.0), 120.0, 1e-9);       // the limit: beta is half of alpha, cos^n is exp(-n alpha^2/2)
+    EXPECT_NEAR(matchedExponent(30.0, 1.0), 120.0, 1e-9); // the limit: beta is half of alpha, cos^n is exp(-n alpha^2/2)
     EXPECT_NEAR(matchedExponent(30.0, std::cos(1e-5)), 120.0, 1e-5);
     const double beta = 0.3; // 003's relation is this equality
     EXPECT_NEAR(std::pow(std::cos(beta), matchedExponent(7.0, std::cos(beta))), std::pow(std::cos(2.0 * beta), 7.0), 1e-12);

@@ -23,7 +23,8 @@ TEST(LevelsCache, PatchesMakeTheLevelsOfAFullEvaluation)
                 if (level.empty())
                     level = Image(size >> patch.level, size >> patch.level, 4);
                 for (int y = 0; y < patch.texels.height; ++y)
-                    std::copy_n(patch.texels.row(y), static_cast<size_t>(patch.texels.width) * 4, level.texel(patch.rect.x0, patch.rect.y0 + y));
+                    std::copy_n(patch.texels.row(y), static_cast<size_t>(patch.texels.width) * 4,
+                                level.texel(patch.rect.x0, patch.rect.y0 + y));
                 if (!isFirst && patch.level == 1 && size == 512) {
                     EXPECT_LT(patch.texels.width * patch.texels.height, level.width * level.height) << "only what the stroke touched";
                 }

@@ -1,6 +1,6 @@
 #include "core/base/error.h"
-#include "core/spheremap/evaluation/matcap_passes.h"
 #include "core/spheremap/document/presets.h"
+#include "core/spheremap/evaluation/matcap_passes.h"
 
 #include <gtest/gtest.h>
 
@@ -31,14 +31,12 @@ double difference(const SphereMapDocument& document, const std::vector<std::stri
     for (int y = 0; y < whole.height; ++y)
         for (int x = 0; x < whole.width; ++x)
             for (int c = 0; c < 3; ++c)
-                largest = std::max<double>(largest, std::abs(passes.diffuse.texel(x, y)[c] + passes.specular.texel(x, y)[c] - whole.texel(x, y)[c]));
+                largest = std::max<double>(largest,
+                                           std::abs(passes.diffuse.texel(x, y)[c] + passes.specular.texel(x, y)[c] - whole.texel(x, y)[c]));
     return largest;
 }
 
-TEST(MatcapPasses, AddUpToTheMapWhereTheShineIsAdded)
-{
-    EXPECT_LT(difference(stack({body, shine}), shineName), 1e-6);
-}
+TEST(MatcapPasses, AddUpToTheMapWhereTheShineIsAdded) { EXPECT_LT(difference(stack({body, shine}), shineName), 1e-6); }
 
 TEST(MatcapPasses, AddUpToTheMapUnderLayersThatDimOrMoveLight)
 {

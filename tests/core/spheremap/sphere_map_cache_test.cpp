@@ -17,7 +17,8 @@ SphereMapDocument paintedDocument()
         {.content = GradientLayer{}},
         {.opacity = 0.8, .content = PaintLayer{.strokes = handDrawnStrokes(8, 5, 0.06, 0.5, 15)}},
         {.opacity = 0.5, .content = InvertLayer{}},
-        {.blend = BlendMode::Multiply, .content = PaintLayer{.strokes = handDrawnStrokes(5, 6, 0.1, 0.7)},
+        {.blend = BlendMode::Multiply,
+         .content = PaintLayer{.strokes = handDrawnStrokes(5, 6, 0.1, 0.7)},
          .mask = Mask{.content = GradientLayer{.shape = GradientShape::Radial}}},
         {.content = SilhouetteLayer{}, .mask = Mask{.content = PaintLayer{.strokes = handDrawnStrokes(3, 7, 0.2, 0.7)}}},
     };
@@ -129,8 +130,9 @@ TEST(SphereMapCache, FollowsStrokesUnderEveryWarp)
 
 TEST(SphereMapCache, AStrokeUnderATwistOrABlurEvaluatesWhatItReachesAndNotTheWhole)
 {
-    for (const Layer& warp : {Layer{.content = TwistLayer{.angleDeg = 90.0}}, Layer{.content = RotateLayer{.angleDeg = 40.0, .rightDeg = 20.0}},
-                              Layer{.content = BlurLayer{.sigmaDeg = 2.0}}}) {
+    for (const Layer& warp :
+         {Layer{.content = TwistLayer{.angleDeg = 90.0}}, Layer{.content = RotateLayer{.angleDeg = 40.0, .rightDeg = 20.0}},
+          Layer{.content = BlurLayer{.sigmaDeg = 2.0}}}) {
         SphereMapDocument document;
         document.layers = {{.content = GradientLayer{}}, {.content = PaintLayer{}}, warp};
         SphereMapCache cache({.size = 1024});
@@ -187,9 +189,10 @@ TEST(PaintLayer, ContinuesTheRimsColourOutsideTheDiscWhateverWasPaintedThere)
 TEST(PaintLayer, InPixelsATipKeepsItsWidthOnEveryLevel)
 {
     SphereMapDocument document;
-    document.layers = {{.content = PaintLayer{.unit = WidthUnit::Pixels,
-                                              .reference = 512,
-                                              .strokes = {straightStroke({-2, 0}, {2, 0}, {.radius = 4.0 / 256.0, .hardness = 1.0, .flow = 1.0})}}}};
+    document.layers = {
+        {.content = PaintLayer{.unit = WidthUnit::Pixels,
+                               .reference = 512,
+                               .strokes = {straightStroke({-2, 0}, {2, 0}, {.radius = 4.0 / 256.0, .hardness = 1.0, .flow = 1.0})}}}};
     ASSERT_TRUE(hasAuthoredLevels(document));
     for (const int size : {512, 128, 32}) {
         const Image map = evaluate(document, {.size = size});

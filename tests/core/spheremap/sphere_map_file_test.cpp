@@ -1,7 +1,7 @@
 #include "core/base/error.h"
-#include "core/spheremap/evaluation/evaluate.h"
 #include "core/spheremap/document/presets.h"
 #include "core/spheremap/document/sphere_map_file.h"
+#include "core/spheremap/evaluation/evaluate.h"
 #include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -67,8 +67,8 @@ TEST(SphereMapFile, KeepsPathsBelowItRelativeAndOthersAsTheyAre)
     document.folder = folder / "maps";
     const std::string outside = (folder / "outside.exr").string();
     const auto inside = [&](const char* name) { return (folder / "maps" / name).string(); };
-    for (const std::string& source : {inside("a.exr"), inside("deep/b.exr"), inside("deep/../c.exr"), outside, std::string("../d.exr"), std::string("e.exr"),
-                                      std::string("builtin:sky"), inside("builtin:x/f.exr"), std::string()})
+    for (const std::string& source : {inside("a.exr"), inside("deep/b.exr"), inside("deep/../c.exr"), outside, std::string("../d.exr"),
+                                      std::string("e.exr"), std::string("builtin:sky"), inside("builtin:x/f.exr"), std::string()})
         document.layers.push_back({.content = ImageLayer{.source = source}});
     const auto sources = [&](const std::filesystem::path& path) {
         saveSphereMap(document, path);
@@ -77,17 +77,18 @@ TEST(SphereMapFile, KeepsPathsBelowItRelativeAndOthersAsTheyAre)
             read.push_back(std::get<ImageLayer>(layer.content).source);
         return read;
     };
-    EXPECT_EQ(sources(folder / "maps" / "m.spheremap"),
-              (std::vector<std::string>{"a.exr", "deep/b.exr", "c.exr", outside, "../d.exr", "e.exr", "builtin:sky", "./builtin:x/f.exr", ""}));
-    EXPECT_EQ(sources(folder / "m.spheremap"), (std::vector<std::string>{"maps/a.exr", "maps/deep/b.exr", "maps/c.exr", "outside.exr", "d.exr", "maps/e.exr",
-                                                                         "builtin:sky", "maps/builtin:x/f.exr", ""}));
+    EXPECT_EQ(sources(folder / "maps" / "m.spheremap"), (std::vector<std::string>{"a.exr", "deep/b.exr", "c.exr", outside, "../d.exr",
+                                                                                  "e.exr", "builtin:sky", "./builtin:x/f.exr", ""}));
+    EXPECT_EQ(sources(folder / "m.spheremap"),
+              (std::vector<std::string>{"maps/a.exr", "maps/deep/b.exr", "maps/c.exr", "outside.exr", "d.exr", "maps/e.exr", "builtin:sky",
+                                        "maps/builtin:x/f.exr", ""}));
 }
 
 TEST(SphereMapFile, HostilePathsOfPicturesGiveOneShortLine)
 {
     const test::TemporaryFolder folder;
-    for (const std::string& source : {std::string("../../../etc/passwd"), std::string(100000, 'x'), std::string("a\n\x1b[31mb.exr"), std::string("."),
-                                      std::string("/dev/zero"), std::string("builtin:no-such")}) {
+    for (const std::string& source : {std::string("../../../etc/passwd"), std::string(100000, 'x'), std::string("a\n\x1b[31mb.exr"),
+                                      std::string("."), std::string("/dev/zero"), std::string("builtin:no-such")}) {
         SphereMapDocument document;
         document.folder = folder.path();
         document.layers = {{.content = FillLayer{}, .mask = Mask{.content = ProbeLayer{.source = source}}}};
@@ -117,7 +118,8 @@ TEST(SphereMapFile, BadDocumentsAreRefusedInOneLineThatNamesTheField)
               "layers[0].content.kind: must be the name of a kind, such as \"gradient\"; it is 7");
     EXPECT_EQ(refusal(withLayer(R"({"mask": {"content": {"kind": "invert"}}})")),
               "layers[0].mask.content.kind: must be a generator, such as gradient or image; it is \"invert\"");
-    EXPECT_EQ(refusal(withLayer(R"({"first-level": 3, "last-level": 2})")), "layers[0].last-level: must be at least first-level, 3; it is 2");
+    EXPECT_EQ(refusal(withLayer(R"({"first-level": 3, "last-level": 2})")),
+              "layers[0].last-level: must be at least first-level, 3; it is 2");
     EXPECT_EQ(refusal(withLayer(R"({"content": {"kind": "gradient", "stops": [{"position": 2}]}})")),
               "layers[0].content.stops[0].position: must be from 0 to 1; it is 2");
     EXPECT_EQ(refusal(R"({"version": 2})"), "version: is 2, but this program reads up to 1; update Mirrorball");

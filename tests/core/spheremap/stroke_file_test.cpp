@@ -94,7 +94,9 @@ TEST_F(StrokeFile, KeepsKeysThatThisVersionDoesNotKnow)
 TEST_F(StrokeFile, ReadsPointsAsTextOrAsAListWithPressureOneWhereItIsMissing)
 {
     const std::vector<StrokePoint> expected{{{0.25, -0.5}, 0.75}, {{1e-3, 1.0}, 1.0}};
-    const auto points = [&](const std::string& json) { return loadStrokes(write("{\"version\":1,\"strokes\":[{\"points\":" + json + "}]}"))[0].points; };
+    const auto points = [&](const std::string& json) {
+        return loadStrokes(write("{\"version\":1,\"strokes\":[{\"points\":" + json + "}]}"))[0].points;
+    };
     EXPECT_EQ(points("\"0.25 -0.5 0.75, 1e-3 1\""), expected);
     EXPECT_EQ(points("\"  0.25   -0.5\\n0.75,1e-3 1 1,\""), expected);
     EXPECT_EQ(points("[[0.25, -0.5, 0.75], [1e-3, 1]]"), expected);
@@ -125,7 +127,8 @@ TEST_F(StrokeFile, WhatIsWrongIsNamedInOneLine)
               "strokes[0].points[0]: must be \"x y pressure\", points apart by commas; it goes on \"4\"");
     EXPECT_EQ(refusalOfStroke("{\"points\": \"0 zero\"}"),
               "strokes[0].points[0]: must be \"x y pressure\", points apart by commas; it goes on \"zero\"");
-    EXPECT_EQ(refusalOfStroke("{\"points\": \"nan 0\"}"), "strokes[0].points[0]: must lie within 4 disc radii of the centre, as finite numbers");
+    EXPECT_EQ(refusalOfStroke("{\"points\": \"nan 0\"}"),
+              "strokes[0].points[0]: must lie within 4 disc radii of the centre, as finite numbers");
     EXPECT_EQ(refusalOfStroke("{\"points\": \"1e999 0\"}"),
               "strokes[0].points[0]: must be \"x y pressure\", points apart by commas; it goes on \"1e999 0\"");
     EXPECT_EQ(refusalOfStroke("{\"points\": \"0 0 2\"}"),
