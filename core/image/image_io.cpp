@@ -5,6 +5,8 @@
 #include "input_checks.h"
 #include "openimageio_loader.h"
 
+#include "container/container_file.h"
+
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 
@@ -64,6 +66,8 @@ std::unique_ptr<ImageReader> openLevel(const std::filesystem::path& path, int le
             throw FileError(path.string(), "a Radiance picture has no mip levels; ask for level 0");
         return hdr::open(path);
     }
+    if (isContainer(signature))
+        return openContainer(path, level);
     return openimageio::open(path, signature, level);
 }
 

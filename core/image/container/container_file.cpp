@@ -1,0 +1,143 @@
+#include "container_file.h"
+
+#include "babylon_env.h"
+#include "cube_orientation.h"
+#include "dds.h"
+#include "ktx1.h"
+#include "ktx2.h"
+
+#include "core/base/error.h"
+#include "core/image/input_checks.h"
+#include "core/image/openimageio_loader.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+namespace mirrorball {
+
+namespace {
+
+std::string fileBytes(const std::filesystem::path& path)
+{
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream)
+        throw FileError(path.string(), "cannot be read; check its name and permissions");
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+ContainedTexture ofTexture(const std::string& format, Texture texture)
+{
+    return {format, std::string(traits(texture.format).name), std::move(texture)};
+}
+
+/// The faces of a .dds cube as OpenImageIO lays them out: two columns, three rows, +X -X +Y -Y +Z -Z.
+Image stackedFaces(const Image& grid)
+{
+    const int n = grid.width / 2;
+    Image stacked(n, 6 * n, 3);
+    for (int face = 0; face < 6; ++face)
+        for (int y = 0; y < n; ++y)
+            std::copy_n(grid.texel(face % 2 * n, face / 2 * n + y), static_cast<size_t>(n) * 3, stacked.row(face * n + y));
+    return stacked;
+}
+
+Image wholeImage(ImageReader& reader)
+{
+    Image image(reader.info().width, reader.info().height, 3);
+    reader.readRows(0, image.height, image.texels.data());
+    return image;
+}
+
+/// Levels that are no longer 2 : 3 are too small for the grid to be told apart and end the chain.
+ContainedTexture decodedByOpenImageIo(const std::filesystem::path& path)
+{
+    ContainedTexture result{"dds", "compressed", {}};
+    const std::unique_ptr<ImageReader> first = openimageio::open(path, "DDS ", 0);
+    const int width = first->info().width, height = first->info().height;
+    const bool cube = 3 * width == 2 * height;
+    result.texture.faces = cube ? 6 : 1;
+    const int edge = cube ? width / 2 : width;
+    for (int level = 0; level < std::max(1, first->info().levels) && std::max(1, edge >> level) >= 1; ++level) {
+        const std::unique_ptr<ImageReader> reader = level == 0 ? nullptr : openimageio::open(path, "DDS ", level);
+        ImageReader& source = reader ? *reader : *first;
+        Image image = wholeImage(source);
+        if (cube && 3 * image.width != 2 * image.height)
+            break;
+        result.texture.levels.push_back(cube ? stackedFaces(image) : std::move(image));
+    }
+    return result;
+}
+
+/// A level of a texture in memory, handed out in rows.
+class LevelReader final : public ImageReader {
+public:
+    LevelReader(const std::filesystem::path& path, const ContainedTexture& contained, Image image) : m_image(std::move(image))
+    {
+        m_info.path = path;
+        m_info.format = contained.format;
+        m_info.width = m_image.width;
+        m_info.height = m_image.height;
+        m_info.channels = contained.texture.format == TexelFormat::Half || contained.texture.format == TexelFormat::Float ? 4 : 3;
+        m_info.sampleType = contained.texels;
+        m_info.levels = static_cast<int>(contained.texture.levels.size());
+        if (contained.texture.faces == 6)
+            m_info.attributes["mirrorball:parameterization"] = "cube";
+    }
+
+    const ImageFileInfo& info() const override { return m_info; }
+    void readRows(int firstRow, int rows, float* rgb) override
+    {
+        std::copy_n(m_image.row(firstRow), static_cast<size_t>(rows) * static_cast<size_t>(m_image.width) * 3, rgb);
+    }
+
+private:
+    Image m_image;
+    ImageFileInfo m_info{};
+};
+
+} // namespace
+
+bool isContainer(std::string_view firstBytes)
+{
+    return ktx1::hasSignature(firstBytes) || ktx2::hasSignature(firstBytes) || dds::hasSignature(firstBytes) ||
+           babylon_env::hasSignature(firstBytes);
+}
+
+ContainedTexture readContainer(std::string_view bytes, const std::string& name)
+{
+    if (ktx1::hasSignature(bytes))
+        return ofTexture("ktx", ktx1::read(bytes, name));
+    if (ktx2::hasSignature(bytes))
+        return ofTexture("ktx2", ktx2::read(bytes, name));
+    if (dds::hasSignature(bytes))
+        return ofTexture("dds", dds::read(bytes, name));
+    if (babylon_env::hasSignature(bytes)) {
+        ContainedTexture result{"env", "rgbd", {}};
+        result.texture.levels = babylon_env::read(bytes, name).levels;
+        return result;
+    }
+    throw FileError(name, "is no .ktx, .ktx2, .dds or .env file; export or download it again");
+}
+
+ContainedTexture readContainer(const std::filesystem::path& path)
+{
+    const std::string bytes = fileBytes(path);
+    if (dds::hasSignature(bytes) && dds::isForeign(bytes, path.string()))
+        return decodedByOpenImageIo(path);
+    return readContainer(bytes, path.string());
+}
+
+std::unique_ptr<ImageReader> openContainer(const std::filesystem::path& path, int level)
+{
+    const ContainedTexture contained = readContainer(path);
+    const std::vector<Image>& levels = contained.texture.levels;
+    if (level < 0 || level >= static_cast<int>(levels.size()))
+        throw FileError(path.string(), "has " + std::to_string(levels.size()) + " levels, counted from 0; ask for one of them");
+    Image image = levels[static_cast<size_t>(level)];
+    if (contained.format == "env") // the one container whose reader is known: its faces say where they are
+        image = fromStored(image, {.axes = mirroredInX().axes, .bottomUp = true});
+    return std::make_unique<LevelReader>(path, contained, std::move(image));
+}
+
+} // namespace mirrorball

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "packed_texel.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// PNG pictures in memory, by libpng itself: encoded radiance goes through without a colour space, and alpha stays straight.
+/// (OpenImageIO would do, but loading it costs more time than a whole environment takes.)
+namespace mirrorball::png {
+
+/// 8-bit RGBA texels, top row first.
+struct Picture {
+    int width = 0;
+    int height = 0;
+    std::vector<Rgba8> texels{};
+};
+
+/// The bytes of a PNG file without ancillary chunks. @throws WorkError
+std::string encode(const Picture& picture);
+
+/// Decodes any PNG to 8-bit RGBA; its gamma and colour profile are not looked at. Memory is taken only for a size that `largestTexels`
+/// allows.
+/// @param name  stands in messages
+/// @throws FileError for damaged data
+Picture decode(std::string_view bytes, const std::string& name, long long largestTexels);
+
+} // namespace mirrorball::png
