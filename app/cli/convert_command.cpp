@@ -21,6 +21,7 @@ void run(const Options& o)
 {
     const MapLayout target{.kind = parseKind("--to", o.to), .size = o.size, .border = o.border};
     validate(target);
+    checkMapFile(o.out, target);
     ReadProbeOptions read;
     if (!o.from.empty())
         read.from = parseKind("--from", o.from);

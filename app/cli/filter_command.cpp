@@ -174,6 +174,7 @@ std::string sizeText(const MapLayout& layout)
 void run(const Options& o)
 {
     const std::vector<PrefilterOptions> jobs = parseJobs(o);
+    checkMapFile(o.out, jobs.front().target);
     ReadProbeOptions read;
     if (!o.from.empty())
         read.from = parseKind("--from", o.from);

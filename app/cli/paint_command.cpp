@@ -1,13 +1,14 @@
 #include "command.h"
 
 #include "core/base/error.h"
-#include "core/image/image_io.h"
+#include "core/image/image_format.h"
 #include "core/image/map_file.h"
 #include "core/spheremap/document/presets.h"
 #include "core/spheremap/document/sphere_map_file.h"
 #include "core/spheremap/evaluation/matcap_passes.h"
 #include "core/spheremap/evaluation/painted_pictures.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace mirrorball::cli {
@@ -35,6 +36,9 @@ SphereMapDocument findDocument(const std::string& word)
 
 void run(const Options& o)
 {
+    if (!o.specular.empty())
+        passFormat(o.out);
+    checkMapFile(o.out, {Parameterization::Sphere, std::max(o.size, 1), 0});
     std::vector<Stage> stages;
     const SphereMapDocument document = timedStage(stages, "read document", [&] { return findDocument(o.document); });
     const JobControl job = jobWithProgress("paint", o.threads);

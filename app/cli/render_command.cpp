@@ -1,7 +1,9 @@
 #include "command.h"
 #include "scene_stats.h"
 
+#include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/image/image_format.h"
 #include "core/preview/picture_file.h"
 #include "core/scene/material_presets.h"
 #include "core/scene/scene_file.h"
@@ -154,6 +156,8 @@ Scene makeScene(const Options& o)
 
 void run(const Options& o)
 {
+    writableFormat(o.out);
+    checkTarget(o.out);
     const Scene scene = makeScene(o);
     const JobControl job = jobWithProgress("render", o.threads);
     const Plan plan = makePlan(scene, probeLayout(scene));

@@ -5,6 +5,7 @@
 #include "panel_rest.h"
 #include "theme.h"
 
+#include "widgets/controls/image_patterns.h"
 #include "widgets/controls/notice_panel.h"
 #include "widgets/controls/text.h"
 #include "widgets/exports/export_dialog.h"
@@ -345,8 +346,9 @@ void MainWindow::openExport()
 
 void MainWindow::askAndSavePicture()
 {
-    QString path = QFileDialog::getSaveFileName(this, tr("Save picture"), QStringLiteral("picture.png"),
-                                                tr("Display picture (*.png);;Linear radiance (*.exr)"));
+    const QString filters = tr("Display picture (%1);;Linear radiance (%2)")
+                                .arg(imagePatterns(Holding::Display).join(u' '), imagePatterns(Holding::Light).join(u' '));
+    QString path = QFileDialog::getSaveFileName(this, tr("Save picture"), QStringLiteral("picture.png"), filters);
     if (path.isEmpty())
         return;
     if (QFileInfo(path).suffix().isEmpty())

@@ -80,6 +80,8 @@ AtomicFile::AtomicFile(const std::filesystem::path& target) : m_named(target), m
     }
 }
 
+void checkTarget(const std::filesystem::path& target) { const AtomicFile made(target); }
+
 AtomicFile::~AtomicFile()
 {
     if (m_file)

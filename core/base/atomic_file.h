@@ -38,4 +38,8 @@ private:
     int m_error = 0; ///< errno of the first failure
 };
 
+/// Whether an AtomicFile could be made here now, asked before the work whose result it is to take; leaves nothing behind.
+/// @throws WorkError as AtomicFile()
+void checkTarget(const std::filesystem::path& target);
+
 } // namespace mirrorball

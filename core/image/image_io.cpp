@@ -1,11 +1,8 @@
 #include "image_io.h"
 
 #include "exr_format.h"
-#include "hdr_format.h"
-#include "input_checks.h"
+#include "image_format.h"
 #include "openimageio_loader.h"
-
-#include "container/container_file.h"
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
@@ -47,27 +44,13 @@ std::string firstBytes(const std::filesystem::path& path)
     return bytes;
 }
 
-std::string lowerExtension(const std::filesystem::path& path)
-{
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
-}
-
 /// What a file is, is told by its first bytes; its name is asked only where a format has no signature.
 std::unique_ptr<ImageReader> openLevel(const std::filesystem::path& path, int level)
 {
     const std::string signature = firstBytes(path);
-    if (exr::hasSignature(signature))
-        return exr::open(path, level);
-    if (hdr::hasSignature(signature)) {
-        if (level != 0)
-            throw FileError(path.string(), "a Radiance picture has no mip levels; ask for level 0");
-        return hdr::open(path);
-    }
-    if (isContainer(signature))
-        return openContainer(path, level);
+    for (const ImageFormat& format : imageFormats())
+        if (format.recognizes && format.recognizes(signature))
+            return format.open(path, level);
     return openimageio::open(path, signature, level);
 }
 
@@ -114,18 +97,18 @@ Image boxHalved(const Image& image)
     return half;
 }
 
-/// The chain down to 1 x 1. @throws InvalidArgument for a level of the wrong size
-std::vector<Image> fullChain(const std::filesystem::path& path, const std::vector<Image>& levels)
+/// The chain down to 1 x 1; of a cube's faces those that are given. @throws InvalidArgument for a level of the wrong size
+std::vector<Image> fullChain(const std::filesystem::path& path, const std::vector<Image>& levels, int faces)
 {
     std::vector<Image> chain = levels;
     for (size_t i = 1; i < levels.size(); ++i) {
         const Image& larger = levels[i - 1];
-        if (levels[i].width != std::max(1, larger.width / 2) || levels[i].height != std::max(1, larger.height / 2) ||
-            levels[i].channels != larger.channels || (larger.width == 1 && larger.height == 1))
+        if (levels[i].width != std::max(1, larger.width / 2) || levels[i].height != faces * std::max(1, larger.height / faces / 2) ||
+            levels[i].channels != larger.channels || (larger.width == 1 && larger.height == faces))
             throw InvalidArgument(path.string() + ": mip level " + std::to_string(i) + " is " + std::to_string(levels[i].width) + " x " +
                                   std::to_string(levels[i].height) + "; it must be half of the level before, rounded down");
     }
-    while (chain.back().width > 1 || chain.back().height > 1)
+    while (faces == 1 && (chain.back().width > 1 || chain.back().height > 1))
         chain.push_back(boxHalved(chain.back()));
     return chain;
 }
@@ -136,10 +119,6 @@ void checkWritable(const std::filesystem::path& path, const Image& image)
         throw InvalidArgument(path.string() + ": an image of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
                               " texels and " + std::to_string(image.channels) + " channels cannot be written; 1, 3 or 4 channels can");
 }
-
-bool isExr(const std::string& extension) { return extension == ".exr"; }
-
-bool isHdr(const std::string& extension) { return extension == ".hdr" || extension == ".pic" || extension == ".rgbe"; }
 
 } // namespace
 
@@ -161,34 +140,20 @@ std::optional<Image> readImagePass(const std::filesystem::path& path, const std:
 
 Image readLevel(const std::filesystem::path& path, int level) { return readAll(*openLevel(path, level), {}); }
 
-bool holdsMips(const std::filesystem::path& path)
-{
-    const std::string extension = lowerExtension(path);
-    return isExr(extension) || extension == ".tif" || extension == ".tiff" || extension == ".tx";
-}
-
 void writeImage(const std::filesystem::path& path, const Image& image, const WriteOptions& options)
 {
     checkWritable(path, image);
-    const std::string extension = lowerExtension(path);
-    if (options.encoding == Encoding::Display && (holdsMips(path) || isHdr(extension)))
+    const ImageFormat& format = writableFormat(path);
+    if (options.encoding == Encoding::Display && format.samples != StoredSamples::Byte)
         throw InvalidArgument(path.string() + ": holds linear values, not a display picture; use .png");
-    if (!isExr(extension) && !isHdr(extension))
-        openimageio::checkWrites(path);
     AtomicFile file(path);
-    if (isExr(extension))
-        exr::write(file, image, options);
-    else if (isHdr(extension))
-        hdr::write(file, image);
-    else
-        openimageio::write(file, path, {image}, options);
+    format.write(file, path, {image}, options);
     file.commit();
 }
 
 void writePasses(const std::filesystem::path& path, const std::vector<ImagePassData>& passes, const WriteOptions& options)
 {
-    if (!isExr(lowerExtension(path)))
-        throw InvalidArgument(path.string() + ": only .exr files hold passes");
+    const ImageFormat& format = passFormat(path);
     if (passes.empty())
         throw InvalidArgument(path.string() + ": there are no passes to write; give at least one");
     for (const ImagePassData& pass : passes) {
@@ -197,24 +162,22 @@ void writePasses(const std::filesystem::path& path, const std::vector<ImagePassD
             throw InvalidArgument(path.string() + ": passes must be of one size and have three channels; " + pass.name + " is another");
     }
     AtomicFile file(path);
-    exr::writePasses(file, passes, options);
+    format.writePasses(file, passes, options);
     file.commit();
 }
 
 void writeMips(const std::filesystem::path& path, const std::vector<Image>& levels, const WriteOptions& options)
 {
-    if (!holdsMips(path))
+    const ImageFormat& format = writableFormat(path);
+    if (!format.levels)
         throw InvalidArgument(path.string() + ": this format keeps no mip levels; write .exr or .tif, or one file a level");
     if (levels.empty())
         throw InvalidArgument(path.string() + ": there are no mip levels to write; give at least one");
     for (const Image& level : levels)
         checkWritable(path, level);
-    const std::vector<Image> chain = fullChain(path, levels);
+    const std::vector<Image> chain = fullChain(path, levels, options.faces);
     AtomicFile file(path);
-    if (isExr(lowerExtension(path)))
-        exr::writeMips(file, chain, options);
-    else
-        openimageio::write(file, path, chain, options);
+    format.write(file, path, chain, options);
     file.commit();
 }
 

@@ -11,8 +11,9 @@
 #include <string>
 #include <vector>
 
-/// Reading and writing image files. Formats by extension: .exr (OpenEXR), .hdr (Radiance), .tif .png and whatever else OpenImageIO
-/// reads. OpenImageIO is loaded on first need: linking it costs every process a third of a second.
+/// Reading and writing image files. What is written is a row of the table of formats (image_format.h), chosen by the extension; what is
+/// read is told by its first bytes, and may also be whatever else OpenImageIO reads. OpenImageIO is loaded on first need: linking it costs
+/// every process a third of a second.
 namespace mirrorball {
 
 /// What a file says about itself, read from its header only.
@@ -64,10 +65,9 @@ struct WriteOptions {
     SampleType sampleType = SampleType::Float;       ///< .exr and .tif; half is clamped to +-65504 first
     std::map<std::string, std::string> attributes{}; ///< stored where the format can hold strings (not .hdr)
     Encoding encoding = Encoding::Linear;
+    int faces =
+        1; ///< 6: the picture is the stacked faces of a cube, for a format that keeps those as such; levels then halve a face's edge
 };
-
-/// Whether the format of this extension keeps a mip chain in one file (.exr, .tif).
-bool holdsMips(const std::filesystem::path& path);
 
 /// Writes linear RGB. .png is tone-mapped (color.h) and sRGB-encoded; .hdr takes no negative values (clamped to 0).
 /// The file appears whole or not at all: it is written under a temporary name beside the target and renamed.
@@ -80,13 +80,13 @@ struct ImagePassData {
     Image image{}; ///< three channels
 };
 
-/// Writes pictures of one size into one .exr file, as passes. @throws InvalidArgument for another format, or pictures that differ in size;
-/// WorkError when writing fails
+/// Writes pictures of one size into one file of a format that has passes (.exr).
+/// @throws InvalidArgument for another format, or pictures that differ in size; WorkError when writing fails
 void writePasses(const std::filesystem::path& path, const std::vector<ImagePassData>& passes, const WriteOptions& options = {});
 
 /// Writes a mip chain, largest first, into one file; level i is half of level i-1 rounded down, at least 1.
 /// The format's own chain may go on past the levels given (a stacked cube's 1 x 6): the remaining ones are filled with box averages.
-/// @throws InvalidArgument where holdsMips(path) is false
+/// @throws InvalidArgument where the format keeps no levels
 void writeMips(const std::filesystem::path& path, const std::vector<Image>& levels, const WriteOptions& options = {});
 
 /// The bytes of an 8-bit .png of a display picture (color.h), for pictures that go into other files.

@@ -2,13 +2,14 @@
 
 #include "builtin_probes.h"
 #include "color.h"
+#include "image_format.h"
 #include "layout_detection.h"
 
+#include "core/base/atomic_file.h"
 #include "core/base/error.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <optional>
 
 namespace mirrorball {
@@ -71,7 +72,7 @@ std::vector<std::filesystem::path> writeLevels(const std::filesystem::path& out,
 {
     std::vector<Edges> edges;
     for (const Image& level : levels)
-        edges.push_back({level.width, level.height});
+        edges.push_back({level.width, level.height / options.faces});
     std::vector<std::filesystem::path> files = levelFiles(out, edges);
     if (files.size() < levels.size())
         writeMips(out, levels, options);
@@ -84,7 +85,7 @@ std::vector<std::filesystem::path> writeLevels(const std::filesystem::path& out,
 /// NAME with its `%s` replaced by the word of each face; empty when it has none.
 std::vector<std::filesystem::path> faceFiles(const std::filesystem::path& out, Parameterization kind)
 {
-    if (out.filename().string().find(faceMark) == std::string::npos)
+    if (!namesFaces(out))
         return {};
     if (kind != Parameterization::Cube)
         throw InvalidArgument("output: '%s' stands for the six faces of a cube, but this map is a " + std::string(name(kind)) +
@@ -94,6 +95,8 @@ std::vector<std::filesystem::path> faceFiles(const std::filesystem::path& out, P
         files.push_back(*withMarkReplaced(out, faceMark, word));
     return files;
 }
+
+bool keepsFaces(const ImageFormat& format, const MapLayout& layout) { return format.faces && layout.kind == Parameterization::Cube; }
 
 Image face(const Image& cube, int index)
 {
@@ -125,12 +128,16 @@ Probe readProbe(const std::string& probe, const ReadProbeOptions& options, const
 
 bool namesLevels(const std::filesystem::path& out) { return out.filename().string().find(levelMark) != std::string::npos; }
 
+bool namesFaces(const std::filesystem::path& out) { return out.filename().string().find(faceMark) != std::string::npos; }
+
 std::vector<std::filesystem::path> mapFiles(const std::filesystem::path& out, const std::vector<MapLayout>& levels)
 {
+    const ImageFormat& format = writableFormat(out);
     std::vector<Edges> edges;
     const std::vector<std::filesystem::path> faces = faceFiles(out, levels.front().kind);
+    const bool areFaces = !faces.empty() || keepsFaces(format, levels.front());
     for (const MapLayout& level : levels)
-        edges.push_back({level.width(), faces.empty() ? level.height() : level.width()});
+        edges.push_back({level.width(), areFaces ? level.width() : level.height()});
     if (faces.empty())
         return levelFiles(out, edges);
     std::vector<std::filesystem::path> files;
@@ -152,6 +159,7 @@ std::vector<std::filesystem::path> writeMap(const std::filesystem::path& out, co
     const std::vector<std::filesystem::path> faces = faceFiles(out, layout.kind);
     std::vector<Image> images;
     if (faces.empty()) {
+        described.faces = keepsFaces(writableFormat(out), layout) ? 6 : 1;
         for (const EnvironmentMap& level : levels)
             images.push_back(level.image);
         return writeLevels(out, images, described);
@@ -172,11 +180,7 @@ std::vector<std::filesystem::path> writePictures(const std::filesystem::path& ou
                                                  const WriteOptions& options)
 {
     faceFiles(out, Parameterization::Sphere); // says that a picture has no faces
-    std::string extension = out.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    constexpr std::array floats{".exr", ".hdr", ".pic", ".rgbe", ".tif", ".tiff", ".tx", ".pfm"};
-    if (std::find(floats.begin(), floats.end(), extension) != floats.end())
+    if (writableFormat(out).samples != StoredSamples::Byte)
         return writeLevels(out, levels, options);
     std::vector<Image> shown;
     for (const Image& level : levels)
@@ -185,5 +189,7 @@ std::vector<std::filesystem::path> writePictures(const std::filesystem::path& ou
     display.encoding = Encoding::Display;
     return writeLevels(out, shown, display);
 }
+
+void checkMapFile(const std::filesystem::path& out, const MapLayout& base) { checkTarget(mapFiles(out, {base}).front()); }
 
 } // namespace mirrorball

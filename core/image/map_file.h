@@ -35,9 +35,16 @@ Probe readProbe(const std::string& probe, const ReadProbeOptions& options, const
 /// Whether the file's name has a `%d`, which stands for the number of a level: one file a level then, of any format.
 bool namesLevels(const std::filesystem::path& out);
 
+/// Whether the file's name has a `%s`, which stands for the word of a cube's face: six files.
+bool namesFaces(const std::filesystem::path& out);
+
 /// The files that writeMap() makes of levels of these layouts, in its order; nothing is opened.
-/// @throws InvalidArgument for a `%s` in the name of a map that is no cube
+/// @throws InvalidArgument for an extension that cannot be written, or a `%s` in the name of a map that is no cube
 std::vector<std::filesystem::path> mapFiles(const std::filesystem::path& out, const std::vector<MapLayout>& levels);
+
+/// Whether a map could be written to `out`, asked before it is made: the format, the marks in the name, the folder.
+/// @param base  of the largest level. @throws InvalidArgument as mapFiles(); WorkError as checkTarget()
+void checkMapFile(const std::filesystem::path& out, const MapLayout& base);
 
 /// Writes a map, or a chain of levels (each its own map, largest first), to `out`: one file; the levels inside it where the format
 /// holds them (.exr, .tif), else one file a level, NAME.0.EXT, NAME.1.EXT, ... A `%d` in the name stands for the level's number and makes

@@ -1,6 +1,7 @@
 #include "openimageio_loader.h"
 
 #include "color.h"
+#include "image_format.h"
 #include "input_checks.h"
 #include "openimageio_module.h"
 
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdint>
 #include <fstream>
 
@@ -196,47 +196,24 @@ private:
     size_t m_at = 0;
 };
 
-std::string lowerExtension(const std::filesystem::path& path)
-{
-    std::string text = path.extension().string();
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
-
-/// What OpenImageIO writes through a stream of ours; its other formats would leave half a file behind when they fail.
-constexpr std::array<std::string_view, 3> floatExtensions{".tif", ".tiff", ".tx"};
-constexpr std::array<std::string_view, 7> byteExtensions{".png", ".jpg", ".jpeg", ".tga", ".bmp", ".ppm", ".webp"};
-
-template <class List>
-bool holds(const List& list, const std::string& extension)
-{
-    return std::find(list.begin(), list.end(), extension) != list.end();
-}
-
 } // namespace
 
 std::unique_ptr<ImageReader> open(const std::filesystem::path& path, std::string_view firstBytes, int level)
 {
-    const std::string extension = lowerExtension(path);
-    const std::string format = formatOf(firstBytes).empty() && extension == ".png" ? "png" : formatOf(firstBytes);
-    if (format.empty() && (extension.empty() || extension == ".exr" || extension == ".hdr" || extension == ".pic"))
+    std::string format = formatOf(firstBytes);
+    const ImageFormat* const named = findFormat(path);
+    if (format.empty() && named && named->label == "PNG")
+        format = "png"; // for checkPng() to refuse
+    if (format.empty() && (!path.has_extension() || (named && named->recognizes)))
         throw FileError(path.string(), "this is no image of a known format; export or download it again");
     if (format == "png")
         checkPng(path);
     return std::make_unique<LinearReader>(module().open(path, format, level));
 }
 
-void checkWrites(const std::filesystem::path& path)
-{
-    const std::string extension = lowerExtension(path);
-    if (!holds(floatExtensions, extension) && !holds(byteExtensions, extension))
-        throw InvalidArgument(path.string() + ": no image can be written with the extension \"" + extension +
-                              "\"; use .exr, .hdr, .tif or .png");
-}
-
 void write(AtomicFile& file, const std::filesystem::path& named, const std::vector<Image>& levels, const WriteOptions& options)
 {
-    const bool floats = holds(floatExtensions, lowerExtension(named));
+    const bool floats = writableFormat(named).samples == StoredSamples::Float;
     std::vector<std::vector<std::uint8_t>> bytes;
     std::vector<std::vector<float>> clamped;
     std::vector<RawLevel> raw;

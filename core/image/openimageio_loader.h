@@ -12,10 +12,7 @@ namespace mirrorball::openimageio {
 /// The format is told by the first bytes, else by the extension. @throws FileError; WorkError when the module cannot be loaded
 std::unique_ptr<ImageReader> open(const std::filesystem::path& path, std::string_view firstBytes, int level);
 
-/// Does not load the module. @throws InvalidArgument when no format of this extension can be written
-void checkWrites(const std::filesystem::path& path);
-
-/// TIFF takes linear values, the 8-bit formats a display picture (color.h: no exposure, filmic curve).
+/// Formats of floats take linear values, those of 8 bits a display picture (color.h: no exposure, filmic curve).
 /// @throws WorkError
 void write(AtomicFile& file, const std::filesystem::path& named, const std::vector<Image>& levels, const WriteOptions& options);
 

@@ -6,28 +6,14 @@
 #include "renderer.h"
 #include "scene_settings.h"
 
-#include "core/base/error.h"
-#include "core/image/image_io.h"
+#include "core/base/atomic_file.h"
+#include "core/image/image_format.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
-#include <string>
 
 namespace mirrorball::preview {
 
 namespace {
-
-bool holdsRadiance(const std::filesystem::path& path)
-{
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    constexpr std::array formats{".exr", ".hdr", ".tif", ".tiff", ".pfm"};
-    if (extension.empty())
-        throw InvalidArgument(path.string() + ": has no extension that tells the format; use .png or .exr");
-    return std::find(formats.begin(), formats.end(), extension) != formats.end();
-}
 
 /// A picture without transparency has no use for its fourth channel.
 Image withoutOpacity(const Image& rgba)
@@ -50,7 +36,8 @@ void divideByOpacity(Image& rgba)
 
 void savePicture(const Scene& scene, const Plan& plan, const std::filesystem::path& path, const JobControl& job, WorkRecord& record)
 {
-    const bool radiance = holdsRadiance(path);
+    const bool radiance = writableFormat(path).samples != StoredSamples::Byte;
+    checkTarget(path);
     std::shared_ptr<const DisplayTransform> display;
     if (const auto choice = displayChoice(scene); choice && !radiance)
         display = timedStage(record.stages, "read display configuration", [&] { return displayTransform(*choice); });

@@ -36,7 +36,7 @@ Written writeFiltered(const Scene& scene, const ExportPlan& planned, SceneProbe&
     const std::vector<EnvironmentMap> levels = buildMap(planned.map, probe, scene.probe.exposure, job, work);
     std::vector<std::filesystem::path> files = timedStage(work.stages, "save " + target.name, [&] {
         WriteOptions write{.sampleType = samplesOf(target)};
-        write.attributes["mirrorball:indexed_by"] = target.kind == ExportKind::Diffuse ? "normal" : "reflection";
+        write.attributes["mirrorball:indexed_by"] = indexedBy(target.kind);
         return writeMap(folder / target.fileName(), levels, write);
     });
     std::string description = sidecar(scene, planned, levels, files, work);

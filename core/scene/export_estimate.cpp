@@ -1,11 +1,11 @@
 #include "export_estimate.h"
 
+#include "core/image/image_format.h"
 #include "core/image/map_file.h"
 #include "core/image/mip_pyramid.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 
@@ -13,32 +13,14 @@ namespace mirrorball {
 
 namespace {
 
-/// How a format stores a texel of three channels, and how small compression makes it on average.
-struct Storage {
-    std::int64_t texelBytes = 12;
-    double ratio = 1.0;
-};
+SampleType samplesOf(const ExportTarget& target) { return target.half ? SampleType::Half : SampleType::Float; }
 
-/// Ratios of files to texels: means over four 1k probes (studio, sky, night, interior) as cube and latlong of 256; `smooth`: filtered with
-/// phong
-/// 50. Of painted maps: means over the built-in ones at 256.
-Storage storage(const ExportTarget& target, bool smooth)
+/// Size of the files over that of their texels.
+double ratioOf(const ExportTarget& target, bool smooth)
 {
-    const std::filesystem::path file = target.fileName();
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    const bool painted = target.kind == ExportKind::Painted;
-    if (holdsMips(file)) {
-        if (target.half)
-            return {6, painted ? 0.31 : smooth ? 0.27 : 0.6};
-        return {12, extension == ".exr" ? 1.0 : smooth ? 0.56 : 0.72};
-    }
-    if (extension == ".hdr" || extension == ".pic" || extension == ".rgbe")
-        return {4, smooth ? 0.55 : 0.78};
-    if (extension == ".pfm")
-        return {12, 1.0};
-    return {3, painted ? 0.19 : smooth ? 0.12 : 0.38};
+    const ImageFormat& format = writableFormat(target.fileName());
+    const CompressionRatios& ratios = format.half && target.half ? format.halfRatios : format.ratios;
+    return target.kind == ExportKind::Painted ? ratios.painted : smooth ? ratios.smooth : ratios.plain;
 }
 
 std::vector<MapLayout> levelLayouts(const ExportPlan& plan)
@@ -77,10 +59,10 @@ std::vector<ExportEstimate> estimateExports(const Plan& plan, const MapLayout& p
             estimate.seconds += prediction.filtered ? prediction.predictedSeconds : 0.0;
         }
         estimate.seconds += planned.paintingSeconds;
-        const Storage texel = storage(target, smooth);
+        const std::int64_t texel = texelBytes(writableFormat(target.fileName()), samplesOf(target));
         for (const MapLayout& layout : layouts)
-            estimate.texelBytes += texel.texelBytes * layout.width() * layout.height();
-        estimate.fileBytes = std::llround(texel.ratio * static_cast<double>(estimate.texelBytes)) +
+            estimate.texelBytes += texel * layout.width() * layout.height();
+        estimate.fileBytes = std::llround(ratioOf(target, smooth) * static_cast<double>(estimate.texelBytes)) +
                              headerBytes * static_cast<std::int64_t>(estimate.files.size()) + sidecarBytes +
                              sidecarLevelBytes * static_cast<std::int64_t>(layouts.size());
         estimate.files.push_back(target.name + ".json");

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/filter/source_file.h"
+#include "core/image/image_format.h"
 #include "core/image/map_file.h"
 #include "core/image/mip_pyramid.h"
 #include "core/spheremap/document/presets.h"

@@ -2,6 +2,8 @@
 
 #include "core/base/error.h"
 #include "core/base/field_checks.h"
+#include "core/image/image_format.h"
+#include "core/image/map_file.h"
 #include "core/shading/conductor.h"
 #include "core/spheremap/evaluation/evaluate.h"
 
@@ -90,6 +92,11 @@ void checkExports(const std::vector<ExportTarget>& exports)
         if (!isPlainName(file, ". %") || std::filesystem::path(file).extension().empty())
             throw InvalidArgument(path + ".file: must be a file name with an extension and without folders, such as \"" + target.name +
                                   ".exr\"; it is " + inQuotes(file));
+        if (!isWritable(file))
+            throw InvalidArgument(path + ".file: must end in a format that can be written, " + writtenExtensions() + "; it is " +
+                                  inQuotes(file));
+        if (namesFaces(file) && target.layout().kind != Parameterization::Cube)
+            throw InvalidArgument(path + ".file: '%s' stands for the six faces of a cube, and the map is none; it is " + inQuotes(file));
         if (!files.insert(std::filesystem::path(file).stem().string()).second)
             throw InvalidArgument(path + ".file: must differ from the other exports' files in more than the extension; " + inQuotes(file) +
                                   " does not");

@@ -1,11 +1,9 @@
 #include "sidecar.h"
 
-#include "core/image/map_file.h"
+#include "core/image/image_format.h"
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 
 namespace mirrorball {
@@ -65,16 +63,16 @@ Json lobeJson(const Lobe& lobe)
 }
 
 /// What the texels of a file are, as its format stores them.
-std::string sampleType(const ExportTarget& target)
-{
-    const std::filesystem::path file = target.fileName();
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (holdsMips(file))
-        return target.half ? "half" : "float";
-    return extension == ".hdr" || extension == ".pic" || extension == ".rgbe" ? "rgbe" : extension == ".pfm" ? "float" : "uint8";
-}
+struct Stored {
+    const ImageFormat& format;
+    std::string_view word; ///< of a sample
+
+    explicit Stored(const ExportTarget& target)
+        : format(writableFormat(target.fileName())), word(sampleWord(format, target.half ? SampleType::Half : SampleType::Float))
+    {
+    }
+    bool isShown() const { return format.samples == StoredSamples::Byte; }
+};
 
 Json levelsJson(const ExportPlan& planned, const std::vector<EnvironmentMap>& levels)
 {
@@ -116,14 +114,15 @@ std::string paintedAxesText(SphereMapIndex index, MapSpace space)
            "; the centre is +Z, right is +X and top +Y";
 }
 
-const char* opacityText(const Image& picture, const std::string& samples)
+const char* opacityText(const Image& picture, const Stored& stored)
 {
     if (picture.channels != 4)
         return "opaque everywhere";
-    if (samples == "rgbe")
-        return "none, for the format has no alpha channel: what is transparent is over black";
-    return samples == "uint8" ? "in the alpha channel; colours are not multiplied by it"
-                              : "in the alpha channel; colours are multiplied by it";
+    if (!stored.format.alpha)
+        return stored.isShown() ? "none, for the format has no alpha channel: what is transparent shows the colour that it would have"
+                                : "none, for the format has no alpha channel: what is transparent is over black";
+    return stored.isShown() ? "in the alpha channel; colours are not multiplied by it"
+                            : "in the alpha channel; colours are multiplied by it";
 }
 
 /// How the coarser levels came about.
@@ -138,11 +137,26 @@ const char* paintedRuleText(const ExportPlan& planned, const SphereMapDocument& 
 
 } // namespace
 
+std::string_view indexedBy(ExportKind kind)
+{
+    switch (kind) {
+    case ExportKind::Source:
+        return "direction";
+    case ExportKind::Diffuse:
+        return "normal";
+    case ExportKind::Specular:
+    case ExportKind::Chain:
+    case ExportKind::Painted: // which has a document to say so: paintedSidecar()
+        break;
+    }
+    return "reflection";
+}
+
 std::string sidecar(const Scene& scene, const ExportPlan& planned, const std::vector<EnvironmentMap>& levels,
                     const std::vector<std::filesystem::path>& files, const WorkRecord& work)
 {
     const ExportTarget& target = planned.target;
-    const std::string samples = sampleType(target);
+    const Stored stored(target);
     const bool diffuse = target.kind == ExportKind::Diffuse;
     const MapLayout& layout = levels.front().layout;
     Json json = opened(target, files);
@@ -157,9 +171,9 @@ std::string sidecar(const Scene& scene, const ExportPlan& planned, const std::ve
     json["axes"] = axesText(layout.kind);
     json["value"] = diffuse ? "irradiance over pi for the surface normal d; a constant environment of 1 gives 1"
                             : "radiance arriving from direction d, which points away from the object; filtered maps keep a constant 1";
-    json["indexed_by"] = diffuse ? "normal" : target.kind == ExportKind::Source ? "direction" : "reflection";
-    json["color_space"] = samples == "uint8" ? "sRGB, tone-mapped (filmic)" : "linear, Rec.709 primaries, D65";
-    json["sample_type"] = samples;
+    json["indexed_by"] = indexedBy(target.kind);
+    json["color_space"] = stored.isShown() ? "sRGB, tone-mapped (filmic)" : "linear, Rec.709 primaries, D65";
+    json["sample_type"] = stored.word;
     json["lobe"] = target.kind == ExportKind::Chain ? Json("chain") : lobeJson(planned.map.filters.front().lobe);
     json["levels"] = levelsJson(planned, levels);
     json["level_rule"] = target.kind == ExportKind::Chain ? "roughness = level / (levels - 1); alpha = roughness^2; each level is filtered "
@@ -176,7 +190,7 @@ std::string paintedSidecar(const Scene& scene, const ExportPlan& planned, const 
                            const std::vector<std::filesystem::path>& files)
 {
     const ExportTarget& target = planned.target;
-    const std::string samples = sampleType(target);
+    const Stored stored(target);
     const Image& picture = levels.front();
     Json json = opened(target, files);
     json["parameterization"] = "sphere";
@@ -191,9 +205,9 @@ std::string paintedSidecar(const Scene& scene, const ExportPlan& planned, const 
     json["axes"] = paintedAxesText(map.index, scene.material.sphereMap.space);
     json["value"] = "the painted colour of the surface";
     json["indexed_by"] = words(map.index)[static_cast<size_t>(map.index)];
-    json["color_space"] = samples == "uint8" ? "sRGB, clipped to 0..1" : "linear, Rec.709 primaries, D65";
-    json["sample_type"] = samples;
-    json["opacity"] = opacityText(picture, samples);
+    json["color_space"] = stored.isShown() ? "sRGB, clipped to 0..1" : "linear, Rec.709 primaries, D65";
+    json["sample_type"] = stored.word;
+    json["opacity"] = opacityText(picture, stored);
     json["levels"] = Json::array();
     for (size_t i = 0; i < levels.size(); ++i)
         json["levels"].push_back({{"level", i}, {"size", levels[i].width}, {"width", levels[i].width}, {"height", levels[i].height}});

@@ -6,10 +6,14 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// The NAME.json beside an exported map: what a reader of the map must know, as the text of one JSON object.
 namespace mirrorball {
+
+/// The direction by which a map of the probe is looked up: "direction", "reflection" or "normal".
+std::string_view indexedBy(ExportKind kind);
 
 std::string sidecar(const Scene& scene, const ExportPlan& planned, const std::vector<EnvironmentMap>& levels,
                     const std::vector<std::filesystem::path>& files, const WorkRecord& work);

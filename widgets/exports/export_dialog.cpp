@@ -3,7 +3,7 @@
 #include "widgets/controls/disconnect_children.h"
 #include "widgets/controls/text.h"
 
-#include "core/image/image_io.h"
+#include "core/image/image_format.h"
 #include "core/scene/export_command.h"
 #include "core/spheremap/evaluation/evaluate.h"
 

@@ -1,11 +1,12 @@
 #include "export_format.h"
 
-#include "core/image/image_io.h"
+#include "widgets/controls/text.h"
+
+#include "core/image/image_format.h"
 #include "core/spheremap/document/presets.h"
 #include "core/spheremap/evaluation/evaluate.h"
 
 #include <QCoreApplication>
-#include <QFileInfo>
 
 #include <algorithm>
 #include <filesystem>
@@ -13,11 +14,6 @@
 namespace mirrorball::studio {
 
 namespace {
-
-QString extensionOf(const ExportTarget& target)
-{
-    return QString::fromStdString(std::filesystem::path(target.fileName()).extension().string()).toLower();
-}
 
 /// An empty file name says the same as the default one, in fewer words.
 void setFile(ExportTarget& target, const std::string& file) { target.file = file == target.name + ".exr" ? std::string() : file; }
@@ -50,25 +46,40 @@ ExportTarget withoutMark(ExportTarget target, const std::string& mark)
     return target;
 }
 
+/// "OpenEXR, 16-bit half": where a format has two sample types, which one.
+QString formatWords(const ImageFormat& format, bool half)
+{
+    const QString label = toQString(format.label);
+    if (!format.half)
+        return label;
+    return half ? QCoreApplication::translate("ExportFormat", "%1, 16-bit half").arg(label)
+                : QCoreApplication::translate("ExportFormat", "%1, 32-bit float").arg(label);
+}
+
 } // namespace
 
 const std::vector<ExportFormat>& exportFormats()
 {
-    const auto text = [](const char* source) { return QCoreApplication::translate("ExportFormat", source); };
-    static const std::vector<ExportFormat> formats{{text("OpenEXR, 32-bit float"), QStringLiteral(".exr"), false, true},
-                                                   {text("OpenEXR, 16-bit half"), QStringLiteral(".exr"), true, true},
-                                                   {text("Radiance HDR"), QStringLiteral(".hdr"), false, false},
-                                                   {text("TIFF, 32-bit float"), QStringLiteral(".tif"), false, true},
-                                                   {text("TIFF, 16-bit half"), QStringLiteral(".tif"), true, true},
-                                                   {text("PNG, tone-mapped 8 bit"), QStringLiteral(".png"), false, false}};
+    static const std::vector<ExportFormat> formats = [] {
+        std::vector<ExportFormat> all;
+        for (const ImageFormat& format : imageFormats())
+            if (format.write)
+                for (const bool half : format.half ? std::vector{false, true} : std::vector{false})
+                    all.push_back({formatWords(format, half), toQString(format.extensions.front()), half, format.levels,
+                                   format.samples == StoredSamples::Byte});
+        return all;
+    }();
     return formats;
 }
 
 int formatOf(const ExportTarget& target)
 {
-    const QString extension = extensionOf(target);
+    const ImageFormat* const format = findFormat(target.fileName());
+    if (!format)
+        return -1;
+    const QString extension = toQString(format->extensions.front());
     const std::vector<ExportFormat>& formats = exportFormats();
-    const auto matches = [&](const ExportFormat& f) { return f.extension == extension && f.half == (target.half && f.holdsLevels); };
+    const auto matches = [&](const ExportFormat& f) { return f.extension == extension && f.half == (target.half && format->half); };
     const auto found = std::find_if(formats.begin(), formats.end(), matches);
     return found == formats.end() ? -1 : static_cast<int>(found - formats.begin());
 }
@@ -84,8 +95,10 @@ ExportTarget withFormat(ExportTarget target, const ExportFormat& format)
 
 QString formatText(const ExportFormat& format, ExportKind kind)
 {
-    const bool isShown = format.extension == QStringLiteral(".png") && kind == ExportKind::Painted;
-    return isShown ? QCoreApplication::translate("ExportFormat", "PNG, 8 bit") : format.text;
+    if (!format.isShown)
+        return format.text;
+    return kind == ExportKind::Painted ? QCoreApplication::translate("ExportFormat", "%1, 8 bit").arg(format.text)
+                                       : QCoreApplication::translate("ExportFormat", "%1, tone-mapped 8 bit").arg(format.text);
 }
 
 bool hasFaceFiles(const ExportTarget& target) { return hasMark(target, "%s"); }

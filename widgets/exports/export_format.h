@@ -14,6 +14,7 @@ struct ExportFormat {
     QString extension; ///< ".exr"
     bool half = false;
     bool holdsLevels = false;
+    bool isShown = false; ///< a display picture of 8 bits
     bool operator==(const ExportFormat&) const = default;
 };
 

@@ -2,6 +2,7 @@
 
 #include "widgets/controls/text.h"
 
+#include "core/image/image_format.h"
 #include "core/image/map_file.h"
 #include "core/scene/scene_maps.h"
 
@@ -13,7 +14,7 @@
 #include <QStandardPaths>
 #include <QStatusTipEvent>
 
-#include <array>
+#include <vector>
 
 namespace mirrorball::studio {
 
@@ -29,13 +30,23 @@ struct Choice {
     PaintedLevels levels = PaintedLevels::One;
 };
 
-std::array<Choice, 5> choices()
+/// Pictures to look at first, since that is what most programs take.
+std::vector<Choice> choices()
 {
-    return {{{PaintedExport::tr("PNG, 8 bit (*.png)"), QStringLiteral(".png")},
-             {PaintedExport::tr("OpenEXR, linear light (*.exr)"), QStringLiteral(".exr")},
-             {PaintedExport::tr("OpenEXR with all mip levels (*.exr)"), QStringLiteral(".exr"), PaintedLevels::Authored},
-             {PaintedExport::tr("TIFF, linear light (*.tif)"), QStringLiteral(".tif")},
-             {PaintedExport::tr("TIFF with all mip levels (*.tif)"), QStringLiteral(".tif"), PaintedLevels::Authored}}};
+    std::vector<Choice> shown, linear;
+    for (const ImageFormat& format : imageFormats()) {
+        if (!format.write)
+            continue;
+        const QString label = toQString(format.label), extension = toQString(format.extensions.front());
+        if (format.samples == StoredSamples::Byte)
+            shown.push_back({PaintedExport::tr("%1, 8 bit (*%2)").arg(label, extension), extension});
+        else
+            linear.push_back({PaintedExport::tr("%1, linear light (*%2)").arg(label, extension), extension});
+        if (format.levels)
+            linear.push_back({PaintedExport::tr("%1 with all mip levels (*%2)").arg(label, extension), extension, PaintedLevels::Authored});
+    }
+    shown.insert(shown.end(), linear.begin(), linear.end());
+    return shown;
 }
 
 /// "Cold and warm" gives Cold-and-warm.png: the title, where it makes a file name.

@@ -1,6 +1,7 @@
 #include "probes_panel.h"
 
 #include "widgets/controls/color_scale_bar.h"
+#include "widgets/controls/image_patterns.h"
 #include "widgets/controls/images.h"
 #include "widgets/controls/text.h"
 
@@ -237,8 +238,8 @@ QWidget* ProbesPanel::makeGroupRow()
         }
     });
     menu->addAction(tr("Files..."), this, [this] {
-        const QStringList files = QFileDialog::getOpenFileNames(
-            this, tr("Add probes"), {}, tr("Images (*.exr *.hdr *.pic *.rgbe *.tif *.tiff *.tx *.png *.jpg *.jpeg);;All files (*)"));
+        const QStringList files =
+            QFileDialog::getOpenFileNames(this, tr("Add probes"), {}, tr("Images (%1);;All files (*)").arg(imagePatterns().join(u' ')));
         for (const QString& file : files)
             m_workspace.library.addFile(file);
     });

@@ -1,5 +1,7 @@
 #include "content_form.h"
 
+#include "widgets/controls/image_patterns.h"
+
 #include "core/image/builtin_probes.h"
 #include "core/shading/conductor.h"
 
@@ -11,7 +13,7 @@ namespace mirrorball::studio {
 
 namespace {
 
-QString imageFilter() { return ContentForm::tr("Images (*.exr *.hdr *.tif *.tiff *.png *.jpg *.jpeg *.tga *.bmp);;All files (*)"); }
+QString imageFilter() { return ContentForm::tr("Images (%1);;All files (*)").arg(imagePatterns().join(u' ')); }
 
 const FieldStyles& layerStyles()
 {

@@ -1,6 +1,7 @@
 #include "sphere_map_source_field.h"
 
 #include "widgets/controls/disconnect_children.h"
+#include "widgets/controls/image_patterns.h"
 #include "widgets/controls/text.h"
 #include "widgets/panels/preset_gallery.h"
 
@@ -14,8 +15,7 @@ namespace mirrorball::studio {
 
 QString sphereMapFileFilter()
 {
-    return SphereMapSourceField::tr(
-        "Sphere maps and pictures of them (*.spheremap *.exr *.hdr *.tif *.tiff *.png *.jpg *.jpeg);;All files (*)");
+    return SphereMapSourceField::tr("Sphere maps and pictures of them (*.spheremap %1);;All files (*)").arg(imagePatterns().join(u' '));
 }
 
 SphereMapSourceField::SphereMapSourceField(PresetLibrary& library, QWidget* parent) : QWidget(parent), m_text(new QLineEdit)

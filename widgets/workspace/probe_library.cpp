@@ -1,5 +1,6 @@
 #include "probe_library.h"
 
+#include "widgets/controls/image_patterns.h"
 #include "widgets/controls/images.h"
 #include "widgets/controls/text.h"
 
@@ -26,14 +27,6 @@ namespace {
 constexpr int thumbnailHeight = 128;
 constexpr int mostFiles = 2000;      ///< of one folder
 constexpr int keptThumbnails = 4000; ///< on disk; about 30 kB each
-
-QStringList probeFilters()
-{
-    QStringList filters;
-    for (const char* extension : {"exr", "hdr", "pic", "rgbe", "tif", "tiff", "tx", "png", "jpg", "jpeg"})
-        filters << QStringLiteral("*.%1").arg(QLatin1String(extension));
-    return filters;
-}
 
 /// As bright as a picture in a contact sheet: the middle of its luminances is a mid grey, whatever a sun may be.
 QImage developed(const EnvironmentMap& map)
@@ -79,7 +72,7 @@ void prune()
 
 } // namespace
 
-bool isProbeFile(const QString& path) { return QDir::match(probeFilters(), QFileInfo(path).fileName()); }
+bool isProbeFile(const QString& path) { return QDir::match(imagePatterns(), QFileInfo(path).fileName()); }
 
 ProbeLibrary::ProbeLibrary(QObject* parent) : QAbstractListModel(parent), m_runner(this)
 {
@@ -161,7 +154,8 @@ void ProbeLibrary::scan()
     for (const BuiltinProbe& probe : builtinProbes())
         add(QStringLiteral("builtin:") + toQString(probe.name), toQString(probe.name), builtinGroup());
     for (const QString& folder : m_folders) {
-        const QFileInfoList files = QDir(folder).entryInfoList(probeFilters(), QDir::Files | QDir::Readable, QDir::Name | QDir::IgnoreCase);
+        const QFileInfoList files =
+            QDir(folder).entryInfoList(imagePatterns(), QDir::Files | QDir::Readable, QDir::Name | QDir::IgnoreCase);
         for (qsizetype i = 0; i < std::min<qsizetype>(files.size(), mostFiles); ++i)
             add(files[i].absoluteFilePath(), files[i].fileName(), folder);
     }

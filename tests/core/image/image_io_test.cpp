@@ -1,6 +1,6 @@
 #include "core/base/error.h"
 #include "core/image/color.h"
-#include "core/image/image_io.h"
+#include "core/image/image_format.h"
 #include "support/exr_builders.h"
 #include "support/shared_data.h"
 #include "support/temporary_folder.h"
@@ -19,7 +19,13 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::vector<std::string> writtenFormats{".exr", ".hdr", ".tif", ".png", ".jpg", ".tga", ".bmp", ".ppm", ".webp"};
+const std::vector<std::string> writtenFormats = [] {
+    std::vector<std::string> extensions;
+    for (const ImageFormat& format : imageFormats())
+        if (format.write)
+            extensions.emplace_back(format.extensions.front());
+    return extensions;
+}();
 
 size_t filesIn(const std::filesystem::path& folder)
 {

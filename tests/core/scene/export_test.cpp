@@ -115,6 +115,10 @@ TEST_F(Export, DescribesEachMapBesideIt)
     EXPECT_EQ(sidecar("matt")["files"], nlohmann::json({"irradiance.hdr"}));
     EXPECT_EQ(sidecar("env")["indexed_by"], "direction");
     EXPECT_EQ(sidecar("env")["levels"].size(), 7u);
+    for (const char* name : {"env", "gloss", "chain"})
+        EXPECT_EQ(openImage(m_folder / (std::string(name) + ".exr"))->info().attributes.at("mirrorball:indexed_by"),
+                  sidecar(name)["indexed_by"])
+            << name;
 
     const nlohmann::json chain = sidecar("chain");
     EXPECT_EQ(chain["sample_type"], "half");

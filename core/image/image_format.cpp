@@ -1,0 +1,203 @@
+#include "image_format.h"
+
+#include "exr_format.h"
+#include "hdr_format.h"
+#include "openimageio_loader.h"
+
+#include "container/babylon_env.h"
+#include "container/container_file.h"
+#include "container/dds.h"
+#include "container/ktx1.h"
+#include "container/ktx2.h"
+
+#include "core/base/error.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace mirrorball {
+
+namespace {
+
+std::string lowerExtension(const std::filesystem::path& path)
+{
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+std::unique_ptr<ImageReader> openHdr(const std::filesystem::path& path, int level)
+{
+    if (level != 0)
+        throw FileError(path.string(), "a Radiance picture has no mip levels; ask for level 0");
+    return hdr::open(path);
+}
+
+void writeExr(AtomicFile& file, const std::filesystem::path&, const std::vector<Image>& levels, const WriteOptions& options)
+{
+    if (levels.size() == 1)
+        exr::write(file, levels.front(), options);
+    else
+        exr::writeMips(file, levels, options);
+}
+
+void writeHdr(AtomicFile& file, const std::filesystem::path&, const std::vector<Image>& levels, const WriteOptions&)
+{
+    hdr::write(file, levels.front());
+}
+
+/// A row that OpenImageIO reads and writes as a display picture.
+ImageFormat displayFormat(std::string_view label, std::vector<std::string_view> extensions, const CompressionRatios& ratios)
+{
+    return {.label = label, .extensions = std::move(extensions), .ratios = ratios, .write = &openimageio::write};
+}
+
+/// A row of a texture container, which is only read.
+ImageFormat containerFormat(std::string_view label, std::vector<std::string_view> extensions, bool (*recognizes)(std::string_view))
+{
+    return {.label = label,
+            .extensions = std::move(extensions),
+            .samples = StoredSamples::Float,
+            .half = true,
+            .levels = true,
+            .faces = true,
+            .recognizes = recognizes,
+            .open = &openContainer};
+}
+
+// Ratios: means over four 1k probes (studio, sky, night, interior) as cube and latlong of 256, `smooth` filtered with phong 50, and over
+// the built-in sphere maps at 256. OpenImageIO writes the other formats through its streams too, but leaves half a file behind when it
+// fails.
+std::vector<ImageFormat> makeFormats()
+{
+    std::vector<ImageFormat> formats{
+        {.label = "OpenEXR",
+         .extensions = {".exr"},
+         .samples = StoredSamples::Float,
+         .half = true,
+         .levels = true,
+         .alpha = true,
+         .attributes = true,
+         .ratios = {1.0, 1.0, 1.0},
+         .halfRatios = {0.6, 0.27, 0.31},
+         .recognizes = &exr::hasSignature,
+         .open = &exr::open,
+         .write = &writeExr,
+         .writePasses = &exr::writePasses},
+        {.label = "Radiance HDR",
+         .extensions = {".hdr", ".pic", ".rgbe"},
+         .samples = StoredSamples::Rgbe,
+         .ratios = {0.78, 0.55, 0.78},
+         .recognizes = &hdr::hasSignature,
+         .open = &openHdr,
+         .write = &writeHdr},
+        {.label = "TIFF",
+         .extensions = {".tif", ".tiff", ".tx"},
+         .samples = StoredSamples::Float,
+         .half = true,
+         .levels = true,
+         .alpha = true,
+         .attributes = true,
+         .ratios = {0.72, 0.56, 0.72},
+         .halfRatios = {0.6, 0.27, 0.31},
+         .write = &openimageio::write},
+        displayFormat("PNG", {".png"}, {0.38, 0.12, 0.19}),
+        displayFormat("JPEG", {".jpg", ".jpeg"}, {0.38, 0.12, 0.19}),
+        displayFormat("WebP", {".webp"}, {0.38, 0.12, 0.19}),
+        displayFormat("TGA", {".tga"}, {0.38, 0.12, 0.19}),
+        displayFormat("BMP", {".bmp"}, {}),
+        displayFormat("PPM", {".ppm"}, {}),
+        containerFormat("KTX", {".ktx"}, &ktx1::hasSignature),
+        containerFormat("KTX 2", {".ktx2"}, &ktx2::hasSignature),
+        containerFormat("DDS", {".dds"}, &dds::hasSignature),
+        containerFormat("Babylon environment", {".env"}, &babylon_env::hasSignature),
+    };
+    return formats;
+}
+
+} // namespace
+
+const std::vector<ImageFormat>& imageFormats()
+{
+    static const std::vector<ImageFormat> formats = makeFormats();
+    return formats;
+}
+
+const ImageFormat* findFormat(const std::filesystem::path& path)
+{
+    const std::string extension = lowerExtension(path);
+    for (const ImageFormat& format : imageFormats())
+        if (std::find(format.extensions.begin(), format.extensions.end(), extension) != format.extensions.end())
+            return &format;
+    return nullptr;
+}
+
+const ImageFormat& writableFormat(const std::filesystem::path& path)
+{
+    const ImageFormat* const format = findFormat(path);
+    if (format && format->write)
+        return *format;
+    const std::string extension = lowerExtension(path);
+    throw InvalidArgument(path.string() +
+                          (extension.empty() ? ": has no extension that tells the format"
+                                             : ": no image can be written with the extension \"" + extension + "\"") +
+                          "; use .exr, .hdr, .tif or .png");
+}
+
+bool isWritable(const std::filesystem::path& path)
+{
+    const ImageFormat* const format = findFormat(path);
+    return format && format->write;
+}
+
+std::string writtenExtensions()
+{
+    std::string list;
+    for (const ImageFormat& format : imageFormats())
+        if (format.write)
+            list.append(list.empty() ? "" : " ").append(format.extensions.front());
+    return list;
+}
+
+const ImageFormat& passFormat(const std::filesystem::path& path)
+{
+    const ImageFormat* const format = findFormat(path);
+    if (!format || !format->writePasses)
+        throw InvalidArgument(path.string() + ": only .exr files hold passes");
+    return *format;
+}
+
+bool holdsMips(const std::filesystem::path& path)
+{
+    const ImageFormat* const format = findFormat(path);
+    return format && format->write && format->levels;
+}
+
+std::string_view sampleWord(const ImageFormat& format, SampleType type)
+{
+    switch (format.samples) {
+    case StoredSamples::Float:
+        return format.half && type == SampleType::Half ? "half" : "float";
+    case StoredSamples::Rgbe:
+        return "rgbe";
+    case StoredSamples::Byte:
+        break;
+    }
+    return "uint8";
+}
+
+int texelBytes(const ImageFormat& format, SampleType type, int channels)
+{
+    switch (format.samples) {
+    case StoredSamples::Float:
+        return channels * (format.half && type == SampleType::Half ? 2 : 4);
+    case StoredSamples::Rgbe:
+        return 4;
+    case StoredSamples::Byte:
+        break;
+    }
+    return channels;
+}
+
+} // namespace mirrorball

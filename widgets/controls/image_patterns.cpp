@@ -1,0 +1,34 @@
+#include "image_patterns.h"
+
+#include "text.h"
+
+namespace mirrorball::studio {
+
+namespace {
+
+void append(QStringList& patterns, const ImageFormat& format)
+{
+    for (const std::string_view extension : format.extensions)
+        patterns << u'*' + toQString(extension);
+}
+
+} // namespace
+
+QStringList imagePatterns()
+{
+    QStringList patterns;
+    for (const ImageFormat& format : imageFormats())
+        append(patterns, format);
+    return patterns;
+}
+
+QStringList imagePatterns(Holding holding)
+{
+    QStringList patterns;
+    for (const ImageFormat& format : imageFormats())
+        if (format.write && (format.samples == StoredSamples::Byte) == (holding == Holding::Display))
+            append(patterns, format);
+    return patterns;
+}
+
+} // namespace mirrorball::studio
