@@ -1,5 +1,7 @@
 #include "lobe.h"
 
+#include "lobe_coefficients.h"
+
 #include "core/base/error.h"
 #include "core/sphere/direction.h"
 
@@ -51,22 +53,20 @@ const GaussLegendre16& gaussLegendre16()
 }
 
 /// Ends of the panels over [0, pi/2] on which k(cos t) P_l(cos t) sin t is smooth for all l <= bandLimit: no longer than one and a
-/// half periods of P_l, growing with t where the peak is narrow, broken at the kinks of a tabulated lobe.
+/// half periods of P_l, broken at the kinks of a tabulated lobe.
 std::vector<double> panelEnds(const Lobe& lobe, int bandLimit)
 {
     const double longest = 1.5 * 2.0 * pi / std::max(12, bandLimit);
-    const double narrow = lobe.kind == LobeKind::Ggx ? std::max(lobe.alpha, 1e-9) : 1.0;
     std::vector<double> kinks;
-    if (lobe.kind == LobeKind::Tabulated)
-        for (size_t i = lobe.samples.size(); i-- > 0;)
-            kinks.push_back(std::acos(static_cast<double>(i) / static_cast<double>(lobe.samples.size() - 1)));
+    for (size_t i = lobe.samples.size(); i-- > 0;)
+        kinks.push_back(std::acos(static_cast<double>(i) / static_cast<double>(lobe.samples.size() - 1)));
     kinks.push_back(pi / 2);
 
     std::vector<double> ends{0.0};
     double t = 0.0;
     for (const double kink : kinks) {
         while (t < kink) {
-            const double length = std::min(longest, 0.5 * std::max(t, narrow));
+            const double length = std::min(longest, 0.5 * std::max(t, 1.0));
             t = kink - t < 1.2 * length ? kink : t + length;
             ends.push_back(t);
         }
@@ -113,17 +113,6 @@ std::vector<double> quadratureCoefficients(const Lobe& lobe, int bandLimit)
     for (double& k : coefficients)
         k /= k0;
     return coefficients;
-}
-
-std::vector<double> phongCoefficients(double n, int bandLimit)
-{
-    std::vector<double> k(static_cast<size_t>(bandLimit) + 1);
-    k[0] = 1.0;
-    if (bandLimit >= 1)
-        k[1] = (n + 1.0) / (n + 2.0);
-    for (int l = 2; l <= bandLimit; ++l)
-        k[static_cast<size_t>(l)] = k[static_cast<size_t>(l) - 2] * (n - l + 2.0) / (n + l + 1.0);
-    return k;
 }
 
 /// Integral of c / (A - B c)^2 over [0, 1] for A = (1 + alpha^2)/2, B = (1 - alpha^2)/2; see LobeShape for where it comes from.
@@ -310,6 +299,7 @@ std::vector<double> legendreCoefficients(const Lobe& lobe, int bandLimit)
     case LobeKind::Diffuse:
         return phongCoefficients(1.0, bandLimit);
     case LobeKind::Ggx:
+        return ggxCoefficients(lobe.alpha, bandLimit);
     case LobeKind::Tabulated:
         break;
     }

@@ -50,7 +50,19 @@ void writeHdr(AtomicFile& file, const std::filesystem::path&, const std::vector<
 /// A row that OpenImageIO reads and writes as a display picture.
 ImageFormat displayFormat(std::string_view label, std::vector<std::string_view> extensions, const CompressionRatios& ratios)
 {
-    return {.label = label, .extensions = std::move(extensions), .ratios = ratios, .write = &openimageio::write};
+    return {.label = label, .extensions = std::move(extensions), .alpha = true, .ratios = ratios, .write = &openimageio::write};
+}
+
+ImageFormat withAttributes(ImageFormat format)
+{
+    format.attributes = true;
+    return format;
+}
+
+ImageFormat withoutAlpha(ImageFormat format)
+{
+    format.alpha = false;
+    return format;
 }
 
 /// A row of a texture container, which is only read.
@@ -102,12 +114,12 @@ std::vector<ImageFormat> makeFormats()
          .ratios = {0.72, 0.56, 0.72},
          .halfRatios = {0.6, 0.27, 0.31},
          .write = &openimageio::write},
-        displayFormat("PNG", {".png"}, {0.38, 0.12, 0.19}),
-        displayFormat("JPEG", {".jpg", ".jpeg"}, {0.38, 0.12, 0.19}),
-        displayFormat("WebP", {".webp"}, {0.38, 0.12, 0.19}),
-        displayFormat("TGA", {".tga"}, {0.38, 0.12, 0.19}),
+        withAttributes(displayFormat("PNG", {".png"}, {0.38, 0.12, 0.19})),
+        withAttributes(withoutAlpha(displayFormat("JPEG", {".jpg", ".jpeg"}, {0.13, 0.04, 0.1}))),
+        displayFormat("WebP", {".webp"}, {0.09, 0.014, 0.06}),
+        withAttributes(displayFormat("TGA", {".tga"}, {0.92, 0.6, 0.5})),
         displayFormat("BMP", {".bmp"}, {}),
-        displayFormat("PPM", {".ppm"}, {}),
+        withoutAlpha(displayFormat("PPM", {".ppm"}, {})),
         containerFormat("KTX", {".ktx"}, &ktx1::hasSignature),
         containerFormat("KTX 2", {".ktx2"}, &ktx2::hasSignature),
         containerFormat("DDS", {".dds"}, &dds::hasSignature),

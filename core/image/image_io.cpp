@@ -2,6 +2,7 @@
 
 #include "exr_format.h"
 #include "image_format.h"
+#include "opacity.h"
 #include "openimageio_loader.h"
 
 #include "core/base/atomic_file.h"
@@ -147,7 +148,7 @@ void writeImage(const std::filesystem::path& path, const Image& image, const Wri
     if (options.encoding == Encoding::Display && format.samples != StoredSamples::Byte)
         throw InvalidArgument(path.string() + ": holds linear values, not a display picture; use .png");
     AtomicFile file(path);
-    format.write(file, path, {image}, options);
+    format.write(file, path, {image.channels == 4 && !format.alpha ? withoutOpacity(image) : image}, options);
     file.commit();
 }
 

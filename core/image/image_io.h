@@ -69,8 +69,9 @@ struct WriteOptions {
         1; ///< 6: the picture is the stacked faces of a cube, for a format that keeps those as such; levels then halve a face's edge
 };
 
-/// Writes linear RGB. .png is tone-mapped (color.h) and sRGB-encoded; .hdr takes no negative values (clamped to 0).
-/// The file appears whole or not at all: it is written under a temporary name beside the target and renamed.
+/// Writes linear RGB. A fourth channel is left out where the format has none. .png is tone-mapped (color.h) and sRGB-encoded; .hdr takes no
+/// negative values (clamped to 0). The file appears whole or not at all: it is written under a temporary name beside the target and
+/// renamed.
 /// @throws InvalidArgument for an extension that cannot be written, or that takes no display picture; WorkError when writing fails
 void writeImage(const std::filesystem::path& path, const Image& image, const WriteOptions& options = {});
 

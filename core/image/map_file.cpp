@@ -4,6 +4,7 @@
 #include "color.h"
 #include "image_format.h"
 #include "layout_detection.h"
+#include "opacity.h"
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
@@ -180,11 +181,12 @@ std::vector<std::filesystem::path> writePictures(const std::filesystem::path& ou
                                                  const WriteOptions& options)
 {
     faceFiles(out, Parameterization::Sphere); // says that a picture has no faces
-    if (writableFormat(out).samples != StoredSamples::Byte)
+    const ImageFormat& format = writableFormat(out);
+    if (format.samples != StoredSamples::Byte)
         return writeLevels(out, levels, options);
     std::vector<Image> shown;
     for (const Image& level : levels)
-        shown.push_back(toDisplay(level, 0.0, ToneCurve::None));
+        shown.push_back(toDisplay(level.channels == 4 && !format.alpha ? withoutOpacity(level) : level, 0.0, ToneCurve::None));
     WriteOptions display = options;
     display.encoding = Encoding::Display;
     return writeLevels(out, shown, display);

@@ -8,21 +8,13 @@
 
 #include "core/base/atomic_file.h"
 #include "core/image/image_format.h"
+#include "core/image/opacity.h"
 
 #include <algorithm>
 
 namespace mirrorball::preview {
 
 namespace {
-
-/// A picture without transparency has no use for its fourth channel.
-Image withoutOpacity(const Image& rgba)
-{
-    Image rgb(rgba.width, rgba.height, 3);
-    for (size_t i = 0; i < rgb.texels.size() / 3; ++i)
-        std::copy_n(&rgba.texels[4 * i], 3, &rgb.texels[3 * i]);
-    return rgb;
-}
 
 /// Colours that are multiplied by their opacity to such that are not, as 8-bit files have them.
 void divideByOpacity(Image& rgba)
@@ -36,7 +28,8 @@ void divideByOpacity(Image& rgba)
 
 void savePicture(const Scene& scene, const Plan& plan, const std::filesystem::path& path, const JobControl& job, WorkRecord& record)
 {
-    const bool radiance = writableFormat(path).samples != StoredSamples::Byte;
+    const ImageFormat& format = writableFormat(path);
+    const bool radiance = format.samples != StoredSamples::Byte;
     checkTarget(path);
     std::shared_ptr<const DisplayTransform> display;
     if (const auto choice = displayChoice(scene); choice && !radiance)
@@ -53,7 +46,7 @@ void savePicture(const Scene& scene, const Plan& plan, const std::filesystem::pa
         Renderer renderer;
         return radiance ? renderer.renderRadiance(settings, maps) : renderer.renderDisplay(settings, maps);
     });
-    if (scene.view.background.kind != Backdrop::None)
+    if (scene.view.background.kind != Backdrop::None || !format.alpha)
         picture = withoutOpacity(picture);
     else if (!radiance)
         divideByOpacity(picture);

@@ -96,7 +96,10 @@ void checkExports(const std::vector<ExportTarget>& exports)
             throw InvalidArgument(path + ".file: must end in a format that can be written, " + writtenExtensions() + "; it is " +
                                   inQuotes(file));
         if (namesFaces(file) && target.layout().kind != Parameterization::Cube)
-            throw InvalidArgument(path + ".file: '%s' stands for the six faces of a cube, and the map is none; it is " + inQuotes(file));
+            throw InvalidArgument(path +
+                                  ".file: '%s' stands for the six faces of a cube, and the map is none; give a plain name, or '%d' for "
+                                  "one file a level; it is " +
+                                  inQuotes(file));
         if (!files.insert(std::filesystem::path(file).stem().string()).second)
             throw InvalidArgument(path + ".file: must differ from the other exports' files in more than the extension; " + inQuotes(file) +
                                   " does not");

@@ -119,8 +119,7 @@ const char* opacityText(const Image& picture, const Stored& stored)
     if (picture.channels != 4)
         return "opaque everywhere";
     if (!stored.format.alpha)
-        return stored.isShown() ? "none, for the format has no alpha channel: what is transparent shows the colour that it would have"
-                                : "none, for the format has no alpha channel: what is transparent is over black";
+        return "none, for the format has no alpha channel: what is transparent is over black";
     return stored.isShown() ? "in the alpha channel; colours are not multiplied by it"
                             : "in the alpha channel; colours are multiplied by it";
 }

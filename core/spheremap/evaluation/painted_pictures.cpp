@@ -3,6 +3,7 @@
 #include "matcap_passes.h"
 
 #include "core/base/error.h"
+#include "core/image/opacity.h"
 
 #include <algorithm>
 #include <string>
@@ -17,14 +18,6 @@ bool isOpaque(const Image& rgba)
         if (rgba.texels[i] < 1.0f - 1e-6f)
             return false;
     return true;
-}
-
-Image withoutOpacity(const Image& rgba)
-{
-    Image rgb(rgba.width, rgba.height, 3);
-    for (size_t i = 0; i < rgb.texels.size() / 3; ++i)
-        std::copy_n(&rgba.texels[4 * i], 3, &rgb.texels[3 * i]);
-    return rgb;
 }
 
 std::vector<Image> evaluated(const SphereMapDocument& document, const PaintedOptions& options, const JobControl& job)

@@ -53,6 +53,21 @@ TEST(ImageFormats, WhatARowClaimsIsInTheFile)
         }
 }
 
+TEST(ImageFormats, WithoutAnAlphaChannelShowWhatIsTransparentOverBlack)
+{
+    const test::TemporaryFolder folder;
+    Image rgba(8, 4, 4, 0.25f); // white, a quarter opaque: colours come multiplied
+    for (const ImageFormat& format : imageFormats()) {
+        if (!format.write || format.alpha)
+            continue;
+        const std::filesystem::path file = fileOf(folder, format, format.extensions.front());
+        writeImage(file, rgba);
+        const Image read = readImage(file);
+        writeImage(file, Image(8, 4, 3, 0.25f));
+        EXPECT_EQ(read, readImage(file)) << file;
+    }
+}
+
 TEST(ImageFormats, KeepLevelsWhereTheRowSaysSo)
 {
     const test::TemporaryFolder folder;
