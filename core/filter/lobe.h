@@ -66,8 +66,8 @@ bool isUnresolved(const Lobe& lobe, int latlongWidth);
 
 /// The factors of a radial convolution, e_lm = k_l a_lm, for l = 0 .. bandLimit:
 ///   k_l = 2 pi integral of k(c) P_l(c) over [0, 1];  k_0 = 1
-/// Phong, diffuse and ggx as lobe_coefficients.h says; tabulated ones by Gauss-Legendre quadrature on panels that follow both the kinks and
-/// the oscillation of P_l. To about 1e-12 of k_0.
+/// Phong and diffuse in closed form, k_l = k_(l-2) (n-l+2)/(n+l+1) with k_1 = (n+1)/(n+2); the others by Gauss-Legendre quadrature
+/// on panels that follow both the peak and the oscillation of P_l (relative error about 1e-13 of k_0).
 std::vector<double> legendreCoefficients(const Lobe& lobe, int bandLimit);
 
 } // namespace mirrorball
