@@ -1,8 +1,11 @@
 #include "command.h"
 #include "scene_stats.h"
 
+#include "core/base/error.h"
+#include "core/scene/engine_scene_export.h"
 #include "core/scene/export.h"
 #include "core/scene/scene_file.h"
+#include "core/scene/scene_maps.h"
 
 #include <cstdio>
 #include <memory>
@@ -12,15 +15,92 @@ namespace mirrorball::cli {
 namespace {
 
 struct Options {
-    std::string scene, folder, stats;
-    std::vector<std::string> only;
-    int threads = 0;
-    bool explain = false;
+    std::string scene, folder, stats, engine, probe, name;
+    std::vector<std::string> only, encode;
+    int threads = 0, size = 0;
+    double yawDeg = 0.0;
+    bool explain = false, zstd = false;
 };
+
+/// The scene to export from: a file, or a plain probe, which an engine's files need no more than.
+Scene sceneOf(const Options& o)
+{
+    if (o.probe.empty() && o.scene.empty())
+        throw InvalidArgument("SCENE: is missing; name a scene file, or a probe with --probe");
+    if (!o.probe.empty() && !o.scene.empty())
+        throw InvalidArgument("--probe: given beside the scene '" + shownPath(o.scene) + "', which names its own; leave one of them out");
+    const std::filesystem::path extension = std::filesystem::path(o.scene).extension();
+    if (o.probe.empty() && (o.engine.empty() || extension == ".mirrorball" || extension == ".json"))
+        return loadScene(o.scene);
+    Scene scene;
+    scene.probe.source = o.probe.empty() ? o.scene : o.probe;
+    return scene;
+}
+
+/// The folder's own name where --name is left out, as cmgen names its files.
+std::string exportName(const Options& o)
+{
+    if (!o.name.empty())
+        return o.name;
+    const std::filesystem::path folder = std::filesystem::absolute(o.folder).lexically_normal();
+    std::string name = (folder.has_filename() ? folder : folder.parent_path()).filename().string();
+    for (char& c : name)
+        if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_')
+            c = '_';
+    return name.empty() || name.front() == '-' ? "light" : name.substr(0, 100);
+}
+
+EngineExportOptions engineOptions(const Options& o, const EngineProfile& profile)
+{
+    EngineExportOptions options{.size = o.size, .name = exportName(o), .compressKtx2 = o.zstd};
+    for (const std::string& word : o.encode) {
+        if (profile.word != "playcanvas" || (word != "rgbp" && word != "rgbm"))
+            throw InvalidArgument("--encode: '" + word + "' is none of " + std::string(profile.title) +
+                                  "; PlayCanvas' atlas takes rgbp or rgbm, other profiles have one encoding");
+        options.atlas = word == "rgbm" ? PackedColor::Rgbm : PackedColor::Rgbp;
+    }
+    return options;
+}
+
+void runForEngine(const Options& o)
+{
+    const EngineProfile& profile = engineProfile(o.engine);
+    if (!o.only.empty())
+        throw InvalidArgument("--only: belongs to a scene's own exports; --for writes every file that the engine takes");
+    if (o.folder.find('%') != std::string::npos)
+        throw InvalidArgument("--output: '" + shownPath(o.folder) + "' has a % in it; --for writes whole containers into a folder, so name one");
+    const EngineExportOptions options = engineOptions(o, profile);
+    checkedSize(profile, options.size);
+    Scene scene = sceneOf(o);
+    scene.probe.yawDeg += o.yawDeg;
+    const JobControl job = jobWithProgress("export", o.threads);
+    if (o.explain) {
+        std::vector<Stage> stages;
+        for (const EngineFilePlan& file : planEngineExport(profile, options, probeLayout(scene)))
+            stages.push_back({.name = file.file,
+                              .why = std::string(name(file.content)) +
+                                     (file.size > 0 ? ", " + std::to_string(file.size) + " texels, levels: " + std::to_string(file.levels) : ""),
+                              .expected = {0.0, file.bytes}});
+        printStages(stages);
+    }
+    const EngineExport done = exportForEngine(scene, profile, options, o.folder, job);
+    for (const std::filesystem::path& file : done.files)
+        std::printf("%s\n", file.string().c_str());
+    for (const std::string& warning : done.warnings)
+        std::fprintf(stderr, "mirrorball: note: %s\n", warning.c_str());
+    if (!o.stats.empty())
+        writeStats(o.stats, {.stages = done.stages, .method = "auto", .threads = job.threadCount()});
+}
 
 void run(const Options& o)
 {
-    const Scene scene = loadScene(o.scene);
+    if (!o.engine.empty()) {
+        runForEngine(o);
+        return;
+    }
+    if (o.size != 0 || !o.name.empty() || !o.probe.empty() || !o.encode.empty() || o.zstd || o.yawDeg != 0.0)
+        throw InvalidArgument("--size, --name, --probe, --yaw, --encode and --zstd: belong to --for ENGINE; a scene's exports say these themselves");
+    const Scene scene = sceneOf(o);
     const JobControl job = jobWithProgress("export", o.threads);
     const PlanRequest request{.picture = false, .exports = o.only};
     const Plan plan = makePlan(scene, probeLayout(scene, request), request);
@@ -39,9 +119,19 @@ void addExportCommand(CLI::App& program)
 {
     const auto o = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand("export", "Write the maps that a scene lists, each with a description beside it");
-    command->add_option("SCENE", o->scene, "scene file (.mirrorball)")->required();
+    command->add_option("SCENE", o->scene, "scene file (.mirrorball); with --for also a probe");
     command->add_option("-o,--output", o->folder, "folder for the files; made when missing")->required();
     command->add_option("--only", o->only, "names of exports; all others are left out");
+    std::string known;
+    for (const EngineProfile& profile : engineProfiles())
+        known += (known.empty() ? "" : ", ") + std::string(profile.word);
+    command->add_option("--for", o->engine, "write the light as this engine takes it: " + known);
+    command->add_option("--probe", o->probe, "with --for: a probe in place of a scene");
+    command->add_option("--size", o->size, "with --for: edge of the largest cube face, or height of the latlong, in texels");
+    command->add_option("--name", o->name, "with --for: names the files; the folder's name where it is left out");
+    command->add_option("--yaw", o->yawDeg, "with --for: turns the environment about +Y, counterclockwise from above, in degrees");
+    command->add_option("--encode", o->encode, "with --for playcanvas: rgbp or rgbm");
+    command->add_flag("--zstd", o->zstd, "with --for: compress .ktx2 files with Zstandard");
     command->add_option("--threads", o->threads, "threads; 0: one per core")->check(CLI::Range(0, 1024));
     command->add_flag("--explain", o->explain, "print what is done, what is left out, and why; then do it");
     command->add_option("--stats", o->stats, "write times, method and predicted error to this JSON file");

@@ -10,9 +10,9 @@
 
 namespace mirrorball::play_canvas_atlas {
 
-glm::dvec3 direction(const Rectangle& r, int i, int j)
+glm::dvec3 direction(const Rectangle& r, double i, double j)
 {
-    const double u = (i - 0.5) / (r.width - 2), v = (std::clamp(j, 1, r.height - 2) - 0.5) / (r.height - 2);
+    const double u = (i - 0.5) / (r.width - 2), v = (std::clamp(j, 1.0, r.height - 2.0) - 0.5) / (r.height - 2);
     return directionFromLonLat(pi - 2.0 * pi * u, pi / 2.0 - pi * v);
 }
 
