@@ -68,7 +68,8 @@ void runForEngine(const Options& o)
     if (!o.only.empty())
         throw InvalidArgument("--only: belongs to a scene's own exports; --for writes every file that the engine takes");
     if (o.folder.find('%') != std::string::npos)
-        throw InvalidArgument("--output: '" + shownPath(o.folder) + "' has a % in it; --for writes whole containers into a folder, so name one");
+        throw InvalidArgument("--output: '" + shownPath(o.folder) +
+                              "' has a % in it; --for writes whole containers into a folder, so name one");
     const EngineExportOptions options = engineOptions(o, profile);
     checkedSize(profile, options.size);
     Scene scene = sceneOf(o);
@@ -77,10 +78,11 @@ void runForEngine(const Options& o)
     if (o.explain) {
         std::vector<Stage> stages;
         for (const EngineFilePlan& file : planEngineExport(profile, options, probeLayout(scene)))
-            stages.push_back({.name = file.file,
-                              .why = std::string(name(file.content)) +
-                                     (file.size > 0 ? ", " + std::to_string(file.size) + " texels, levels: " + std::to_string(file.levels) : ""),
-                              .expected = {0.0, file.bytes}});
+            stages.push_back(
+                {.name = file.file,
+                 .why = std::string(name(file.content)) +
+                        (file.size > 0 ? ", " + std::to_string(file.size) + " texels, levels: " + std::to_string(file.levels) : ""),
+                 .expected = {0.0, file.bytes}});
         printStages(stages);
     }
     const EngineExport done = exportForEngine(scene, profile, options, o.folder, job);
@@ -99,7 +101,8 @@ void run(const Options& o)
         return;
     }
     if (o.size != 0 || !o.name.empty() || !o.probe.empty() || !o.encode.empty() || o.zstd || o.yawDeg != 0.0)
-        throw InvalidArgument("--size, --name, --probe, --yaw, --encode and --zstd: belong to --for ENGINE; a scene's exports say these themselves");
+        throw InvalidArgument(
+            "--size, --name, --probe, --yaw, --encode and --zstd: belong to --for ENGINE; a scene's exports say these themselves");
     const Scene scene = sceneOf(o);
     const JobControl job = jobWithProgress("export", o.threads);
     const PlanRequest request{.picture = false, .exports = o.only};

@@ -66,8 +66,9 @@ public:
     const std::vector<EnvironmentMap>& chain()
     {
         if (m_chain.empty())
-            m_chain = timedStage(m_stages, "filter levels",
-                                 [&] { return lawChain(m_probe, *m_profile.law, m_size, chainLevels(m_profile, m_size), m_options, m_job); });
+            m_chain = timedStage(m_stages, "filter levels", [&] {
+                return lawChain(m_probe, *m_profile.law, m_size, chainLevels(m_profile, m_size), m_options, m_job);
+            });
         return m_chain;
     }
     EnvironmentMap skybox()
@@ -81,7 +82,8 @@ public:
     EnvironmentMap diffuse(const MapLayout& target)
     {
         return timedStage(m_stages, "filter diffuse", [&] {
-            return prefilter(m_probe, {.lobe = diffuseLobe(), .target = target, .tolerance = m_options.tolerance, .yaw = m_options.yaw}, m_job)
+            return prefilter(m_probe, {.lobe = diffuseLobe(), .target = target, .tolerance = m_options.tolerance, .yaw = m_options.yaw},
+                             m_job)
                 .map;
         });
     }
@@ -339,10 +341,12 @@ std::vector<std::string> engineWarnings(const EngineProfile& profile, const Prob
     };
     if (probe.largestValue > static_cast<double>(largest))
         warnings.push_back("The probe's brightest value, " + number(probe.largestValue) + ", is beyond what the files hold, " +
-                           number(static_cast<double>(largest)) + ": sharp reflections are clipped there. Rough levels and diffuse light "
+                           number(static_cast<double>(largest)) +
+                           ": sharp reflections are clipped there. Rough levels and diffuse light "
                            "are filtered before that.");
     if (probe.sunShare > 0.25)
-        warnings.push_back("A sun or lamp holds " + number(100.0 * probe.sunShare) + " % of the light: engines cast no shadows from an "
+        warnings.push_back("A sun or lamp holds " + number(100.0 * probe.sunShare) +
+                           " % of the light: engines cast no shadows from an "
                            "environment, so take it out and add it as a light of its own where shadows matter.");
     return warnings;
 }

@@ -18,20 +18,20 @@
 namespace mirrorball {
 
 struct EngineExportOptions {
-    int size = 0;                ///< checkedSize(); 0: the profile's own
-    std::string name = "light";  ///< of the export: letters, digits, - and _; names the files
-    double yaw = 0.0;            ///< radians; of the scene, beside what the profile turns
-    double tolerance = 1e-4;     ///< of the filtered maps, rel_rms; the formats round to 5e-4 and more
+    int size = 0;                          ///< checkedSize(); 0: the profile's own
+    std::string name = "light";            ///< of the export: letters, digits, - and _; names the files
+    double yaw = 0.0;                      ///< radians; of the scene, beside what the profile turns
+    double tolerance = 1e-4;               ///< of the filtered maps, rel_rms; the formats round to 5e-4 and more
     PackedColor atlas = PackedColor::Rgbp; ///< of PlayCanvas' atlas; Rgbm is the other one it takes
-    bool compressKtx2 = false;   ///< Zstandard
+    bool compressKtx2 = false;             ///< Zstandard
 };
 
 /// What one file will be.
 struct EngineFilePlan {
     std::string file{}; ///< without the folder
     EngineContent content = EngineContent::Latlong;
-    int size = 0;   ///< edge of a face, height of a latlong; 0 for text
-    int levels = 0; ///< 0 for text
+    int size = 0;                    ///< edge of a face, height of a latlong; 0 for text
+    int levels = 0;                  ///< 0 for text
     std::vector<double> roughness{}; ///< of the levels of a chain
     std::int64_t bytes = 0;          ///< exact for cubes, an estimate for compressed pictures and text
 };
@@ -58,7 +58,8 @@ struct EngineExport {
 EngineExport exportForEngine(FilterSource& probe, const EngineProfile& profile, const EngineExportOptions& options,
                              const std::filesystem::path& folder, const JobControl& job = {});
 
-/// A chain of ggx levels for a law, cubes in our convention, largest first. Level 0 of a law whose roughness there is 0 is the probe itself.
+/// A chain of ggx levels for a law, cubes in our convention, largest first. Level 0 of a law whose roughness there is 0 is the probe
+/// itself.
 std::vector<EnvironmentMap> lawChain(FilterSource& probe, RoughnessLaw law, int size, int levels, const EngineExportOptions& options,
                                      const JobControl& job = {});
 

@@ -22,20 +22,18 @@ EngineFile shJson() { return {.content = EngineContent::Sh, .file = "{name}_sh.j
 std::vector<EngineProfile> makeProfiles()
 {
     std::vector<EngineProfile> rows;
-    rows.push_back({.word = "three",
-                    .title = "three.js",
-                    .proven = "0.187.0",
-                    .how = "A prefiltered cube that its PMREM shader reads as it is, loaded by a few lines with ktx-parse; the latlong for "
-                           "applications that let three.js filter; light probe coefficients.",
-                    .files = {{.content = EngineContent::SpecularCube, .file = "{name}_pmrem.ktx2"},
-                              latlongHdr,
-                              shJson(),
-                              text("{name}_three.js")},
-                    .latlongYawDeg = -90.0,
-                    .cube = mirroredInX(),
-                    .law = RoughnessLaw::Filament,
-                    .lastSize = 8,
-                    .note = "KTX2Loader of three.js ignores the faces of cubes with float texels; use the lines in the script."});
+    rows.push_back(
+        {.word = "three",
+         .title = "three.js",
+         .proven = "0.187.0",
+         .how = "A prefiltered cube that its PMREM shader reads as it is, loaded by a few lines with ktx-parse; the latlong for "
+                "applications that let three.js filter; light probe coefficients.",
+         .files = {{.content = EngineContent::SpecularCube, .file = "{name}_pmrem.ktx2"}, latlongHdr, shJson(), text("{name}_three.js")},
+         .latlongYawDeg = -90.0,
+         .cube = mirroredInX(),
+         .law = RoughnessLaw::Filament,
+         .lastSize = 8,
+         .note = "KTX2Loader of three.js ignores the faces of cubes with float texels; use the lines in the script."});
     rows.push_back({.word = "model-viewer",
                     .title = "model-viewer",
                     .proven = "4.4.0",
@@ -54,14 +52,15 @@ std::vector<EngineProfile> makeProfiles()
                     .smallest = 32,
                     .lastSize = 16,
                     .note = "Intensity 1 with exposure (1, 1.2, 100) shows radiance as it is."});
-    rows.push_back({.word = "babylon",
-                    .title = "Babylon.js",
-                    .proven = "9.35.0",
-                    .how = "One environment file with every level and the diffuse polynomial.",
-                    .files = {{.content = EngineContent::BabylonEnv, .file = "{name}.env"}, text("{name}_babylon.js")},
-                    .cube = mirroredInX(),
-                    .law = RoughnessLaw::Babylon,
-                    .note = "A right-handed scene shows it turned by 180 degrees about Y, as it does panoramas; the script sets the turn."});
+    rows.push_back(
+        {.word = "babylon",
+         .title = "Babylon.js",
+         .proven = "9.35.0",
+         .how = "One environment file with every level and the diffuse polynomial.",
+         .files = {{.content = EngineContent::BabylonEnv, .file = "{name}.env"}, text("{name}_babylon.js")},
+         .cube = mirroredInX(),
+         .law = RoughnessLaw::Babylon,
+         .note = "A right-handed scene shows it turned by 180 degrees about Y, as it does panoramas; the script sets the turn."});
     rows.push_back({.word = "playcanvas",
                     .title = "PlayCanvas",
                     .proven = "2.23.3",
@@ -119,8 +118,8 @@ std::vector<EngineProfile> makeProfiles()
 
 std::string_view name(EngineContent content)
 {
-    static constexpr std::array<std::string_view, 8> names{"latlong", "skybox", "specular cube", "diffuse cube",
-                                                           "environment", "atlas", "spherical harmonics", "script"};
+    static constexpr std::array<std::string_view, 8> names{"latlong",     "skybox", "specular cube",       "diffuse cube",
+                                                           "environment", "atlas",  "spherical harmonics", "script"};
     return names[static_cast<size_t>(content)];
 }
 
@@ -153,7 +152,8 @@ int checkedSize(const EngineProfile& profile, int size, std::string_view option)
     const std::string title(profile.title);
     if (!profile.law && (size < profile.smallest || size > largestLatlong))
         throw InvalidArgument(std::string(option) + ": " + title + " takes a latlong whose height is from " +
-                              std::to_string(profile.smallest) + " to " + std::to_string(largestLatlong) + "; it is " + std::to_string(size));
+                              std::to_string(profile.smallest) + " to " + std::to_string(largestLatlong) + "; it is " +
+                              std::to_string(size));
     if (profile.law && (size < profile.smallest || size > profile.largest || !std::has_single_bit(static_cast<unsigned>(size))))
         throw InvalidArgument(std::string(option) + ": " + title + " takes cube faces whose edge is a power of two from " +
                               std::to_string(profile.smallest) + " to " + std::to_string(profile.largest) + "; it is " +

@@ -44,13 +44,13 @@ struct EngineProfile {
     std::string_view how{};    ///< one sentence: what the engine does with the files
     std::vector<EngineFile> files{};
 
-    double latlongYawDeg = 0.0;  ///< turns the environment so that the engine's latlong lookup shows it unturned
-    CubeOrientation cube{};      ///< how cubes are stored
+    double latlongYawDeg = 0.0;        ///< turns the environment so that the engine's latlong lookup shows it unturned
+    CubeOrientation cube{};            ///< how cubes are stored
     std::optional<RoughnessLaw> law{}; ///< of the chain; empty: the engine filters by itself
-    int size = 256;              ///< edge of the specular cube's first level by default
+    int size = 256;                    ///< edge of the specular cube's first level by default
     int smallest = 16, largest = 2048; ///< powers of two between them; without a law, any height of the latlong
-    int lastSize = 1;            ///< edge of the chain's last level
-    std::string_view note{};     ///< what an application must know beside; may be empty
+    int lastSize = 1;                  ///< edge of the chain's last level
+    std::string_view note{};           ///< what an application must know beside; may be empty
 };
 
 /// three, model-viewer, filament, babylon, playcanvas, bevy, blender, godot, unity, unreal, usd, materialx.

@@ -12,7 +12,9 @@ struct Snippet {
 };
 
 constexpr std::array snippets{
-    Snippet{"three", R"js(// Light for three.js r187 and later. Prefiltered levels, as its PMREM shader reads them: nothing is filtered in the browser.
+    Snippet{
+        "three",
+        R"js(// Light for three.js r187 and later. Prefiltered levels, as its PMREM shader reads them: nothing is filtered in the browser.
 //   scene.environment = await loadEnvironment();
 import * as THREE from 'three';
 import { read } from 'three/addons/libs/ktx-parse.module.js';
@@ -177,7 +179,8 @@ public class {id}Import : AssetPostprocessor
     }
 }
 )cs"},
-    Snippet{"unreal", R"py(# Imports {name}.hdr as a cube and lights the level with it: run it in Unreal's Python console, with the folder's path.
+    Snippet{"unreal",
+            R"py(# Imports {name}.hdr as a cube and lights the level with it: run it in Unreal's Python console, with the folder's path.
 import os
 import unreal
 

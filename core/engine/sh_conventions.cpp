@@ -46,9 +46,9 @@ std::array<glm::dvec3, 9> inConvention(const RadianceSh& sh, ShConvention conven
 babylon_env::Polynomial babylonPolynomial(const RadianceSh& sh)
 {
     const auto c = inConvention(sh, ShConvention::Filament);
-    return {-2.0 / 3.0 * c[3],           2.0 / 3.0 * c[1],          2.0 / 3.0 * c[2],
-            c[0] + 0.25 * (c[8] - c[6]), c[0] - 0.25 * (c[6] + c[8]), c[0] + 0.5 * c[6],
-            0.25 * c[5],                 -0.25 * c[7],              -0.25 * c[4]};
+    return {
+        -2.0 / 3.0 * c[3], 2.0 / 3.0 * c[1], 2.0 / 3.0 * c[2], c[0] + 0.25 * (c[8] - c[6]), c[0] - 0.25 * (c[6] + c[8]), c[0] + 0.5 * c[6],
+        0.25 * c[5],       -0.25 * c[7],     -0.25 * c[4]};
 }
 
 std::string filamentMetadata(const RadianceSh& sh)

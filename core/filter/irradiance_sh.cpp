@@ -183,8 +183,7 @@ double shNorm(int i)
 
 double shPolynomial(int i, const glm::dvec3& d)
 {
-    const std::array<double, 9> values{1.0,       d.y,       d.z, d.x, d.x * d.y, d.y * d.z, 3.0 * d.z * d.z - 1.0,
-                                       d.z * d.x, d.x * d.x - d.y * d.y};
+    const std::array<double, 9> values{1.0, d.y, d.z, d.x, d.x * d.y, d.y * d.z, 3.0 * d.z * d.z - 1.0, d.z * d.x, d.x * d.x - d.y * d.y};
     return values[static_cast<size_t>(i)];
 }
 

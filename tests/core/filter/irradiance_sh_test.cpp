@@ -67,7 +67,8 @@ TEST(IrradianceSh, OfTheAxesProbeIsWhatFilamentShowed)
                                              glm::dvec3(-.14617, -.07826, .12563), glm::dvec3(.12106, -.07979, -.08490)};
     for (int i = 0; i < 4; ++i)
         for (int c = 0; c < 3; ++c)
-            EXPECT_NEAR(shCosineFactor(i) * shNorm(i) * sh.coefficients[static_cast<size_t>(i)][c], expected[static_cast<size_t>(i)][c], 2e-3);
+            EXPECT_NEAR(shCosineFactor(i) * shNorm(i) * sh.coefficients[static_cast<size_t>(i)][c], expected[static_cast<size_t>(i)][c],
+                        2e-3);
 }
 
 double leastOnAGrid(const RadianceSh& sh, int channel)
@@ -100,7 +101,8 @@ double squaredDifference(const RadianceSh& a, const RadianceSh& b, int channel)
 {
     double sum = 0.0;
     for (int i = 0; i < 9; ++i) {
-        const double d = shCosineFactor(i) * (a.coefficients[static_cast<size_t>(i)][channel] - b.coefficients[static_cast<size_t>(i)][channel]);
+        const double d =
+            shCosineFactor(i) * (a.coefficients[static_cast<size_t>(i)][channel] - b.coefficients[static_cast<size_t>(i)][channel]);
         sum += d * d;
     }
     return sum;

@@ -1,0 +1,322 @@
+#include "engine_shaders.h"
+
+#include "core/base/error.h"
+#include "core/image/color.h"
+#include "core/image/map_file.h"
+#include "core/sphere/cube_map.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <functional>
+#include <iostream>
+
+/// Judges pictures that an engine made with our files (prove.mjs takes them), and makes files with a fault for it to find.
+///   engine_proof judge MANIFEST.json            prints a JSON object of measured errors; exits with 1 where one is beyond its limit
+///   engine_proof plant FAULT ENGINE PROBE DIR   FAULT is flip, law, pi or encoding
+namespace mirrorball::proof {
+namespace {
+
+using nlohmann::json;
+
+FilterSource sourceOf(const std::string& probe)
+{
+    std::vector<Stage> stages;
+    return FilterSource(readProbe(probe, {}, {}, stages).map);
+}
+
+/// A picture from a client, RGB, top row first.
+struct Picture {
+    int size = 0;
+    std::vector<float> rgb{};
+    glm::dvec3 at(int x, int y) const
+    {
+        const float* p = rgb.data() + 3 * (static_cast<size_t>(y) * static_cast<size_t>(size) + static_cast<size_t>(x));
+        return {p[0], p[1], p[2]};
+    }
+};
+
+Picture readPicture(const std::string& path, int size)
+{
+    std::ifstream stream(path, std::ios::binary);
+    Picture picture{size, std::vector<float>(static_cast<size_t>(size) * static_cast<size_t>(size) * 3)};
+    stream.read(reinterpret_cast<char*>(picture.rgb.data()), static_cast<std::streamsize>(picture.rgb.size() * sizeof(float)));
+    if (!stream)
+        throw FileError(path, "is no picture of " + std::to_string(size) + " x " + std::to_string(size) + " floats");
+    return picture;
+}
+
+/// The ball fills the picture; an orthographic eye looks along -eye. In a left-handed system it stands at -Z.
+class Ball {
+public:
+    Ball(int size, double eyeZ) : m_size(size), m_eyeZ(eyeZ) {}
+
+    /// Pixels near the rim see a lot at once and are left out.
+    bool shows(int x, int y) const
+    {
+        const glm::dvec2 p = place(x, y);
+        return glm::dot(p, p) < 0.9 * 0.9;
+    }
+    Pixel pixel(int x, int y) const
+    {
+        Pixel result{.normal = normal(x, y), .view = {0.0, 0.0, m_eyeZ}};
+        const int qx = x & ~1, qy = y & ~1; // derivatives are differences within quads of pixels
+        const glm::dvec3 dx = glm::abs(normal(qx + 1, y) - normal(qx, y)), dy = glm::abs(normal(x, qy + 1) - normal(x, qy));
+        const glm::dvec3 largest = glm::max(dx, dy);
+        result.normalStep = std::max({largest.x, largest.y, largest.z});
+        result.normalVariance = glm::dot(dx, dx) + glm::dot(dy, dy);
+        return result;
+    }
+    glm::dvec3 reflected(const glm::dvec3& n) const
+    {
+        const glm::dvec3 v(0.0, 0.0, m_eyeZ);
+        return 2.0 * glm::dot(n, v) * n - v;
+    }
+    int size() const { return m_size; }
+
+private:
+    glm::dvec2 place(int x, int y) const { return {(2.0 * x + 1.0) / m_size - 1.0, 1.0 - (2.0 * y + 1.0) / m_size}; }
+    glm::dvec3 normal(int x, int y) const
+    {
+        const glm::dvec2 p = place(x, y);
+        return {p.x, p.y, m_eyeZ * std::sqrt(std::max(0.0, 1.0 - glm::dot(p, p)))};
+    }
+
+    int m_size;
+    double m_eyeZ;
+};
+
+/// How a picture differs from another over the ball.
+struct Difference {
+    double mean = 0.0;   ///< absolute, over a mean of at least 1
+    double relRms = 0.0; ///< rms over the rms of the expected
+    double seams = 0.0;  ///< rms where the reflection is within a texel or two of a cube's edge, minus elsewhere; over the expected's rms
+};
+
+using Shade = std::function<glm::dvec3(const Pixel&)>;
+
+Difference difference(const Picture& seen, const Ball& ball, const Shade& expected, const glm::dmat3& axes)
+{
+    double absolute = 0.0, level = 0.0, squares = 0.0, total = 0.0, atSeams = 0.0;
+    long count = 0, seamCount = 0;
+    for (int y = 0; y < ball.size(); ++y)
+        for (int x = 0; x < ball.size(); ++x) {
+            if (!ball.shows(x, y))
+                continue;
+            const Pixel pixel = ball.pixel(x, y);
+            const glm::dvec3 truth = expected(pixel), d = seen.at(x, y) - truth;
+            const cube_map::FacePosition face = cube_map::facePosition(axes * ball.reflected(pixel.normal));
+            const double square = glm::dot(d, d) / 3.0;
+            if (std::max(std::abs(face.s), std::abs(face.t)) > 1.0 - 2.0 / 64.0) {
+                atSeams += square;
+                ++seamCount;
+            }
+            absolute += (std::abs(d.r) + std::abs(d.g) + std::abs(d.b)) / 3.0;
+            level += (truth.r + truth.g + truth.b) / 3.0;
+            squares += square;
+            total += glm::dot(truth, truth) / 3.0;
+            ++count;
+        }
+    const double n = static_cast<double>(count), rms = std::sqrt(total / n);
+    const double elsewhere = std::sqrt((squares - atSeams) / static_cast<double>(std::max(1L, count - seamCount)));
+    return {absolute / n / std::max(1.0, level / n), std::sqrt(squares / n) / rms,
+            (std::sqrt(atSeams / static_cast<double>(std::max(1L, seamCount))) - elsewhere) / rms};
+}
+
+Picture drawn(const Ball& ball, const Shade& shade)
+{
+    Picture picture{ball.size(), std::vector<float>(static_cast<size_t>(ball.size()) * static_cast<size_t>(ball.size()) * 3)};
+    for (int y = 0; y < ball.size(); ++y)
+        for (int x = 0; x < ball.size(); ++x)
+            if (ball.shows(x, y)) {
+                const glm::vec3 rgb(shade(ball.pixel(x, y)));
+                std::copy_n(&rgb.x, 3,
+                            picture.rgb.data() + 3 * (static_cast<size_t>(y) * static_cast<size_t>(ball.size()) + static_cast<size_t>(x)));
+            }
+    return picture;
+}
+
+std::vector<glm::dmat3> signedPermutations()
+{
+    std::vector<glm::dmat3> all;
+    for (int permutation = 0; permutation < 6; ++permutation)
+        for (int signs = 0; signs < 8; ++signs) {
+            const int first = permutation % 3, second = (first + 1 + permutation / 3) % 3, third = 3 - first - second;
+            glm::dmat3 axes(0.0);
+            axes[0][first] = (signs & 1) != 0 ? -1.0 : 1.0;
+            axes[1][second] = (signs & 2) != 0 ? -1.0 : 1.0;
+            axes[2][third] = (signs & 4) != 0 ? -1.0 : 1.0;
+            all.push_back(axes);
+        }
+    return all;
+}
+
+/// "(-X,+Y,+Z)": the client's direction (x, y, z) shows this direction of ours.
+std::string words(const glm::dmat3& axes)
+{
+    std::string text = "(";
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            if (axes[column][row] != 0.0)
+                text += std::string(row > 0 ? "," : "") + (axes[column][row] > 0.0 ? "+" : "-") + "XYZ"[column];
+    return text + ")";
+}
+
+std::string orientation(const Picture& mirror, const Ball& ball, const EnvironmentMap& environment)
+{
+    std::string best;
+    double least = 1e300;
+    for (const glm::dmat3& axes : signedPermutations()) {
+        const auto shade = [&](const Pixel& p) { return glm::dvec3(environment.radiance(axes * ball.reflected(p.normal))); };
+        if (const double mean = difference(mirror, ball, shade, axes).mean; mean < least) {
+            least = mean;
+            best = words(axes);
+        }
+    }
+    return best;
+}
+
+/// The figures of one engine and probe, with their limits.
+class Verdict {
+public:
+    void add(const std::string& name, double value, double limit)
+    {
+        m_figures[name] = {{"value", value}, {"limit", limit}, {"passed", value <= limit}};
+        m_passed = m_passed && value <= limit;
+    }
+    void orientation(const std::string& seen, const std::string& expected)
+    {
+        m_figures["orientation"] = {{"value", seen}, {"expected", expected}, {"passed", seen == expected}};
+        m_passed = m_passed && seen == expected;
+    }
+    bool passed() const { return m_passed; }
+    const json& figures() const { return m_figures; }
+
+private:
+    json m_figures = json::object();
+    bool m_passed = true;
+};
+
+constexpr double mirrorLimit = 0.01, roughLimit = 0.02, irradianceLimit = 0.01, shMargin = 0.005, seamLimit = 0.01, ownMargin = 0.005;
+
+std::string figureName(const std::string& kind, double roughness)
+{
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%s %.2f", kind.c_str(), roughness);
+    return text.data();
+}
+
+Verdict judge(const json& manifest)
+{
+    const std::string engine = manifest.at("engine"), probeName = manifest.at("probe");
+    const EngineProfile& profile = engineProfile(engine);
+    FilterSource probe = sourceOf(probeName);
+    const Ball ball(manifest.at("size"), manifest.value("eye", 1.0));
+    const glm::dmat3 axes = manifest.value("left_handed", false) ? mirroredInX().axes : glm::dmat3(1.0);
+    const EngineExportOptions options{.size = manifest.value("faces", 0)};
+    std::vector<double> roughnesses;
+    for (const json& picture : manifest.at("pictures"))
+        roughnesses.push_back(picture.value("roughness", 1.0));
+    const auto ours = ofLevels(probe, profile, options), exact = ofExactMaps(probe, roughnesses), nine = ofSh(probe);
+    const auto shadedBy = [&](const Radiance& radiance, double roughness) -> Shade {
+        return [&, roughness](const Pixel& p) { return metal(engine, radiance, p, roughness, axes); };
+    };
+    const auto mattBy = [&](const Radiance& radiance) -> Shade { return [&](const Pixel& p) { return diffuse(radiance, p, axes); }; };
+
+    Verdict verdict;
+    double seams = -1.0;
+    std::map<std::string, double> errors; // against the exact light, ours, by picture
+    for (const json& entry : manifest.at("pictures")) {
+        const Picture picture = readPicture(entry.at("file"), ball.size());
+        const std::string kind = entry.at("kind");
+        const double roughness = entry.value("roughness", 1.0);
+        const bool own = entry.value("own", false);
+        const std::string name = kind == "metal" ? figureName(kind, roughness) : kind;
+        if (own) {
+            const double theirs = difference(picture, ball, kind == "metal" ? shadedBy(*exact, roughness) : mattBy(*exact), axes).relRms;
+            verdict.add("worse than its own, " + name, errors.at(name) - theirs, ownMargin);
+        } else if (kind == "metal") {
+            const Difference d = difference(picture, ball, shadedBy(*ours, roughness), axes);
+            if (roughness == 0.0) {
+                verdict.orientation(orientation(picture, ball, *probe.latlong()), words(axes));
+                verdict.add("mirror", d.mean, mirrorLimit);
+            } else {
+                verdict.add(name, d.relRms, roughLimit);
+                seams = std::max(seams, d.seams); // what is smooth everywhere shows them
+            }
+            errors[name] = difference(picture, ball, shadedBy(*exact, roughness), axes).relRms;
+        } else {
+            const bool bySh = kind == "sh" || engine == "babylon";
+            errors[name] = difference(picture, ball, mattBy(*exact), axes).relRms;
+            if (bySh) { // nine coefficients miss the higher degrees, whoever makes them
+                const RadianceSh whole = radianceSh(probe.spectrum(2));
+                const Shade shade = [&](const Pixel& p) { return irradianceOverPi(whole, axes * p.normal); };
+                const double least = difference(drawn(ball, shade), ball, mattBy(*exact), axes).relRms;
+                verdict.add(kind + " (SH) against its run", difference(picture, ball, mattBy(*nine), axes).relRms, irradianceLimit);
+                verdict.add(kind + " (SH) against exact", errors[name], least + shMargin);
+            } else {
+                verdict.add(kind, errors[name], irradianceLimit);
+            }
+        }
+    }
+    verdict.add("seams", seams, seamLimit);
+    return verdict;
+}
+
+/// The profile's files with a fault.
+void plant(const std::string& fault, const std::string& engine, const std::string& probeName, const std::string& folder)
+{
+    EngineProfile profile = engineProfile(engine);
+    std::vector<Stage> stages;
+    EnvironmentMap map = readProbe(probeName, {}, {}, stages).map;
+    EngineExportOptions options{.name = engine};
+    if (fault == "flip") {
+        profile.cube = profile.cube == mirroredInX() ? CubeOrientation{} : mirroredInX();
+        if (engine == "playcanvas") // whose atlas is no cube
+            options.yaw = pi;
+    } else if (fault == "law") {
+        profile.law = RoughnessLaw::Unity;
+    }
+    for (float& value : map.image.texels) {
+        if (fault == "pi")
+            value *= static_cast<float>(pi);
+        if (fault == "encoding")
+            value = encodeSrgb(value);
+    }
+    FilterSource source(std::move(map));
+    exportForEngine(source, profile, options, folder);
+}
+
+int run(const std::vector<std::string>& words)
+{
+    if (words.size() == 2 && words[0] == "judge") {
+        std::ifstream stream(words[1]);
+        const Verdict verdict = judge(json::parse(stream));
+        std::cout << verdict.figures().dump() << '\n';
+        return verdict.passed() ? 0 : 1;
+    }
+    if (words.size() == 5 && words[0] == "plant") {
+        plant(words[1], words[2], words[3], words[4]);
+        return 0;
+    }
+    std::cerr << "usage: engine_proof judge MANIFEST.json | plant FAULT ENGINE PROBE DIR\n";
+    return 2;
+}
+
+} // namespace
+} // namespace mirrorball::proof
+
+int main(int argc, char** argv)
+{
+    try {
+        return mirrorball::proof::run({argv + 1, argv + argc});
+    } catch (const std::exception& error) {
+        std::cerr << "engine_proof: " << error.what() << '\n';
+        return 2;
+    }
+}
