@@ -182,11 +182,14 @@ glm::dvec3 filamentMetal(const Radiance& radiance, const Pixel& pixel, double ro
     return radiance.specular(axes * glm::normalize(glm::mix(reflected(pixel), pixel.normal, r * r * r * r)), r);
 }
 
-/// Babylon.js 9.35: ShadersInclude pbrBlockReflection (MIX_IBL_RADIANCE_WITH_IRRADIANCE), pbrHelperFunctions (MINIMUMVARIANCE 0.0005).
+/// Babylon.js 9.35: ShadersInclude pbrBlockReflection (MIX_IBL_RADIANCE_WITH_IRRADIANCE), pbrHelperFunctions (MINIMUMVARIANCE 0.0005),
+/// pbrBlockImageProcessing (clamped to 30).
 glm::dvec3 babylonMetal(const Radiance& radiance, const Pixel& pixel, double roughness, const glm::dmat3& axes)
 {
     const double alpha = std::min(1.0, roughness * roughness + 0.0005);
-    return glm::mix(radiance.specular(axes * reflected(pixel), std::sqrt(alpha)), radiance.irradianceOverPi(axes * pixel.normal), alpha);
+    const glm::dvec3 mixed =
+        glm::mix(radiance.specular(axes * reflected(pixel), std::sqrt(alpha)), radiance.irradianceOverPi(axes * pixel.normal), alpha);
+    return glm::min(mixed, 30.0);
 }
 
 } // namespace
