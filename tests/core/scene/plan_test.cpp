@@ -129,7 +129,7 @@ TEST(Plan, ASphereMapThatReplacesTheReflectionNeedsNoEnvironment)
         expectLeftOut(plan, "flecks", "density is 0");
         ASSERT_EQ(plan.sphereMaps.size(), 1u);
     }
-    for (const SphereMapUse use : {SphereMapUse::Over, SphereMapUse::Tint}) {
+    for (const SphereMapUse use : {SphereMapUse::Over, SphereMapUse::Tint, SphereMapUse::Add}) {
         scene.material.sphereMap.use = use;
         EXPECT_TRUE(makePlan(scene, probe).specular);
     }
