@@ -1,4 +1,5 @@
 #include "command.h"
+#include "filter_brdf.h"
 
 #include "core/base/error.h"
 #include "core/filter/source_file.h"
@@ -24,7 +25,9 @@ struct Options {
     std::optional<std::string> mipFiltering;
     std::map<std::string, std::string> paraboloid; ///< by option, as typed
     int size = 0, border = 0, threads = 0;
-    double yawDeg = 0.0, tolerance = 1e-5;
+    double yawDeg = 0.0, azimuthDeg = 0.0;
+    std::optional<double> viewDeg, tolerance; ///< tolerance: 1e-5 of a lobe
+    std::string brdf{};
     bool mips = false, half = false, explain = false;
 };
 
@@ -145,7 +148,8 @@ std::vector<PrefilterOptions> parseJobs(const Options& o)
     for (const auto& [option, value] : o.paraboloid)
         refuse(!value.empty() && *method != Method::Paraboloid, option, "belongs to --method paraboloid, not to '" + o.method + "'");
     ParaboloidKnobs::visitFields(knobs.paraboloid, KnobParser{o.paraboloid});
-    if (!(o.tolerance > 0.0 && o.tolerance <= 1.0))
+    const double tolerance = o.tolerance.value_or(1e-5);
+    if (!(tolerance > 0.0 && tolerance <= 1.0))
         throw InvalidArgument("--tolerance: must lie in (0, 1]");
     const MapLayout base{.kind = parseKind("--to", o.to), .size = o.size, .border = o.border};
     validate(base);
@@ -157,7 +161,7 @@ std::vector<PrefilterOptions> parseJobs(const Options& o)
         jobs.push_back({.lobe = lobe ? *lobe : ggxLobe(r * r),
                         .target = levelLayout(base, i),
                         .method = *method,
-                        .tolerance = o.tolerance,
+                        .tolerance = tolerance,
                         .yaw = radians(o.yawDeg),
                         .knobs = knobs});
     }
@@ -171,8 +175,39 @@ std::string sizeText(const MapLayout& layout)
     return text.str();
 }
 
+void runBrdf(const Options& o)
+{
+    refuse(!o.lobe.empty(), "--lobe", "given beside --brdf; give one of them");
+    refuse(o.exponent || o.roughness || o.alpha, "--brdf", "takes its parameters in its own text, e.g. --brdf ggx:alpha=0.1");
+    refuse(o.samples || o.lambda || o.mipFiltering, "--brdf",
+           "takes none of the lobes' methods; choose sum, stack, lookups:K or split-sum");
+    refuse(o.mips, "--mips", "is a chain of lobes; --brdf makes one map");
+    filterByBrdf({.probe = o.probe,
+                  .out = o.out,
+                  .brdf = o.brdf,
+                  .to = o.to,
+                  .from = o.from,
+                  .stats = o.stats,
+                  .method = o.method,
+                  .viewDeg = o.viewDeg,
+                  .tolerance = o.tolerance,
+                  .azimuthDeg = o.azimuthDeg,
+                  .yawDeg = o.yawDeg,
+                  .size = o.size,
+                  .border = o.border,
+                  .threads = o.threads,
+                  .half = o.half,
+                  .explain = o.explain});
+}
+
 void run(const Options& o)
 {
+    if (!o.brdf.empty()) {
+        runBrdf(o);
+        return;
+    }
+    refuse(o.lobe.empty(), "--lobe", "is missing; give phong, diffuse or ggx, or a BRDF by --brdf");
+    refuse(o.viewDeg.has_value(), "--view", "belongs to --brdf");
     const std::vector<PrefilterOptions> jobs = parseJobs(o);
     checkMapFile(o.out, jobs.front().target);
     ReadProbeOptions read;
@@ -239,7 +274,10 @@ void addFilterCommand(CLI::App& program)
     CLI::App* command = program.add_subcommand("filter", "Prefilter a probe with a lobe");
     command->add_option("PROBE", o->probe, "file or builtin:NAME")->required();
     command->add_option("-o,--output", o->out, "output file; %s in the name of a cube makes six files, %d one file a level")->required();
-    command->add_option("--lobe", o->lobe, "phong, diffuse or ggx")->required();
+    command->add_option("--lobe", o->lobe, "phong, diffuse or ggx");
+    command->add_option("--brdf", o->brdf, "in place of a lobe: MODEL[:key=value,...] or a measured file, as `mirrorball brdf` takes it");
+    command->add_option("--view", o->viewDeg, "brdf: the angle between normal and view, in degrees");
+    command->add_option("--azimuth", o->azimuthDeg, "brdf: of the normal about r, 0 where it lies towards +Y of r's meridian, in degrees");
     command->add_option("--exponent", o->exponent, "phong: exponent, at least 0");
     command->add_option("--roughness", o->roughness, "ggx: alpha is its square; phong: the exponent is its inverse");
     command->add_option("--alpha", o->alpha, "ggx: width in [0, 1]; 0 is a mirror");
@@ -250,7 +288,9 @@ void addFilterCommand(CLI::App& program)
     command->add_option("--border", o->border, "texels kept free outside each disc of a paraboloid map");
     command->add_flag("--mips", o->mips,
                       "every mip level, down to one texel; ggx without a roughness makes the chain of roughness 0 to 1 from base to top");
-    command->add_option("--method", o->method, "auto, reference, spectral, direct, hierarchical, importance, paraboloid, mip or sh9");
+    command->add_option("--method", o->method,
+                        "auto, reference, spectral, direct, hierarchical, importance, paraboloid, mip or sh9; brdf: sum, stack, "
+                        "lookups:K, split-sum or round");
     command->add_option("--tolerance", o->tolerance, "largest rel_rms error against the reference sum, in (0, 1]");
     command->add_option("--samples", o->samples, "importance: samples of the lobe a texel (1024)");
     command->add_option("--lambda", o->lambda, "mip: least level of detail of the environment; without it matched to the lobe by width");

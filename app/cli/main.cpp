@@ -43,6 +43,7 @@ int main(int argc, char** argv)
     cli::addInfoCommand(program);
     cli::addConvertCommand(program);
     cli::addFilterCommand(program);
+    cli::addBrdfCommand(program);
     cli::addRenderCommand(program);
     cli::addExportCommand(program);
     cli::addPaintCommand(program);
