@@ -1,6 +1,7 @@
 #include "command.h"
 
 #include "core/base/error.h"
+#include "core/filter/lookup_table.h"
 #include "core/image/image_io.h"
 #include "core/shading/brdf.h"
 #include "core/shading/brdf_table.h"
@@ -43,6 +44,15 @@ std::array<double, 4> parseAngles(const std::string& text)
     return angles;
 }
 
+/// The number in "lookups:K", 5 for "lookups"; 0 for any other word.
+int lookupCount(const std::string& word)
+{
+    if (word == "lookups")
+        return 5;
+    const bool isOne = word.size() == 9 && word.compare(0, 8, "lookups:") == 0 && word[8] >= '1' && word[8] <= '8';
+    return isOne ? word[8] - '0' : 0;
+}
+
 glm::dvec3 directionAt(double polarDeg, double azimuthDeg)
 {
     const double t = radians(polarDeg), p = radians(azimuthDeg);
@@ -65,8 +75,10 @@ void run(const Options& o)
     if (o.albedo && !(*o.albedo >= 1 && *o.albedo <= 4096))
         throw InvalidArgument("--albedo: must be a whole number of angles from 1 to 4096");
     const auto table = o.table.empty() ? std::nullopt : brdfTableFromName(o.table);
-    if (!o.table.empty() && !table)
-        throw InvalidArgument("--table: '" + o.table + "' is no table; choose one of " + brdfTableNames());
+    const int lookups = lookupCount(o.table);
+    if (!o.table.empty() && !table && lookups == 0)
+        throw InvalidArgument("--table: '" + o.table + "' is no table; choose one of " + brdfTableNames() +
+                              ", lookups (or lookups:K, 1 to 8)");
     std::array<double, 4> angles{};
     if (!o.eval.empty())
         angles = parseAngles(o.eval);
@@ -85,6 +97,8 @@ void run(const Options& o)
             std::printf("%.6g ", deg);
             print(directionalAlbedo(brdf, radians(deg)));
         }
+    } else if (lookups > 0) {
+        writeImage(o.out, makeLookupTable(brdf, lookups, o.size, jobWithProgress("brdf", o.threads)));
     } else {
         writeImage(o.out, makeBrdfTable(brdf, *table, o.size, jobWithProgress("brdf", o.threads)));
     }
@@ -106,7 +120,8 @@ void addBrdfCommand(CLI::App& program)
     command->add_option("--eval", o->eval, "TI,PI,TO,PO: print f as R G B, in 1/sr, for these angles of light and view, in degrees");
     command->add_option("--albedo", o->albedo, "print the directional albedo at so many angles of view from 0 to 89 degrees: angle R G B");
     command->add_option("--view", o->viewDeg, "print the directional albedo at this angle of view, in degrees: R G B");
-    command->add_option("--table", o->table, "write a table: " + brdfTableHelp());
+    command->add_option("--table", o->table,
+                        "write a table: " + brdfTableHelp() + "; lookups:K (axis, width and weight of K lookups over n.v)");
     command->add_option("--size", o->size, "table: entries along n.v (0: as many as it needs)")->check(CLI::Range(0, 4096));
     command->add_option("-o,--output", o->out, "table: output file (.exr, .hdr, .tif)");
     command->add_option("--threads", o->threads, "threads; 0: one per core")->check(CLI::Range(0, 1024));

@@ -55,6 +55,9 @@ TEST(BrdfCommand, WritesTables)
     const Image fresnel = write("ggx:alpha=0.3,ior=1.5 --table fresnel --size 3");
     EXPECT_NEAR(fresnel.texel(2, 0)[0], 0.04f, 1e-6);
     EXPECT_NEAR(fresnel.texel(0, 0)[0], 1.0f, 1e-6);
+    const Image lookups = write("ggx:alpha=0.3 --table lookups:3 --size 8");
+    EXPECT_EQ(lookups.width, 8);
+    EXPECT_EQ(lookups.height, 6);
     // A + B is the albedo of F = 1; rows are roughness, so the second of four is (1.5/4)^2.
     const Image ab = write("ggx:alpha=0.3 --table ab --size 4"), albedo = write("ggx:alpha=0.140625 --table albedo --size 4");
     for (int x = 0; x < 4; ++x)

@@ -1,6 +1,7 @@
 #include "core/filter/brdf_lookups.h"
 #include "core/filter/brdf_stack.h"
 #include "core/filter/brdf_sum.h"
+#include "core/filter/lookup_table.h"
 #include "core/filter/reference.h"
 #include "core/filter/spin_transform.h"
 
@@ -254,6 +255,31 @@ TEST(BrdfLookups, LieInThePlaneOfIncidenceTowardsTheNormal)
     const auto expected = referenceSum(probe, ggxLobe(0.3), axes);
     for (size_t i = 0; i < axes.size(); ++i)
         EXPECT_NEAR(map.image.texels[3 * i + 1], expected[i].g, 2e-4);
+}
+
+// A column is a fit; between columns the table is nearly one.
+TEST(LookupTable, IsAFitAtEveryView)
+{
+    const Brdf brdf = brdfFromText("ggx:alpha=0.25,metal=copper");
+    const Image table = makeLookupTable(brdf, 3, 12);
+    ASSERT_EQ(table.height, 6);
+    for (int i = 0; i < 12; ++i) {
+        const double view = std::acos((i + 0.5) / 12);
+        const LookupFit fit = lookupsAt(table, view);
+        glm::dvec3 sum(0.0);
+        for (const BrdfLookup& lookup : fit.lookups)
+            sum += lookup.weight;
+        EXPECT_LT(glm::distance(sum, directionalAlbedo(brdf, view)), 1e-6) << i;
+    }
+    const EnvironmentMap probe = test::noiseProbe(32, 3);
+    FilterSource source(probe);
+    for (const double view : {0.5, 0.9, 1.2}) {
+        const EnvironmentMap truth = filterBrdfSum(probe, brdf, {view, 0.4}, smallLatlong, 0.0);
+        const auto error = [&](const LookupFit& fit) {
+            return relRms(filterBrdfLookups(source, fit, 0.4, smallLatlong, 0.0, 1e-3), truth);
+        };
+        EXPECT_LT(error(lookupsAt(table, view)), 0.6 * error(splitSum(brdf, view))) << view;
+    }
 }
 
 } // namespace
