@@ -11,6 +11,7 @@
 #include "core/spheremap/document/presets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace mirrorball {
@@ -21,6 +22,8 @@ namespace {
 constexpr int tallestBackground = 2048;
 /// Diffuse light is so smooth that this many texels show all of it.
 constexpr int irradianceSize = 64;
+/// No map is made smaller than this to save time.
+constexpr int smallestMap = 32;
 
 template <typename... Parts>
 std::string text(const Parts&... parts)
@@ -135,11 +138,26 @@ public:
     Plan make(const PlanRequest& request)
     {
         m_extent = request.extent;
+        m_detail = request.detail;
         m_plan.material = planMaterial(m_scene.material, m_extent);
         if (request.picture)
             planPicture();
         if (request.exports)
             planExports(*request.exports);
+        planReading();
+        return std::move(m_plan);
+    }
+
+    /// Levels that are all filtered from the probe, as one export.
+    Plan makeFilters(const std::vector<PrefilterOptions>& levels, const std::string& file)
+    {
+        MapPlan map{.name = levels.size() == 1 ? describe(levels.front().lobe) : "map"};
+        for (size_t i = 0; i < levels.size(); ++i)
+            addLevel(map, planned(levels[i]), levels.size() == 1 ? map.name : text(map.name, " level ", i), "", "the lobe is a mirror");
+        if (levels.size() == 1)
+            leaveOut("mip levels of " + map.name, "not asked for");
+        need("save map", file, savingCost(levels.front().target));
+        m_plan.exports.push_back({.map = std::move(map)});
         planReading();
         return std::move(m_plan);
     }
@@ -172,7 +190,7 @@ private:
         return isBlack(material.diffuse.color) ? "diffuse colour is black" : "the coat mirrors everything: no light gets below it";
     }
 
-    PrefilterPlan predicted(const PrefilterOptions& filter) const { return planPrefilter(filter, {.width = probeWidth()}); }
+    PlannedFilter planned(const PrefilterOptions& filter) const { return planFilter(filter, probeWidth()); }
 
     /// The scene's choice of method. What that refuses is left to auto; @return a note for the stage, empty where nothing was chosen
     std::string chooseMethod(PrefilterOptions& filter) const
@@ -184,7 +202,7 @@ private:
             return {};
         PrefilterOptions asked = filter;
         asked.method = chosen.method;
-        const std::string why = refusal(chosen.method, asked, {.width = 2 * latlongHeight(m_probe)});
+        const std::string why = refusal(chosen.method, asked, {.width = probeWidth()});
         if (!why.empty())
             return text("; ", mirrorball::name(chosen.method), " was asked for but cannot do this: ", why);
         filter.method = chosen.method;
@@ -192,17 +210,15 @@ private:
     }
 
     /// Adds the stages of one level and remembers what it takes. A map that never was to be filtered has no stage for that.
-    void addLevel(MapPlan& map, const PrefilterOptions& filter, const std::string& name, const std::string& note = "",
+    void addLevel(MapPlan& map, PlannedFilter planned, const std::string& name, const std::string& note = "",
                   const std::string& whyMirror = "")
     {
-        const PrefilterPlan prediction = predicted(filter);
-        map.filters.push_back(filter);
-        map.bandLimits.push_back(prediction.filtered ? static_cast<size_t>(std::max(prediction.bandLimit, 1)) : 0);
+        const PrefilterOptions& filter = planned.options;
+        const PrefilterPlan& prediction = planned.plan;
         if (prediction.filtered) {
             const std::string how = prediction.method == Method::Spectral ? text("spectral, band limit ", prediction.bandLimit, " at most")
                                                                           : text(mirrorball::name(prediction.method));
-            need("filter " + name, text(describe(filter.lobe), " into ", sizeText(filter.target), ": ", how, note),
-                 filteringCost(filter, probeWidth()));
+            need("filter " + name, text(describe(filter.lobe), " into ", sizeText(filter.target), ": ", how, note), planned.filtering);
         } else {
             if (!filter.lobe.isMirror() || !whyMirror.empty())
                 leaveOut("filter " + name, filter.lobe.isMirror() ? whyMirror : prediction.why);
@@ -212,6 +228,7 @@ private:
             else
                 need("resample " + name, text(sizeText(m_probe), " to ", sizeText(filter.target), note), resamplingCost(filter.target));
         }
+        map.filters.push_back(std::move(planned));
     }
 
     /// A debug view shows what the material is computed from, and not the material.
@@ -295,7 +312,7 @@ private:
                 continue;
             MapPlan map{.name = text(name(p), " map"), .pyramid = true};
             const PrefilterOptions filter{.lobe = lobe(m_scene.material.specular), .target = {p, m_scene.map.size, 0}, .yaw = bakedYaw()};
-            addLevel(map, filter, map.name, "; everything is asked for");
+            addLevel(map, planned(filter), map.name, "; everything is asked for");
             m_plan.others.push_back(std::move(map));
         }
     }
@@ -334,6 +351,28 @@ private:
     /// The environment's yaw belongs to the picture's lookups, so that turning it makes no map anew; a map in eye space has no such turn.
     double bakedYaw() const { return m_scene.map.space == MapSpace::Eye ? m_scene.probe.yawDeg * pi / 180.0 : 0.0; }
 
+    void applyTolerance(PrefilterOptions& filter) const
+    {
+        if (m_detail != MapDetail{})
+            filter.tolerance = std::max(filter.tolerance, m_detail.tolerance);
+    }
+
+    /// A map without coarser levels may be made smaller: lookups do not notice but for sharpness. Levels are counted from the largest, so
+    /// a pyramid keeps its size.
+    void applySize(PrefilterOptions& filter, bool pyramid) const
+    {
+        if (pyramid)
+            return;
+        const auto shrink = [&](int size) {
+            filter.target.border = filter.target.border * size / filter.target.size;
+            filter.target.size = size;
+        };
+        if (filter.target.size > m_detail.largestSize)
+            shrink(m_detail.largestSize);
+        while (filter.target.size >= 2 * smallestMap && lobeAngle(filter.lobe) > 2.0 * m_detail.texelsPerLobe * texelAngle(filter.target))
+            shrink(filter.target.size / 2);
+    }
+
     MapLayout mapLayout() const { return {m_scene.map.parameterization, m_scene.map.size, m_scene.map.border}; }
 
     void planSpecular()
@@ -343,19 +382,22 @@ private:
             return;
         }
         MapPlan map{.name = "specular map"};
+        const double lambda = m_scene.material.lambda;
+        const double bias = m_scene.material.lodBias;
+        map.pyramid = lambda > 0.0 || bias > 0.0 || m_scene.map.mips || makesAll();
         PrefilterOptions filter{.lobe = lobe(m_scene.material.specular), .target = mapLayout(), .yaw = bakedYaw()};
         std::string note = chooseMethod(filter);
-        const PrefilterPlan prediction = predicted(filter);
-        if (prediction.filtered && prediction.method == Method::Spectral && !makesAll()) {
-            const MapLayout enough = withSize(filter.target, sizeForBandLimit(filter.target.kind, prediction.bandLimit));
+        applyTolerance(filter);
+        PlannedFilter whole = planned(filter);
+        if (whole.plan.filtered && whole.plan.method == Method::Spectral && !makesAll()) {
+            const MapLayout enough = withSize(filter.target, sizeForBandLimit(filter.target.kind, whole.plan.bandLimit));
             if (enough.size < filter.target.size)
                 note += text("; so smooth that size ", enough.size, " shows all of it, ", filter.target.size, " is left out");
             filter.target = enough;
         }
-        addLevel(map, filter, map.name, note, "the surface is a mirror: it shows the environment itself");
-        const double lambda = m_scene.material.lambda;
-        const double bias = m_scene.material.lodBias;
-        map.pyramid = lambda > 0.0 || bias > 0.0 || m_scene.map.mips || makesAll();
+        applySize(filter, map.pyramid);
+        addLevel(map, filter == whole.options ? std::move(whole) : planned(filter), map.name, note,
+                 "the surface is a mirror: it shows the environment itself");
         const bool perFace = m_scene.map.mipFiltering == MipFiltering::PerFace && filter.target.kind == Parameterization::Cube;
         map.filtering = perFace ? MipFiltering::PerFace : MipFiltering::AcrossSeams;
         const std::string stage = "mip levels of specular map";
@@ -379,9 +421,11 @@ private:
             return;
         }
         MapPlan map{.name = "irradiance map"};
-        addLevel(map,
-                 {.lobe = diffuseLobe(), .target = makesAll() ? mapLayout() : withSize(mapLayout(), irradianceSize), .yaw = bakedYaw()},
-                 map.name);
+        PrefilterOptions filter{
+            .lobe = diffuseLobe(), .target = makesAll() ? mapLayout() : withSize(mapLayout(), irradianceSize), .yaw = bakedYaw()};
+        applyTolerance(filter);
+        applySize(filter, map.pyramid);
+        addLevel(map, planned(filter), map.name);
         m_plan.diffuse = std::move(map);
     }
 
@@ -390,7 +434,7 @@ private:
         const BackdropSettings& background = m_scene.view.background;
         MapPlan map{.name = "background"};
         if (makesAll() && background.kind != Backdrop::Blurred) {
-            addLevel(map, {.lobe = ggxLobe(0.0), .target = m_probe}, map.name);
+            addLevel(map, planned({.lobe = ggxLobe(0.0), .target = m_probe}), map.name);
             m_plan.background = std::move(map);
             return;
         }
@@ -402,10 +446,11 @@ private:
             leaveOut("background", "none: the picture is transparent beside the object");
             return;
         case Backdrop::Environment:
-            addLevel(map, {.lobe = ggxLobe(0.0), .target = withSize(m_probe, tallestBackground)}, map.name);
+            addLevel(map, planned({.lobe = ggxLobe(0.0), .target = withSize(m_probe, tallestBackground)}), map.name);
             break;
         case Backdrop::Blurred:
-            addLevel(map, {.lobe = ggxLobe(background.blur * background.blur), .target = {Parameterization::Cube, 256, 0}}, map.name);
+            addLevel(map, planned({.lobe = ggxLobe(background.blur * background.blur), .target = {Parameterization::Cube, 256, 0}}),
+                     map.name);
             break;
         }
         m_plan.background = std::move(map);
@@ -470,11 +515,11 @@ private:
                 PrefilterOptions level = filter;
                 level.lobe = ggxLobe(roughness * roughness);
                 level.target = levelLayout(filter.target, i);
-                addLevel(map, level, text(target.name, " level ", i), "", "roughness 0: the level is the environment itself");
+                addLevel(map, planned(level), text(target.name, " level ", i), "", "roughness 0: the level is the environment itself");
             }
         } else {
             const std::string note = target.kind == ExportKind::Specular ? chooseMethod(filter) : std::string();
-            addLevel(map, filter, map.name, note, target.kind == ExportKind::Specular ? "the surface is a mirror" : "");
+            addLevel(map, planned(filter), map.name, note, target.kind == ExportKind::Specular ? "the surface is a mirror" : "");
             const bool held = holdsMips(target.fileName()) || namesLevels(target.fileName());
             map.pyramid = target.mips && held;
             if (map.pyramid)
@@ -497,16 +542,16 @@ private:
         if (!m_plan.needsProbe()) {
             stages.push_back({.name = read, .leftOut = true, .why = "no map is needed"});
         } else {
-            const std::vector<PrefilterOptions> filters = m_plan.filters();
+            const std::vector<const PlannedFilter*> filters = m_plan.planned();
             int filtered = 0, spectral = 0, bandLimit = 0;
             StageCost transform;
-            for (const PrefilterOptions& filter : filters) {
-                const PrefilterPlan prediction = predicted(filter);
+            for (const PlannedFilter* filter : filters) {
+                const PrefilterPlan& prediction = filter->plan;
                 filtered += prediction.filtered;
                 if (prediction.filtered && prediction.method == Method::Spectral) {
                     ++spectral;
                     if (prediction.bandLimit >= bandLimit)
-                        transform = spectrumCost(filter, probeWidth());
+                        transform = filter->spectrum;
                 }
                 bandLimit = std::max(bandLimit, prediction.filtered ? prediction.bandLimit : 0);
             }
@@ -533,6 +578,7 @@ private:
     const Scene& m_scene;
     MapLayout m_probe;
     PlanExtent m_extent = PlanExtent::Needed;
+    MapDetail m_detail{};
     Plan m_plan{};
     std::vector<Stage> m_later{};
 };
@@ -545,29 +591,40 @@ bool Plan::needsProbe() const
            std::any_of(exports.begin(), exports.end(), [](const ExportPlan& planned) { return !planned.painted; });
 }
 
-std::vector<PrefilterOptions> Plan::filters() const
+std::vector<const PlannedFilter*> Plan::planned() const
 {
-    std::vector<PrefilterOptions> all;
-    const auto add = [&](const MapPlan& map) { all.insert(all.end(), map.filters.begin(), map.filters.end()); };
+    std::vector<const PlannedFilter*> all;
+    const auto add = [&](const MapPlan& map) {
+        for (const PlannedFilter& filter : map.filters)
+            all.push_back(&filter);
+    };
     for (const auto* map : {&specular, &diffuse, &background})
         if (*map)
             add(**map);
     for (const MapPlan& map : others)
         add(map);
-    for (const ExportPlan& planned : exports)
-        add(planned.map);
+    for (const ExportPlan& exported : exports)
+        add(exported.map);
+    return all;
+}
+
+std::vector<PrefilterOptions> Plan::filters() const
+{
+    std::vector<PrefilterOptions> all;
+    for (const PlannedFilter* filter : planned())
+        all.push_back(filter->options);
     return all;
 }
 
 bool Plan::filtersAny() const
 {
-    const auto filters = [](const MapPlan& map) {
-        return std::any_of(map.bandLimits.begin(), map.bandLimits.end(), [](size_t limit) { return limit > 0; });
-    };
-    return (specular && filters(*specular)) || (diffuse && filters(*diffuse)) || (background && filters(*background)) ||
-           std::any_of(others.begin(), others.end(), filters) ||
-           std::any_of(exports.begin(), exports.end(), [&](const ExportPlan& planned) { return filters(planned.map); });
+    const std::vector<const PlannedFilter*> all = planned();
+    return std::any_of(all.begin(), all.end(), [](const PlannedFilter* filter) { return filter->plan.filtered; });
 }
+
+double lobeAngle(const Lobe& lobe) { return lobe.isMirror() ? 0.0 : 2.0 * LobeShape(lobe).halfWidth(); }
+
+double texelAngle(const MapLayout& layout) { return std::sqrt(4.0 * pi / (double(layout.width()) * layout.height())); }
 
 std::optional<double> constantReflectance(const Fresnel& fresnel)
 {
@@ -590,6 +647,13 @@ Plan makePlan(const Scene& scene, const MapLayout& probe, const PlanRequest& req
 {
     validate(scene);
     return Planner(scene, probe).make(request);
+}
+
+Plan planFilters(const std::string& source, const MapLayout& probe, const std::vector<PrefilterOptions>& levels, const std::string& file)
+{
+    Scene scene;
+    scene.probe.source = source;
+    return Planner(scene, probe).makeFilters(levels, file);
 }
 
 } // namespace mirrorball

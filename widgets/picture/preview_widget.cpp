@@ -1,6 +1,7 @@
 #include "preview_widget.h"
 
 #include "core/preview/scene_settings.h"
+#include "core/scene/scene_dependencies.h"
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -105,13 +106,7 @@ QSize PreviewWidget::deviceSize() const
 // The maps are of the scene that was made; what needs no map is of this moment.
 preview::RenderSettings PreviewWidget::settings(const PreparedScene& made) const
 {
-    const Scene& now = m_workspace.document.scene();
-    Scene shown = made.scene;
-    shown.view.camera = now.view.camera;
-    shown.view.exposure = now.view.exposure;
-    shown.view.toneCurve = now.view.toneCurve;
-    if (shown.map.space == MapSpace::World)
-        shown.probe.yawDeg = now.probe.yawDeg;
+    Scene shown = shownNow(made.scene, m_workspace.document.scene());
     const QSize size = deviceSize();
     shown.view.width = size.width();
     shown.view.height = size.height();

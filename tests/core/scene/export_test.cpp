@@ -87,7 +87,7 @@ TEST_F(Export, WritesWhatDirectCallsGive)
     for (const std::filesystem::path& file : outcome.files)
         EXPECT_TRUE(std::filesystem::is_regular_file(file)) << file;
     EXPECT_EQ(outcome.files.size(), 8u);
-    EXPECT_THAT(outcome.record.method, testing::HasSubstr("spectral"));
+    EXPECT_THAT(outcome.record.methods, testing::Contains("spectral"));
     EXPECT_EQ(std::count_if(outcome.record.stages.begin(), outcome.record.stages.end(),
                             [](const Stage& s) { return s.name.find("probe") != std::string::npos; }),
               1)
@@ -205,7 +205,7 @@ TEST_F(Export, WritesTheLevelsOfAPaintedMapAsTheSceneShowsThem)
     scene.exports = {{.name = "map", .kind = ExportKind::Painted, .size = 8, .mips = true}};
     const ExportOutcome outcome = exportScene(scene, m_folder);
     EXPECT_THAT(outcome.files, testing::ElementsAre(m_folder / "map.exr", m_folder / "map.json"));
-    EXPECT_EQ(outcome.record.method, "paint");
+    EXPECT_THAT(outcome.record.methods, testing::ElementsAre("paint"));
     EXPECT_EQ(readLevel(m_folder / "map.exr", 0).texel(4, 4)[0], 1.0f);
     EXPECT_EQ(readLevel(m_folder / "map.exr", 1).texel(2, 2)[1], 1.0f);
     EXPECT_EQ(sidecar("map")["indexed_by"], "reflection");
@@ -242,22 +242,16 @@ TEST(SceneMaps, AreBuiltOnlyWhereThePlanNeedsThem)
     scene.map.size = 32;
     scene.view.background.kind = Backdrop::None;
     scene.material.lambda = 1.0;
-    Plan plan = makePlan(scene, probeLayout(scene));
-    WorkRecord record;
-    SceneProbe probe = openProbe(scene, plan, {}, record);
-    SceneMaps maps = buildMaps(scene, plan, probe, {}, record);
+    SceneMaps maps = buildMaps(planScene(scene));
     ASSERT_TRUE(maps.specular);
     EXPECT_EQ(maps.specular->size(), 6u);
     EXPECT_FALSE(maps.diffuse);
     EXPECT_FALSE(maps.background);
 
     scene.material.specular.weight = 0.0;
-    plan = makePlan(scene, probeLayout(scene));
-    record = {};
-    probe = openProbe(scene, plan, {}, record);
-    maps = buildMaps(scene, plan, probe, {}, record);
+    maps = buildMaps(planScene(scene));
     EXPECT_FALSE(maps.specular);
-    EXPECT_TRUE(record.stages.empty()) << "nothing was opened";
+    EXPECT_TRUE(maps.record.stages.empty()) << "nothing was opened";
 }
 
 } // namespace

@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr MapDetail coarse{.largestSize = 128, .tolerance = 1e-3, .texelsPerLobe = 6.0, .probeItselfUpTo = 4.0};
+constexpr MapDetail coarse = coarseDetail;
 
 Scene glossyScene(double exponent)
 {
@@ -32,13 +32,7 @@ Scene paintedScene(const SphereMapDocument& map)
     return scene;
 }
 
-MapLevels commandLineMap(const Scene& scene)
-{
-    WorkRecord record;
-    const Plan plan = makePlan(scene, probeLayout(scene));
-    SceneProbe probe = openProbe(scene, plan, {}, record);
-    return buildMaps(scene, plan, probe, {}, record).specular;
-}
+MapLevels commandLineMap(const Scene& scene) { return buildMaps(planScene(scene)).specular; }
 
 void expectSame(const MapLevels& a, const MapLevels& b)
 {
@@ -80,8 +74,7 @@ TEST(LiveMaps, OfASphereMapThatIsEditedAreThoseOfTheCommandLine)
     LiveMaps live;
     Scene scene = paintedScene(findSphereMapPreset("jade")->document);
     const auto expectCommandLines = [&] {
-        WorkRecord record;
-        const std::vector<SphereMapChain> expected = buildSphereMaps(scene, makePlan(scene, probeLayout(scene)), {}, record);
+        const std::vector<SphereMapChain> expected = buildMaps(planScene(scene)).sphereMaps;
         const std::vector<SphereMapChain> made = live.update(scene, {}).maps.sphereMaps;
         ASSERT_EQ(made.size(), 1u);
         EXPECT_EQ(made[0]->levels, expected[0]->levels);
