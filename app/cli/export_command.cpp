@@ -90,7 +90,7 @@ void runForEngine(const Options& o)
     for (const std::string& warning : done.warnings)
         std::fprintf(stderr, "mirrorball: note: %s\n", warning.c_str());
     if (!o.stats.empty())
-        writeStats(o.stats, {.stages = done.stages, .method = "auto", .threads = job.threadCount()});
+        writeStats(o.stats, {}, {.stages = done.stages, .methods = {"auto"}}, job.threadCount());
 }
 
 void run(const Options& o)
