@@ -1,5 +1,7 @@
 #include "preview_widget.h"
 
+#include "cut_out.h"
+
 #include "core/preview/scene_settings.h"
 #include "core/scene/scene_dependencies.h"
 
@@ -23,14 +25,6 @@ TexelRect onGrid(const TexelRect& rect, int size)
 {
     const auto up = [size](int x) { return std::min((x + patchGrid - 1) / patchGrid * patchGrid, size); };
     return {rect.x0 / patchGrid * patchGrid, rect.y0 / patchGrid * patchGrid, up(rect.x1), up(rect.y1)};
-}
-
-Image cutOut(const Image& picture, const TexelRect& rect)
-{
-    Image part(rect.width(), rect.height(), 4);
-    for (int y = 0; y < part.height; ++y)
-        std::copy_n(picture.texel(rect.x0, rect.y0 + y), static_cast<size_t>(part.width) * 4, part.row(y));
-    return part;
 }
 
 /// What the places of lookups in a painted sphere map depend on.

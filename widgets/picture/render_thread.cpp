@@ -1,5 +1,7 @@
 #include "render_thread.h"
 
+#include "cut_out.h"
+
 #include "core/base/error.h"
 #include "core/base/failure.h"
 #include "core/preview/scene_settings.h"
@@ -27,14 +29,6 @@ QSurfaceFormat contextFormat()
     format.setDepthBufferSize(0); // the renderer has targets of its own
     format.setStencilBufferSize(0);
     return format;
-}
-
-Image cutOut(const Image& picture, const TexelRect& rect)
-{
-    Image part(rect.width(), rect.height(), 4);
-    for (int y = 0; y < part.height; ++y)
-        std::copy_n(picture.texel(rect.x0, rect.y0 + y), static_cast<size_t>(part.width) * 4, part.row(y));
-    return part;
 }
 
 /// Every 2 x 2 texels become one.

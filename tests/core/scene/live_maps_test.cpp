@@ -1,10 +1,14 @@
 #include "core/scene/live_maps.h"
 
 #include "core/base/error.h"
+#include "core/image/image_io.h"
 #include "core/spheremap/document/presets.h"
+#include "support/temporary_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <chrono>
 
 namespace mirrorball {
 namespace {
@@ -156,6 +160,27 @@ TEST(LiveMaps, StandInForAProbeThatIsMissingAndSayWhich)
     EXPECT_EQ(made.environment->image.texels, placeholderProbe().image.texels);
     scene.probe.source = "builtin:cube-room";
     EXPECT_EQ(live.update(scene, {}).problem, "");
+}
+
+TEST(LiveMaps, ReadAProbeAgainOnceItsFileIsAnother)
+{
+    const test::TemporaryFolder folder;
+    const std::string file = (folder / "probe.exr").string();
+    const auto write = [&](float radiance, int height) { writeImage(file, Image(2 * height, height, 3, radiance)); };
+    Scene scene;
+    scene.probe.source = file;
+    LiveMaps live;
+    write(1.0f, 16);
+    EXPECT_EQ(live.update(scene, {}).environment->image.texels.front(), 1.0f);
+    const auto kept = live.update(scene, {}).environment;
+    EXPECT_EQ(live.update(scene, {}).environment, kept) << "nothing has changed";
+    write(2.0f, 16); // as large as before: its time alone tells
+    std::filesystem::last_write_time(file, std::filesystem::last_write_time(file) + std::chrono::seconds(2));
+    EXPECT_EQ(live.update(scene, {}).environment->image.texels.front(), 2.0f);
+    write(3.0f, 8);
+    const MadeScene made = live.update(scene, {});
+    EXPECT_EQ(made.environment->image.texels.front(), 3.0f);
+    EXPECT_EQ(made.probeLayout, (MapLayout{Parameterization::Latlong, 8, 0}));
 }
 
 } // namespace
