@@ -199,8 +199,13 @@ private:
             return;
         const Clipping& c = *d.clipping;
         std::string what =
-            text("Level 0 ends at %.6g: %d texels should be brighter, with %.2g %% of the light.", c.value, c.texels, 100.0 * c.lost);
-        what += c.filtered ? " The levels were filtered from the clipped environment and lack it too." : " The filtered levels hold it.";
+            c.texels > 0
+                ? text("Level 0 ends at %.6g: %d texels should be brighter, with %.2g %% of the light.", c.value, c.texels, 100.0 * c.lost)
+                : text("The light of a bright source is missing, as if the probe had been clipped near %.3g: %.2g %% of all light.",
+                       c.value, 100.0 * c.lost);
+        if (d.levels.size() > 1)
+            what +=
+                c.filtered ? " The levels were filtered from the clipped environment and lack it too." : " The filtered levels hold it.";
         const bool grave = c.lost > 5e-3 && (c.filtered || d.levels.size() == 1);
         std::string cure = c.filtered ? "Filter from the unclipped probe and clip only what is stored."
                                       : "A reflection of the sun is a little dim; the rough levels are right.";
@@ -247,7 +252,7 @@ private:
             if (std::sqrt(d.levels[l].fit.alpha) < std::sqrt(d.levels[l - 1].fit.alpha) - 0.05)
                 disorder.push_back(l);
         const bool plain = std::all_of(d.levels.begin(), d.levels.end(), [](const LevelDiagnosis& level) {
-            return level.fit.alpha < 4.0 * unresolvedAlpha(quarterTexels(level.layout)) || level.layout.size <= 2;
+            return level.fit.alpha < 1.5 * unresolvedAlpha(quarterTexels(level.layout)) || level.layout.size <= 2;
         });
         if (plain) {
             note("law", "No level is filtered by a lobe: these are plain halvings of the environment.",
@@ -259,10 +264,10 @@ private:
                   "Check the order in which levels are written, and which level each roughness goes to.");
         if (d.lawFound()) {
             const LawFit& best = d.laws.front();
-            std::string words = text("The roughness of the %zu levels follows %s", d.chain, best.formula.c_str()) + lawOwner(best.name) +
+            std::string words = text("The roughness of the %zu levels follows %s", d.chain, best.formula.c_str()) + lawOwner(best) +
                                 text(" (off by %.3f rms).", best.error);
             if (d.laws.size() > 1 && d.laws[1].error < 2.0 * best.error + 0.005)
-                words += " " + d.laws[1].formula + lawOwner(d.laws[1].name) + text(" fits about as well (%.3f).", d.laws[1].error);
+                words += " " + d.laws[1].formula + lawOwner(d.laws[1]) + text(" fits about as well (%.3f).", d.laws[1].error);
             note("law", words, "Look roughness r up at the level where this rule has it.");
         } else if (disorder.empty()) {
             std::string list;
@@ -270,31 +275,14 @@ private:
                 list += text("%s%.3f", l == 0 ? "" : " ", std::sqrt(d.levels[l].fit.alpha));
             fault("law",
                   "The roughness of the levels, " + list +
-                      text(", follows no known rule; the nearest is %s", d.laws.front().formula.c_str()) + lawOwner(d.laws.front().name) +
+                      text(", follows no known rule; the nearest is %s", d.laws.front().formula.c_str()) + lawOwner(d.laws.front()) +
                       text(" (off by %.3f rms).", d.laws.front().error),
                   "Look up by these measured values, or filter again for the engine's rule.");
         }
         if (d.chain < d.levels.size())
             note("lobe", text("Level %zu is the diffuse light (E/pi), beside the chain.", d.levels.size() - 1));
     }
-    static std::string lawOwner(const std::string& word)
-    {
-        if (word == "filament")
-            return ", the rule of Filament and three.js";
-        if (word == "babylon")
-            return ", the rule of Babylon.js";
-        if (word == "linear")
-            return ", the rule of glTF's viewer and Bevy";
-        if (word == "playcanvas")
-            return ", the rule of PlayCanvas' shader";
-        if (word == "playcanvas-generator")
-            return ", what PlayCanvas' own generator makes";
-        if (word == "unity")
-            return ", the rule of Unity";
-        if (word == "unreal")
-            return ", the rule of Unreal";
-        return {};
-    }
+    static std::string lawOwner(const LawFit& law) { return law.owner.empty() ? "" : ", the rule of " + law.owner; }
     static std::string lobeWords(const LevelDiagnosis& level)
     {
         const LobeFit& fit = level.fit;

@@ -173,7 +173,7 @@ void findClipping(Work& work, const EnvironmentMap& probe)
 {
     Diagnosis& d = work.result;
     EnvironmentMap& first = work.levels.front();
-    if ((d.orientation && d.orientation->alpha > 0.0) || d.transfer.transfer > Transfer::SrgbDecoded)
+    if (d.transfer.transfer > Transfer::SrgbDecoded)
         return;
     const EnvironmentMap truth = truthOf(*work.source, ggxLobe(0.0), first.layout, 1e-2, work.job);
     const int charts = pictures(first.layout);
@@ -206,6 +206,41 @@ void findClipping(Work& work, const EnvironmentMap& probe)
         t = std::min(t, static_cast<float>(most / scale));
     work.clippedSpectrum = analyse(clipped, lobeBandLimit, work.job);
     d.clipping = clipping;
+}
+
+/// Where no lobe fits: whether one fits the probe clipped somewhere, as it was filtered from; in steps of a stop.
+void findEarlyClipping(Work& work, const EnvironmentMap& probe)
+{
+    Diagnosis& d = work.result;
+    if (work.clippedSpectrum || d.transfer.transfer != Transfer::Linear)
+        return;
+    const EnvironmentMap& level = work.levels[std::min<size_t>(work.levels.size() - 1, 1)];
+    const int size = quarterTexels(level.layout);
+    constexpr int coarse = 32; // degrees, of the search
+    const double whole = fitLobe(lobeProblem(level, analyse(probe, coarse, work.job), work.job), size).residual;
+    const double mean = meanLuminance(probe);
+    const double most = *std::max_element(probe.image.texels.begin(), probe.image.texels.end());
+    if (whole < 0.15 || most < 16.0 * mean)
+        return;
+    const auto clippedAt = [&](double value) {
+        EnvironmentMap clipped = probe;
+        for (float& t : clipped.image.texels)
+            t = std::min(t, static_cast<float>(value));
+        return clipped;
+    };
+    double best = 0.4 * whole, value = 0.0;
+    for (double at = 0.5 * most; at > 2.0 * mean; at *= 0.5) {
+        const double residual = fitLobe(lobeProblem(level, analyse(clippedAt(at), coarse, work.job), work.job), size).residual;
+        if (residual < best) {
+            best = residual;
+            value = at;
+        }
+    }
+    if (value == 0.0)
+        return;
+    const EnvironmentMap clipped = clippedAt(value);
+    work.clippedSpectrum = analyse(clipped, lobeBandLimit, work.job);
+    d.clipping = Clipping{.value = value, .lost = 1.0 - meanLuminance(clipped) / mean, .texels = 0, .filtered = true};
 }
 
 void fitLobes(Work& work)
@@ -243,7 +278,7 @@ void fitScaleAndLaw(Work& work)
         d.scale = 1.0;
     std::vector<MeasuredLevel> measured;
     for (const LevelDiagnosis& level : d.levels)
-        measured.push_back({std::sqrt(level.fit.alpha), std::sqrt(2.0 * unresolvedAlpha(quarterTexels(level.layout)))});
+        measured.push_back({std::sqrt(level.fit.alpha), std::sqrt(unresolvedAlpha(quarterTexels(level.layout)))});
     d.chain = measured.size();
     if (d.chain < 2)
         return;
@@ -270,6 +305,8 @@ void measureErrors(Work& work)
             level.asked = d.laws.front().roughness[l] * d.laws.front().roughness[l];
             if (lobe.kind == LobeKind::Ggx)
                 lobe = ggxLobe(*level.asked);
+            if (lobe.isMirror() && level.fit.alpha < 2.0 * unresolvedAlpha(quarterTexels(level.layout)))
+                level.fit.unfiltered = true; // what is left is how the environment was brought to these texels
         }
         const EnvironmentMap truth = truthOf(*work.source, lobe, level.layout, work.options.tolerance, work.job);
         EnvironmentMap stored(level.layout, work.map.levels[l].image);
@@ -313,6 +350,7 @@ Diagnosis diagnose(const StoredMap& map, const std::optional<EnvironmentMap>& pr
         work.source = FilterSource(latlong, job);
         undoCurve(work, latlong);
         findClipping(work, latlong);
+        findEarlyClipping(work, latlong);
         fitLobes(work);
         fitScaleAndLaw(work);
         measureErrors(work);

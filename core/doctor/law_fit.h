@@ -15,6 +15,7 @@ struct MeasuredLevel {
 /// How well one rule fits.
 struct LawFit {
     std::string name{};              ///< "filament", "babylon", "linear", ...; law words of roughness_law.h where there is one
+    std::string owner{};             ///< "Filament and three.js"; may be empty
     std::string formula{};           ///< "r = 1 - sqrt(1 - l/4)": with the map's numbers
     std::vector<double> roughness{}; ///< that it asks of the levels
     double error = 0.0;              ///< rms of the difference in roughness, over the levels that a law says something of

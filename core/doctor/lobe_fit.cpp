@@ -149,7 +149,7 @@ int quarterTexels(const MapLayout& layout)
     }
 }
 
-double unresolvedAlpha(int size) { return 0.25 * (0.5 * pi) / size; }
+double unresolvedAlpha(int size) { return 0.3 * (0.5 * pi) / size; }
 
 LobeProblem lobeProblem(const EnvironmentMap& level, const Spectrum& probe, const JobControl& job)
 {
@@ -161,12 +161,12 @@ LobeFit fitLobe(const LobeProblem& problem, int size)
 {
     const auto of = [&](const Lobe& lobe) { return fitted(problem, legendreCoefficients(lobe, problem.bandLimit)); };
     LobeFit fit;
-    const double least = unresolvedAlpha(size);
+    const double least = unresolvedAlpha(size) / 3.0;
     fit.alpha = least >= 1.0 ? 1.0 : bestParameter(least, 1.0, [&](double a) { return of(ggxLobe(std::min(a, 1.0))).residual; });
     fit.alpha = std::min(fit.alpha, 1.0);
     const Fitted ggx = of(ggxLobe(fit.alpha)), mirror = of(ggxLobe(0.0));
     fit.ggxResidual = ggx.residual;
-    fit.unfiltered = mirror.residual <= ggx.residual * 1.02 || fit.alpha < 1.5 * least;
+    fit.unfiltered = mirror.residual <= ggx.residual * 1.02 || fit.alpha < unresolvedAlpha(size);
     fit.phongExponent = bestParameter(0.5, std::max(1.0, 2.0 / (least * least)), [&](double n) { return of(phongLobe(n)).residual; });
     const Fitted phong = of(phongLobe(fit.phongExponent));
     fit.phongResidual = phong.residual;

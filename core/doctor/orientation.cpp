@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numeric>
 #include <span>
@@ -173,21 +172,56 @@ FacePlaces bestPlaces(const Costs& costs)
     return best;
 }
 
-/// The whole storage from which the fewest faces stray; among those the cheapest.
-const CubeStorage& nearestStorage(const Costs& costs, const FacePlaces& places)
+/// Whether a stored face clearly shows something else than a storage has there: what a picture's own contrast, `variance`, tells.
+bool strays(const Costs& costs, const std::array<double, 6>& variance, size_t i, const FacePlace& follows, const FacePlace& free)
+{
+    if (follows == free)
+        return false;
+    const double is = costOf(costs, i, free), should = costOf(costs, i, follows);
+    return is < 0.5 * should && should - is > 0.1 * variance[i] && should - is > 1e-3;
+}
+
+/// How far-fetched a storage is, counted in stray faces. The same pictures may be told in several ways: +X and -X exchanged are a cube
+/// mirrored in X whose faces are all mirrored left to right.
+double oddity(const CubeStorage& storage)
+{
+    const bool upright = storage.axes[1] == glm::dvec3(0.0, 1.0, 0.0);
+    const double turn = storage.turn == 0 ? 0.0 : storage.turn == rowsBottomUp ? 0.5 : 2.2;
+    return turn + (upright ? 0.0 : 1.8) + (glm::determinant(storage.axes) < 0.0 ? 0.4 : 0.0);
+}
+
+/// The plainest whole storage from which few faces stray; among those the cheapest.
+const CubeStorage& nearestStorage(const Costs& costs, const std::array<double, 6>& variance, const FacePlaces& places)
 {
     const CubeStorage* nearest = nullptr;
     double least = std::numeric_limits<double>::infinity();
     for (const CubeStorage& storage : allCubeStorages()) {
-        double cost = 1e-3 * costOf(costs, storage.places);
-        for (size_t i = 0; i < 6; ++i) // a face whose turn its picture hardly tells does not stray
-            cost += storage.places[i] == places[i] || costOf(costs, i, storage.places[i]) < costOf(costs, i, places[i]) + 0.02 ? 0.0 : 1.0;
+        double cost = 1e-3 * costOf(costs, storage.places) + oddity(storage);
+        for (size_t i = 0; i < 6; ++i)
+            cost += strays(costs, variance, i, storage.places[i], places[i]) ? 1.0 : 0.0;
         if (cost < least - 1e-9) {
             least = cost;
             nearest = &storage;
         }
     }
     return *nearest;
+}
+
+std::array<double, 6> faceVariances(const Faces& faces)
+{
+    std::array<double, 6> variances{};
+    const size_t count = faces.values.size() / 6;
+    for (size_t f = 0; f < 6; ++f) {
+        double sum = 0.0, power = 0.0;
+        for (size_t k = 0; k < count; ++k) {
+            const double v = faces.values[f * count + k];
+            sum += v;
+            power += v * v;
+        }
+        const auto n = static_cast<double>(count);
+        variances[f] = power / n - sum / n * (sum / n);
+    }
+    return variances;
 }
 
 /// The sharpness that the map may have: the probe as it is, and through lobes.
@@ -264,56 +298,6 @@ void foldQuarterTurns(Orientation& found)
 
 } // namespace
 
-TurnedTexel turnedTexel(FaceTurn turn, int n, int x, int y)
-{
-    for (int k = 0; k < (turn & 3); ++k) { // undo a turn clockwise: what is at the right was at the top
-        const int before = x;
-        x = y;
-        y = n - 1 - before;
-    }
-    return {(turn & 4) != 0 ? n - 1 - x : x, y};
-}
-
-const std::vector<CubeStorage>& allCubeStorages()
-{
-    static const std::vector<CubeStorage> storages = [] {
-        std::vector<CubeStorage> result;
-        constexpr int n = 4;
-        std::array<int, 3> order{0, 1, 2};
-        do {
-            for (int signs = 0; signs < 8; ++signs) {
-                glm::dmat3 axes(0.0);
-                for (int c = 0; c < 3; ++c)
-                    axes[c][order[static_cast<size_t>(c)]] = (signs >> c & 1) != 0 ? -1.0 : 1.0;
-                for (FaceTurn turn = 0; turn < allFaceTurns; ++turn) {
-                    CubeStorage storage{axes, turn, {}};
-                    for (int f = 0; f < 6; ++f) {
-                        // Three texels of the face tell where it comes from.
-                        const auto source = [&](int x, int y) {
-                            const TurnedTexel p = turnedTexel(turn, n, x, y);
-                            const glm::dvec3 e = cube_map::facePoint(f, (2.0 * p.x + 1.0) / n - 1.0, (2.0 * p.y + 1.0) / n - 1.0);
-                            return glm::ivec2(glm::floor(cube_map::coordinate(n, axes * e)));
-                        };
-                        FacePlace& place = storage.places[static_cast<size_t>(f)];
-                        place.face = source(0, 0).y / n;
-                        for (FaceTurn t = 0; t < allFaceTurns; ++t) {
-                            const auto agrees = [&](int x, int y) {
-                                const TurnedTexel p = turnedTexel(t, n, x, y);
-                                return source(x, y) == glm::ivec2(p.x, place.face * n + p.y);
-                            };
-                            if (agrees(0, 0) && agrees(n - 1, 0) && agrees(0, n - 1))
-                                place.turn = t;
-                        }
-                    }
-                    result.push_back(storage);
-                }
-            }
-        } while (std::next_permutation(order.begin(), order.end()));
-        return result;
-    }();
-    return storages;
-}
-
 Orientation findOrientation(const EnvironmentMap& stored, const EnvironmentMap& probe, const JobControl& job)
 {
     const bool cube = stored.layout.kind == Parameterization::Cube;
@@ -326,22 +310,14 @@ Orientation findOrientation(const EnvironmentMap& stored, const EnvironmentMap& 
 
     // First as it is, with single faces free; any other yaw only where that does not fit.
     Candidate best;
-    bool faceByFace = false;
     for (size_t i = 0; i < search.probes.size(); ++i) {
         const Costs costs = search.costs(i, 0.0);
-        const double whole = bestStorage(costs, search.turns).cost;
-        const double free = cube ? costOf(costs, bestPlaces(costs)) : whole;
-        const bool strays = free < 0.7 * whole - 0.05;
-        if (const double cost = strays ? free : whole; cost < best.cost) {
+        if (const double cost = cube ? costOf(costs, bestPlaces(costs)) : bestStorage(costs, search.turns).cost; cost < best.cost)
             best = {i, 0.0, cost};
-            faceByFace = strays;
-        }
     }
     if (best.cost > 0.1)
-        if (const Candidate turned = searchYaw(search); turned.cost < 0.6 * best.cost || (!faceByFace && turned.cost < best.cost - 0.02)) {
+        if (const Candidate turned = searchYaw(search); turned.cost < 0.6 * best.cost || turned.cost < best.cost - 0.05)
             best = turned;
-            faceByFace = false;
-        }
 
     const Costs costs = search.costs(best.probe, best.yaw);
     const Best whole = bestStorage(costs, search.turns);
@@ -352,15 +328,14 @@ Orientation findOrientation(const EnvironmentMap& stored, const EnvironmentMap& 
     found.alpha = probeAlphas[best.probe];
     if (cube) {
         const FacePlaces free = bestPlaces(costs);
-        if (const double cost = costOf(costs, free); faceByFace || cost < 0.7 * whole.cost - 0.05) {
-            found.storage = nearestStorage(costs, free);
-            for (size_t i = 0; i < 6; ++i) {
-                const FacePlace& follows = found.storage.places[i];
-                const bool strays = follows != free[i] && costOf(costs, i, follows) >= costOf(costs, i, free[i]) + 0.02;
-                found.places[i] = strays ? free[i] : follows;
-                if (strays)
-                    found.strayFaces.push_back(static_cast<int>(i));
-            }
+        const std::array<double, 6> variance = faceVariances(search.stored);
+        found.storage = nearestStorage(costs, variance, free);
+        for (size_t i = 0; i < 6; ++i) {
+            const FacePlace& follows = found.storage.places[i];
+            const bool stray = strays(costs, variance, i, follows, free[i]);
+            found.places[i] = stray ? free[i] : follows;
+            if (stray)
+                found.strayFaces.push_back(static_cast<int>(i));
         }
     }
     found.match = 1.0 - 0.5 * costOf(costs, found.places);
@@ -381,56 +356,6 @@ Image inOurConvention(const Image& stored, const FacePlaces& places)
                 std::copy_n(stored.texel(x, i * n + y), 3, ours.texel(to.x, place.face * n + to.y));
             }
     return ours;
-}
-
-std::string faceName(int face)
-{
-    static constexpr std::array<const char*, 6> names{"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
-    return names[static_cast<size_t>(face)];
-}
-
-std::string describeTurn(FaceTurn turn)
-{
-    static constexpr std::array<const char*, 8> words{"",
-                                                      "turned 90 degrees clockwise",
-                                                      "turned by 180 degrees",
-                                                      "turned 90 degrees counterclockwise",
-                                                      "mirrored left to right",
-                                                      "mirrored left to right, then turned 90 degrees clockwise",
-                                                      "upside down (rows bottom up)",
-                                                      "mirrored left to right, then turned 90 degrees counterclockwise"};
-    return words[static_cast<size_t>(turn)];
-}
-
-std::string describe(const Orientation& found)
-{
-    const glm::dmat3 mirror(-1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0);
-    std::string text;
-    if (found.storage.axes == glm::dmat3(1.0)) {
-        text = "not mirrored";
-    } else if (found.storage.axes == mirror) {
-        text = "mirrored in X";
-    } else {
-        text = found.mirrored() ? "mirrored, " : "";
-        text += "direction (x, y, z) shows (";
-        for (int row = 0; row < 3; ++row)
-            for (int c = 0; c < 3; ++c)
-                if (const double sign = found.storage.axes[c][row]; sign != 0.0)
-                    text += std::string(row > 0 ? ", " : "") + (sign < 0.0 ? "-" : "") + "xyz"[c];
-        text += ")";
-    }
-    if (found.storage.turn == rowsBottomUp)
-        text += ", rows bottom up";
-    else if (found.storage.turn != 0)
-        text += ", every face " + describeTurn(found.storage.turn);
-    if (found.storage.axes == mirror && std::abs(std::abs(found.yaw) - pi) < 1e-9)
-        return "mirrored in Z" + text.substr(std::string("mirrored in X").size());
-    if (std::abs(found.yaw) > 1e-9) {
-        std::array<char, 64> yaw{};
-        std::snprintf(yaw.data(), yaw.size(), ", turned by %.4g degrees about +Y", found.yaw * 180.0 / pi);
-        text += yaw.data();
-    }
-    return text;
 }
 
 } // namespace mirrorball

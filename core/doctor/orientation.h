@@ -50,7 +50,8 @@ struct Orientation {
     double alpha = 0.0;            ///< about the width of the ggx lobe that the map shows the environment through
     double match = 0.0;            ///< 1: the pictures are those of the environment; 0: unrelated
     double nextMatch = 0.0;        ///< of the best storage that shows something else
-    bool certain() const { return match > 0.5 && match - nextMatch > 0.05; }
+    /// Whether the next best differs clearly more from the environment.
+    bool certain() const { return match > 0.5 && 1.0 - nextMatch > 1.5 * (1.0 - match) + 0.005; }
     bool mirrored() const { return glm::determinant(storage.axes) < 0.0; }
 };
 
