@@ -17,6 +17,7 @@ namespace mirrorball::cli {
 
 void addInfoCommand(CLI::App& program);
 void addBrdfCommand(CLI::App& program);
+void addDoctorCommand(CLI::App& program);
 void addConvertCommand(CLI::App& program);
 void addFilterCommand(CLI::App& program);
 void addRenderCommand(CLI::App& program);
