@@ -25,7 +25,7 @@ struct StackPlan {
 };
 
 /// rel_rms over a map at one azimuth strays from that over all frames: what the share is multiplied with, so that the figure bounds it.
-inline constexpr double stackMargin = 1.5;
+inline constexpr double stackMargin = 2.0;
 
 /// The largest degree and order that are ever used.
 inline constexpr int largestStackDegree = 1024, largestStackOrder = 40;
