@@ -22,9 +22,8 @@ void run(const Options& o)
     const std::optional<Parameterization> from = o.from.empty() ? std::optional<Parameterization>{} : parseKind("--from", o.from);
     const StoredMap map = readStoredMap(o.map, from, job);
     std::optional<EnvironmentMap> probe;
-    std::vector<Stage> stages;
     if (!o.probe.empty())
-        probe = readProbe(o.probe, {}, job, stages).map;
+        probe = readProbe(o.probe, {}, job).map;
     Diagnosis diagnosis = diagnose(map, probe, {}, job);
     diagnosis.map = o.map;
     diagnosis.probe = o.probe;
