@@ -48,6 +48,7 @@ std::vector<EngineProfile> makeProfiles()
                               {.content = EngineContent::Skybox, .file = "{name}_skybox.ktx", .texels = TexelFormat::R11G11B10},
                               {.content = EngineContent::Sh, .file = "{name}_sh.txt"},
                               text("{name}_filament.js")},
+                    .takesLatlong = false,
                     .law = RoughnessLaw::Filament,
                     .smallest = 32,
                     .lastSize = 16,
@@ -77,6 +78,7 @@ std::vector<EngineProfile> makeProfiles()
                     .files = {{.content = EngineContent::DiffuseCube, .file = "{name}_diffuse.ktx2", .size = 32},
                               {.content = EngineContent::SpecularCube, .file = "{name}_specular.ktx2"},
                               text("{name}_bevy.rs")},
+                    .takesLatlong = false,
                     .cube = mirroredInZ(),
                     .law = RoughnessLaw::Linear});
     rows.push_back({.word = "blender",
