@@ -49,8 +49,10 @@ RoughnessLaw parseLaw(const std::string& engine)
         return RoughnessLaw::Unreal;
     const EngineProfile& profile = engineProfile(engine, "--law");
     if (!profile.law)
-        throw InvalidArgument("--law: " + std::string(profile.title) + " filters by itself and takes no levels; give it the latlong, "
-                              "mirrorball export --for " + engine);
+        throw InvalidArgument("--law: " + std::string(profile.title) +
+                              " filters by itself and takes no levels; give it the latlong, "
+                              "mirrorball export --for " +
+                              engine);
     return *profile.law;
 }
 

@@ -13,7 +13,7 @@ namespace mirrorball::cli {
 
 /// How `--for ENGINE` turns a map of a kind. @throws InvalidArgument for an engine that takes no such map
 struct EngineTurn {
-    double yawDeg = 0.0;          ///< beside --yaw
+    double yawDeg = 0.0;           ///< beside --yaw
     CubeOrientation orientation{}; ///< of cubes
 };
 EngineTurn engineTurn(const std::string& engine, Parameterization kind);

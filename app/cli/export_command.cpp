@@ -37,22 +37,9 @@ Scene sceneOf(const Options& o)
     return scene;
 }
 
-/// The folder's own name where --name is left out, as cmgen names its files.
-std::string exportName(const Options& o)
-{
-    if (!o.name.empty())
-        return o.name;
-    const std::filesystem::path folder = std::filesystem::absolute(o.folder).lexically_normal();
-    std::string name = (folder.has_filename() ? folder : folder.parent_path()).filename().string();
-    for (char& c : name)
-        if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_')
-            c = '_';
-    return name.empty() || name.front() == '-' ? "light" : name.substr(0, 100);
-}
-
 EngineExportOptions engineOptions(const Options& o, const EngineProfile& profile)
 {
-    EngineExportOptions options{.size = o.size, .name = exportName(o), .compressKtx2 = o.zstd};
+    EngineExportOptions options{.size = o.size, .name = o.name.empty() ? engineExportName(o.folder) : o.name, .compressKtx2 = o.zstd};
     for (const std::string& word : o.encode) {
         if (profile.word != "playcanvas" || (word != "rgbp" && word != "rgbm"))
             throw InvalidArgument("--encode: '" + word + "' is none of " + std::string(profile.title) +

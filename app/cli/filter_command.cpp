@@ -136,7 +136,8 @@ int chainLength(const Options& o, const MapLayout& base)
     if (o.law.empty())
         return o.mips ? levelCount(base) : 1;
     refuse(!o.lobe.empty() && o.lobe != "ggx", "--lobe", "is ggx for every --law; leave it out");
-    refuse(o.roughness || o.alpha || o.exponent, "--law", "says the roughness of every level; leave --roughness, --alpha and --exponent out");
+    refuse(o.roughness || o.alpha || o.exponent, "--law",
+           "says the roughness of every level; leave --roughness, --alpha and --exponent out");
     parseLaw(o.law);
     const int most = levelCount(base);
     if (o.levels && (*o.levels < 2 || *o.levels > most))
@@ -298,8 +299,9 @@ void addFilterCommand(CLI::App& program)
     command->add_option("PROBE", o->probe, "file or builtin:NAME")->required();
     command->add_option("-o,--output", o->out, "output file; %s in the name of a cube makes six files, %d one file a level")->required();
     command->add_option("--lobe", o->lobe, "phong, diffuse or ggx; ggx with --law");
-    command->add_option("--law", o->law, "a chain of ggx levels whose roughness follows this engine: three, filament, babylon, playcanvas, "
-                                         "bevy, unity, unreal");
+    command->add_option("--law", o->law,
+                        "a chain of ggx levels whose roughness follows this engine: three, filament, babylon, playcanvas, "
+                        "bevy, unity, unreal");
     command->add_option("--levels", o->levels, "of the chain by --law; without it down to one texel");
     command->add_option("--for", o->engine, "turn and mirror the map as this engine looks it up (latlong or cube)");
     command->add_option("--encode", o->encode, "of 8-bit formats: filmic (as without it), srgb, or in a .png rgbe, rgbm, rgbd, rgbp");

@@ -5,6 +5,7 @@
 
 #include "core/image/map_file.h"
 
+#include <cctype>
 #include <cmath>
 
 namespace mirrorball {
@@ -23,7 +24,38 @@ void addMatcap(const Scene& scene, const std::string& name, const std::filesyste
     done.stages.insert(done.stages.end(), outcome.record.stages.begin(), outcome.record.stages.end());
 }
 
+/// The scene's probe as its light is exported: with its exposure, but not yet turned.
+EnvironmentMap exposedProbe(const Scene& scene, const JobControl& job, std::vector<Stage>& stages)
+{
+    Probe probe = readProbe(resolved(scene, scene.probe.source), {.from = scene.probe.parameterization}, job, stages);
+    if (scene.probe.exposure != 0.0)
+        for (float& value : probe.map.image.texels)
+            value *= static_cast<float>(std::exp2(scene.probe.exposure));
+    return std::move(probe.map);
+}
+
 } // namespace
+
+EngineEstimate estimateForEngine(const Scene& scene, const EngineProfile& profile, const EngineExportOptions& options,
+                                 const JobControl& job)
+{
+    EngineEstimate estimate{.files = planEngineExport(profile, options, probeLayout(scene))};
+    for (const EngineFilePlan& file : estimate.files)
+        estimate.bytes += file.bytes;
+    std::vector<Stage> stages;
+    estimate.warnings = engineWarnings(profile, statistics(exposedProbe(scene, job, stages)));
+    return estimate;
+}
+
+std::string engineExportName(const std::filesystem::path& folder)
+{
+    const std::filesystem::path whole = std::filesystem::absolute(folder).lexically_normal();
+    std::string name = (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+    for (char& c : name)
+        if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_')
+            c = '_';
+    return name.empty() || name.front() == '-' ? "light" : name.substr(0, 100);
+}
 
 EngineExport exportForEngine(const Scene& scene, const EngineProfile& profile, EngineExportOptions options,
                              const std::filesystem::path& folder, const JobControl& job)
@@ -31,11 +63,7 @@ EngineExport exportForEngine(const Scene& scene, const EngineProfile& profile, E
     planEngineExport(profile, options, probeLayout(scene)); // refuses before any work
     options.yaw = scene.probe.yawDeg * pi / 180.0;
     std::vector<Stage> stages;
-    Probe probe = readProbe(resolved(scene, scene.probe.source), {.from = scene.probe.parameterization}, partOf(job, 0.0f, 0.2f), stages);
-    if (scene.probe.exposure != 0.0)
-        for (float& value : probe.map.image.texels)
-            value *= static_cast<float>(std::exp2(scene.probe.exposure));
-    FilterSource source(std::move(probe.map), job);
+    FilterSource source(exposedProbe(scene, partOf(job, 0.0f, 0.2f), stages), job);
     EngineExport done = exportForEngine(source, profile, options, folder, partOf(job, 0.2f, 1.0f));
     done.stages.insert(done.stages.begin(), stages.begin(), stages.end());
     if (profile.word == "blender" && !scene.material.sphereMap.isNone())

@@ -100,10 +100,7 @@ Image halvesOf(const Image& slices)
     return map;
 }
 
-bool areHalves(const Texture& texture)
-{
-    return texture.slices == 2 && texture.levels.front().height == 2 * texture.levels.front().width;
-}
+bool areHalves(const Texture& texture) { return texture.slices == 2 && texture.levels.front().height == 2 * texture.levels.front().width; }
 
 bool isParaboloid(const WriteOptions& options)
 {
