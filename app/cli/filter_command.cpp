@@ -181,7 +181,6 @@ std::vector<PrefilterOptions> parseJobs(const Options& o)
                         .target = levelLayout(base, i),
                         .method = *method,
                         .tolerance = tolerance,
-
                         .yaw = radians(o.yawDeg + engineTurn(o.engine, base.kind).yawDeg),
                         .knobs = knobs});
     }

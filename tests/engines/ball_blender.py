@@ -41,7 +41,7 @@ material = bpy.data.materials.new("ball")
 material.use_nodes = True
 ball.data.materials.append(material)
 nodes, links = material.node_tree.nodes, material.node_tree.links
-for kind, node, samples in (("metal", "ShaderNodeBsdfGlossy", 4), ("diffuse", "ShaderNodeBsdfDiffuse", 400)):
+for kind, node, samples in (("metal", "ShaderNodeBsdfGlossy", 4), ("diffuse", "ShaderNodeBsdfDiffuse", 256)):
     nodes.clear()
     shader, output = nodes.new(node), nodes.new("ShaderNodeOutputMaterial")
     shader.inputs["Color"].default_value = (1, 1, 1, 1)
