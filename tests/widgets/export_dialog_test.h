@@ -19,8 +19,6 @@ private slots:
     void offersThePaintedMapWhereThereIsOne();
     void writesThePaintedMapAsPaintDoes();
     void keepsWhatEachKindUnderstands();
-    void beginsWithAGalleryOfEngines();
-    void anEnginesFilesAreTheCommandLines();
     void namesAllControls();
 };
 
