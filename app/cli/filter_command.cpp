@@ -1,4 +1,5 @@
 #include "command.h"
+#include "engine_words.h"
 #include "filter_brdf.h"
 
 #include "core/base/error.h"
@@ -20,7 +21,8 @@ namespace mirrorball::cli {
 namespace {
 
 struct Options {
-    std::string probe, out, lobe, to, from, method = "auto", stats;
+    std::string probe, out, lobe, to, from, method = "auto", stats, law, engine, encode;
+    std::optional<int> levels;
     std::optional<double> exponent, roughness, alpha, lambda;
     std::optional<int> samples;
     std::optional<std::string> mipFiltering;
@@ -128,6 +130,23 @@ struct KnobParser {
     }
 };
 
+/// How many levels are made: one, all of them (--mips), or as many as --levels says of a chain by --law.
+int chainLength(const Options& o, const MapLayout& base)
+{
+    refuse(o.levels && o.law.empty(), "--levels", "belongs to --law, whose chain it counts; give one, e.g. --law filament");
+    if (o.law.empty())
+        return o.mips ? levelCount(base) : 1;
+    refuse(!o.lobe.empty() && o.lobe != "ggx", "--lobe", "is ggx for every --law; leave it out");
+    refuse(o.roughness || o.alpha || o.exponent, "--law",
+           "says the roughness of every level; leave --roughness, --alpha and --exponent out");
+    parseLaw(o.law);
+    const int most = levelCount(base);
+    if (o.levels && (*o.levels < 2 || *o.levels > most))
+        throw InvalidArgument("--levels: a chain from " + std::to_string(base.size) + " texels has 2 to " + std::to_string(most) +
+                              " levels; it is " + std::to_string(*o.levels));
+    return o.levels.value_or(most);
+}
+
 /// One filter job a level.
 std::vector<PrefilterOptions> parseJobs(const Options& o)
 {
@@ -154,16 +173,16 @@ std::vector<PrefilterOptions> parseJobs(const Options& o)
         throw InvalidArgument("--tolerance: must lie in (0, 1]");
     const MapLayout base{.kind = parseKind("--to", o.to), .size = o.size, .border = o.border};
     validate(base);
-    const std::optional<Lobe> lobe = parseLobe(o);
-    const int levels = o.mips ? levelCount(base) : 1;
+    const std::optional<Lobe> lobe = o.law.empty() ? parseLobe(o) : std::nullopt;
+    const int levels = chainLength(o, base);
     std::vector<PrefilterOptions> jobs;
     for (int i = 0; i < levels; ++i) {
-        const double r = chainRoughness(i, levels);
+        const double r = o.law.empty() ? chainRoughness(i, levels) : levelRoughness(parseLaw(o.law), i, levels, base.size);
         jobs.push_back({.lobe = lobe ? *lobe : ggxLobe(r * r),
                         .target = levelLayout(base, i),
                         .method = *method,
                         .tolerance = tolerance,
-                        .yaw = radians(o.yawDeg),
+                        .yaw = radians(o.yawDeg + engineTurn(o.engine, base.kind).yawDeg),
                         .knobs = knobs});
     }
     return jobs;
@@ -176,6 +195,7 @@ void runBrdf(const Options& o)
     refuse(o.samples || o.lambda || o.mipFiltering, "--brdf",
            "takes none of the lobes' methods; choose sum, stack, lookups:K or split-sum");
     refuse(o.mips, "--mips", "is a chain of lobes; --brdf makes one map");
+    refuse(!o.law.empty() || !o.engine.empty() || !o.encode.empty(), "--brdf", "takes no --law, --for and --encode");
     filterByBrdf({.probe = o.probe,
                   .out = o.out,
                   .brdf = o.brdf,
@@ -200,10 +220,12 @@ void run(const Options& o)
         runBrdf(o);
         return;
     }
-    refuse(o.lobe.empty(), "--lobe", "is missing; give phong, diffuse or ggx, or a BRDF by --brdf");
+    refuse(o.lobe.empty() && o.law.empty(), "--lobe",
+           "is missing; give phong, diffuse or ggx, a BRDF by --brdf, or an engine's chain by --law");
     refuse(o.viewDeg.has_value(), "--view", "belongs to --brdf");
     const std::vector<PrefilterOptions> levels = parseJobs(o);
     checkMapFile(o.out, levels.front().target);
+    const ByteEncoding bytes = parseEncode(o.encode, o.out);
     ReadProbeOptions read;
     if (!o.from.empty())
         read.from = parseKind("--from", o.from);
@@ -221,13 +243,15 @@ void run(const Options& o)
     BuiltMap built = buildMap(plan.exports.front().map, probe, 0.0, job);
     record += std::move(built.record);
 
+    store(built.levels, engineTurn(o.engine, levels.front().target.kind).orientation);
     std::string lobes;
     for (const PrefilterOptions& level : levels)
         lobes += (lobes.empty() ? "" : " ") + describe(level.lobe);
     const WriteOptions write{
         .sampleType = o.half ? SampleType::Half : SampleType::Float,
         .attributes = {{"mirrorball:lobes", lobes},
-                       {"mirrorball:indexed_by", levels.front().lobe.kind == LobeKind::Diffuse ? "normal" : "reflection"}}};
+                       {"mirrorball:indexed_by", levels.front().lobe.kind == LobeKind::Diffuse ? "normal" : "reflection"}},
+        .bytes = bytes};
     timedStage(record.stages, "save map", [&] { writeMap(o.out, built.levels, write); });
     if (!o.stats.empty())
         writeStats(o.stats, plan.stages, record, job.threadCount());
@@ -241,7 +265,13 @@ void addFilterCommand(CLI::App& program)
     CLI::App* command = program.add_subcommand("filter", "Prefilter a probe with a lobe");
     command->add_option("PROBE", o->probe, "file or builtin:NAME")->required();
     command->add_option("-o,--output", o->out, "output file; %s in the name of a cube makes six files, %d one file a level")->required();
-    command->add_option("--lobe", o->lobe, "phong, diffuse or ggx");
+    command->add_option("--lobe", o->lobe, "phong, diffuse or ggx; ggx with --law");
+    command->add_option("--law", o->law,
+                        "a chain of ggx levels whose roughness follows this engine: three, filament, babylon, playcanvas, "
+                        "bevy, unity, unreal");
+    command->add_option("--levels", o->levels, "of the chain by --law; without it down to one texel");
+    command->add_option("--for", o->engine, "turn and mirror the map as this engine looks it up (latlong or cube)");
+    command->add_option("--encode", o->encode, "of 8-bit formats: filmic (as without it), srgb, or in a .png rgbe, rgbm, rgbd, rgbp");
     command->add_option("--brdf", o->brdf, "in place of a lobe: MODEL[:key=value,...] or a measured file, as `mirrorball brdf` takes it");
     command->add_option("--view", o->viewDeg, "brdf: the angle between normal and view, in degrees");
     command->add_option("--azimuth", o->azimuthDeg, "brdf: of the normal about r, 0 where it lies towards +Y of r's meridian, in degrees");
@@ -267,7 +297,7 @@ void addFilterCommand(CLI::App& program)
         command->add_option(optionOf(field), o->paraboloid[optionOf(field)], std::string(field.help));
     });
     command->add_option("--threads", o->threads, "threads; 0: one per core")->check(CLI::Range(0, 1024));
-    command->add_flag("--half", o->half, "16-bit floats (.exr, .tif)");
+    command->add_flag("--half", o->half, "16-bit floats, where the format has them");
     command->add_flag("--explain", o->explain, "print what is done, what is left out, and why; then do it");
     command->add_option("--stats", o->stats, "write times, method and predicted error to this JSON file");
     command->callback([o] { run(*o); });

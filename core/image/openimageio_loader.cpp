@@ -220,7 +220,9 @@ void write(AtomicFile& file, const std::filesystem::path& named, const std::vect
     for (const Image& image : levels) {
         raw.push_back({image.width, image.height, image.channels, image.texels.data(), nullptr});
         if (!floats) {
-            const Image display = options.encoding == Encoding::Display ? image : toDisplay(image, 0.0, ToneCurve::Filmic);
+            const Image display = options.encoding == Encoding::Display
+                                      ? image
+                                      : toDisplay(image, 0.0, options.bytes == ByteEncoding::Srgb ? ToneCurve::None : ToneCurve::Filmic);
             bytes.emplace_back(display.texels.size());
             std::transform(display.texels.begin(), display.texels.end(), bytes.back().begin(), toByte);
             raw.back().bytes = bytes.back().data();
