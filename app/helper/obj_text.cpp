@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <string_view>
+#include <vector>
 
 namespace mirrorball::helper {
 namespace {
@@ -35,34 +36,53 @@ void count(std::string_view line, Counts& counts)
     counts[2] += word == "vn";
 }
 
-/// "3", "3/1", "3//2" or "3/1/2" of what there is.
-bool isCorner(std::string_view word, const Counts& before, const Counts& all)
+bool exists(std::string_view number, long before, long all)
 {
-    for (size_t i = 0; i < 3; ++i) {
-        const std::string_view number = word.substr(0, word.find('/'));
-        long index = 0;
-        const auto read = std::from_chars(number.data(), number.data() + number.size(), index);
-        const bool isThere = read.ec == std::errc() && read.ptr == number.data() + number.size() &&
-                             (index > 0 ? index <= all[i] : index < 0 && -index <= before[i]);
-        if (!isThere && (i != 1 || !number.empty())) // only the middle one may be left out
-            return false;
-        if (number.size() == word.size())
-            return true;
-        word.remove_prefix(number.size() + 1);
-        if (i == 0 && word.empty()) // "3/", which some write
-            return true;
-    }
-    return false;
+    long index = 0;
+    const auto read = std::from_chars(number.data(), number.data() + number.size(), index);
+    return read.ec == std::errc() && read.ptr == number.data() + number.size() &&
+           (index > 0 ? index <= all : index < 0 && index >= -before);
 }
 
-bool isBadFace(std::string_view line, const Counts& before, const Counts& all)
+/// A face as its corners' words: "3", "3/1", "3//2" or "3/1/2".
+struct Face {
+    std::vector<std::array<std::string_view, 3>> corners{};
+    std::array<bool, 3> areThere{true, true, true}; ///< in every corner, where they are named at all: place, texture coordinate, normal
+};
+
+Face faceOf(std::string_view words, const Counts& before, const Counts& all)
 {
-    if (nextWord(line) != "f")
-        return false;
-    for (std::string_view word = nextWord(line); !word.empty() && word.front() != '#'; word = nextWord(line))
-        if (word != "\\" && !isCorner(word, before, all))
-            return true;
-    return false;
+    Face face;
+    for (std::string_view word = nextWord(words); !word.empty() && word.front() != '#'; word = nextWord(words)) {
+        if (word == "\\")
+            continue;
+        std::array<std::string_view, 3>& corner = face.corners.emplace_back();
+        for (size_t i = 0; i < 3; ++i) {
+            corner[i] = word.substr(0, word.find('/'));
+            word.remove_prefix(std::min(corner[i].size() + 1, word.size()));
+            if ((i == 0 || !corner[i].empty()) && !exists(corner[i], before[i], all[i]))
+                face.areThere[i] = false;
+        }
+        if (!word.empty())
+            face.areThere[0] = false;
+    }
+    return face;
+}
+
+/// The face without the texture coordinates or normals that are not there.
+std::string written(const Face& face)
+{
+    std::string line = "f";
+    for (const auto& corner : face.corners) {
+        const std::string_view coordinate = face.areThere[1] ? corner[1] : "", normal = face.areThere[2] ? corner[2] : "";
+        line += ' ';
+        line += corner[0];
+        if (!coordinate.empty() || !normal.empty())
+            (line += '/') += coordinate;
+        if (!normal.empty())
+            (line += '/') += normal;
+    }
+    return line + '\n';
 }
 
 } // namespace
@@ -78,13 +98,17 @@ ObjText withoutBadFaces(const std::string& text)
     for (std::string_view rest = text; !rest.empty();) {
         const std::string_view line = nextLine(rest);
         count(line, before);
-        const bool isBad = !continues && isBadFace(line, before, all);
+        std::string_view words = line;
+        const bool isFace = !continues && nextWord(words) == "f";
         const size_t last = line.find_last_not_of(" \t\r\n");
         continues = last != line.npos && line[last] == '\\';
-        if (isBad && !continues)
-            ++result.dropped;
-        else
+        const Face face = isFace ? faceOf(words, before, all) : Face{};
+        if (continues || face.areThere == Face{}.areThere)
             result.text += line;
+        else if (face.areThere[0])
+            result.text += written(face);
+        else
+            ++result.dropped;
     }
     return result;
 }

@@ -139,8 +139,9 @@ TEST_F(Faults, AKillAtAnyMomentLeavesOldOrNewFilesAndTheNextRunCleansUp)
             interrupt(work, folder.path(), seconds, SIGKILL);
             const Contents now = contentsOf(folder.path());
             const size_t fresh = expectWhole(now, before, after, work.name);
-            if (const std::string manifest = "export-manifest.json"; now.contains(manifest) && now.at(manifest) == after.at(manifest))
+            if (const std::string manifest = "export-manifest.json"; now.contains(manifest) && now.at(manifest) == after.at(manifest)) {
                 EXPECT_EQ(fresh, after.size()) << work.name << ": the manifest is renamed last";
+            }
             Process again(work.call(folder.path(), 1));
             ASSERT_EQ(again.wait(), 0);
             EXPECT_EQ(contentsOf(folder.path()), after) << work.name;
