@@ -31,6 +31,33 @@ void addReportCommand(CLI::App& program, int argc, const char* const* argv);
 Parameterization parseKind(const std::string& option, const std::string& word);
 inline double radians(double degrees) { return degrees * pi / 180.0; }
 
+/// The numbers that an option takes; NaN is in no range. For `->check(...)` where the option is declared. (CLI::Range lets NaN pass.)
+CLI::Validator within(double low, double high);
+/// The same without `low` itself.
+CLI::Validator above(double low, double high);
+/// An angle in degrees: a thousand turns are nobody's wish.
+CLI::Validator anAngle();
+/// Threads to work on; 0: one per core.
+CLI::Validator aThreadCount();
+/// A map's edge in texels.
+CLI::Validator anEdge();
+
+/// Refuses numbers that are not finite, in every option of every command: a last line behind the ranges of the options themselves.
+void refuseInfinities(CLI::App& program);
+
+/// An output that an option names, and the option, for messages.
+struct NamedOutput {
+    std::string option;
+    std::vector<std::filesystem::path> files;
+};
+/// The file of an option that may be left out.
+inline std::vector<std::filesystem::path> filesOf(const std::string& file)
+{
+    return file.empty() ? std::vector<std::filesystem::path>{} : std::vector<std::filesystem::path>{file};
+}
+/// Before any work. @throws InvalidArgument when two outputs are one file, naming both options
+void checkOutputsDiffer(const std::vector<NamedOutput>& outputs);
+
 /// Writes what `--stats FILE` asks for as JSON, whole or not at all: {"stages":[{"name","seconds","left_out","why"}], "method",
 /// "band_limit", "predicted_error", "threads", "peak_bytes"}. The stages are those that were done, with their times, and those that the
 /// plan left out.

@@ -124,12 +124,14 @@ void addExportCommand(CLI::App& program)
         known += (known.empty() ? "" : ", ") + std::string(profile.word);
     command->add_option("--for", o->engine, "write the light as this engine takes it: " + known);
     command->add_option("--probe", o->probe, "with --for: a probe in place of a scene");
-    command->add_option("--size", o->size, "with --for: edge of the largest cube face, or height of the latlong, in texels");
+    command->add_option("--size", o->size, "with --for: edge of the largest cube face, or height of the latlong, in texels")
+        ->check(anEdge());
     command->add_option("--name", o->name, "with --for: names the files; the folder's name where it is left out");
-    command->add_option("--yaw", o->yawDeg, "with --for: turns the environment about +Y, counterclockwise from above, in degrees");
+    command->add_option("--yaw", o->yawDeg, "with --for: turns the environment about +Y, counterclockwise from above, in degrees")
+        ->check(anAngle());
     command->add_option("--encode", o->encode, "with --for playcanvas: rgbp or rgbm; bevy: rgba16f, rgba32f, r11g11b10 or e5b9g9r9");
     command->add_flag("--zstd", o->zstd, "with --for: compress .ktx2 files with Zstandard");
-    command->add_option("--threads", o->threads, "threads; 0: one per core")->check(CLI::Range(0, 1024));
+    command->add_option("--threads", o->threads, "threads; 0: one per core")->check(aThreadCount());
     command->add_flag("--explain", o->explain, "print what is done, what is left out, and why; then do it");
     command->add_option("--stats", o->stats, "write times, method and predicted error to this JSON file");
     command->callback([o] { run(*o); });

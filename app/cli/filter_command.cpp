@@ -229,6 +229,10 @@ void run(const Options& o)
     ReadProbeOptions read;
     if (!o.from.empty())
         read.from = parseKind("--from", o.from);
+    std::vector<MapLayout> layouts;
+    for (const PrefilterOptions& options : levels)
+        layouts.push_back(options.target);
+    checkOutputsDiffer({{"--output", mapFiles(o.out, layouts)}, {"--stats", filesOf(o.stats)}});
     const JobControl job = jobWithProgress("filter", o.threads);
     WorkRecord record;
     ProbeFile file(o.probe, read);
@@ -273,30 +277,34 @@ void addFilterCommand(CLI::App& program)
     command->add_option("--for", o->engine, "turn and mirror the map as this engine looks it up (latlong or cube)");
     command->add_option("--encode", o->encode, "of 8-bit formats: filmic (as without it), srgb, or in a .png rgbe, rgbm, rgbd, rgbp");
     command->add_option("--brdf", o->brdf, "in place of a lobe: MODEL[:key=value,...] or a measured file, as `mirrorball brdf` takes it");
-    command->add_option("--view", o->viewDeg, "brdf: the angle between normal and view, in degrees");
-    command->add_option("--azimuth", o->azimuthDeg, "brdf: of the normal about r, 0 where it lies towards +Y of r's meridian, in degrees");
-    command->add_option("--exponent", o->exponent, "phong: exponent, at least 0");
-    command->add_option("--roughness", o->roughness, "ggx: alpha is its square; phong: the exponent is its inverse");
-    command->add_option("--alpha", o->alpha, "ggx: width in [0, 1]; 0 is a mirror");
+    command->add_option("--view", o->viewDeg, "brdf: the angle between normal and view, in degrees")->check(within(0, 90));
+    command->add_option("--azimuth", o->azimuthDeg, "brdf: of the normal about r, 0 where it lies towards +Y of r's meridian, in degrees")
+        ->check(anAngle());
+    command->add_option("--exponent", o->exponent, "phong: exponent, at least 0")->check(within(0, 1e300));
+    command->add_option("--roughness", o->roughness, "ggx: alpha is its square; phong: the exponent is its inverse")->check(within(0, 1));
+    command->add_option("--alpha", o->alpha, "ggx: width in [0, 1]; 0 is a mirror")->check(within(0, 1));
     command->add_option("--to", o->to, "parameterization of the output (KIND)")->required();
-    command->add_option("--size", o->size, "face edge, disc edge, latlong height or octahedral edge, in texels")->required();
+    command->add_option("--size", o->size, "face edge, disc edge, latlong height or octahedral edge, in texels")
+        ->check(anEdge())
+        ->required();
     command->add_option("--from", o->from, "parameterization of the input, where it is not to be found out (KIND)");
-    command->add_option("--yaw", o->yawDeg, "turn the environment about +Y, counterclockwise from above, in degrees");
-    command->add_option("--border", o->border, "texels kept free outside each disc of a paraboloid map");
+    command->add_option("--yaw", o->yawDeg, "turn the environment about +Y, counterclockwise from above, in degrees")->check(anAngle());
+    command->add_option("--border", o->border, "texels kept free outside each disc of a paraboloid map")->check(within(0, 4096));
     command->add_flag("--mips", o->mips,
                       "every mip level, down to one texel; ggx without a roughness makes the chain of roughness 0 to 1 from base to top");
     command->add_option("--method", o->method,
                         "auto, reference, spectral, direct, hierarchical, importance, paraboloid, mip or sh9; brdf: sum, stack, "
                         "lookups:K, split-sum or round");
-    command->add_option("--tolerance", o->tolerance, "largest rel_rms error against the reference sum, in (0, 1]");
-    command->add_option("--samples", o->samples, "importance: samples of the lobe a texel (1024)");
-    command->add_option("--lambda", o->lambda, "mip: least level of detail of the environment; without it matched to the lobe by width");
+    command->add_option("--tolerance", o->tolerance, "largest rel_rms error against the reference sum, in (0, 1]")->check(above(0, 1));
+    command->add_option("--samples", o->samples, "importance: samples of the lobe a texel (1024)")->check(within(1, 1 << 20));
+    command->add_option("--lambda", o->lambda, "mip: least level of detail of the environment; without it matched to the lobe by width")
+        ->check(within(0, 32));
     command->add_option("--mip-filtering", o->mipFiltering, "mip: across-seams, or per-face as the hardware of 2002 did");
     ParaboloidKnobs knobs;
     ParaboloidKnobs::visitFields(knobs, [&](const Field& field, auto&) {
         command->add_option(optionOf(field), o->paraboloid[optionOf(field)], std::string(field.help));
     });
-    command->add_option("--threads", o->threads, "threads; 0: one per core")->check(CLI::Range(0, 1024));
+    command->add_option("--threads", o->threads, "threads; 0: one per core")->check(aThreadCount());
     command->add_flag("--half", o->half, "16-bit floats, where the format has them");
     command->add_flag("--explain", o->explain, "print what is done, what is left out, and why; then do it");
     command->add_option("--stats", o->stats, "write times, method and predicted error to this JSON file");
