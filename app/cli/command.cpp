@@ -90,18 +90,23 @@ void checkOutputsDiffer(const std::vector<NamedOutput>& outputs)
         }
 }
 
-void writeStats(const std::filesystem::path& path, const Stats& stats)
+void writeStats(const std::filesystem::path& path, const std::vector<Stage>& plan, const WorkRecord& work, int threads)
 {
     nlohmann::json stages = nlohmann::json::array();
-    for (const Stage& stage : stats.stages)
+    const auto add = [&](const Stage& stage) {
         stages.push_back({{"name", stage.name}, {"seconds", stage.seconds}, {"left_out", stage.leftOut}, {"why", stage.why}});
+    };
+    std::for_each(work.stages.begin(), work.stages.end(), add);
+    for (const Stage& stage : plan)
+        if (stage.leftOut)
+            add(stage);
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     const nlohmann::json record{{"stages", stages},
-                                {"method", stats.method},
-                                {"band_limit", stats.bandLimit},
-                                {"predicted_error", stats.predictedError},
-                                {"threads", stats.threads},
+                                {"method", work.methods.empty() ? "lookup" : work.methodText()},
+                                {"band_limit", work.bandLimit},
+                                {"predicted_error", work.predictedError},
+                                {"threads", threads},
                                 {"peak_bytes", static_cast<std::int64_t>(usage.ru_maxrss) * 1024}};
     const std::string text = record.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
     AtomicFile file(path);

@@ -2,6 +2,7 @@
 
 #include "core/base/job.h"
 #include "core/base/stage.h"
+#include "core/scene/scene_maps.h"
 #include "core/sphere/parameterization.h"
 
 #include <CLI/CLI.hpp>
@@ -16,6 +17,7 @@ namespace mirrorball::cli {
 
 void addInfoCommand(CLI::App& program);
 void addBrdfCommand(CLI::App& program);
+void addDoctorCommand(CLI::App& program);
 void addConvertCommand(CLI::App& program);
 void addFilterCommand(CLI::App& program);
 void addRenderCommand(CLI::App& program);
@@ -56,17 +58,10 @@ inline std::vector<std::filesystem::path> filesOf(const std::string& file)
 /// Before any work. @throws InvalidArgument when two outputs are one file, naming both options
 void checkOutputsDiffer(const std::vector<NamedOutput>& outputs);
 
-/// The record that `--stats FILE` writes: {"stages":[{"name","seconds","left_out","why"}], "method", "band_limit", "predicted_error",
-/// "threads", "peak_bytes"}, as in DESIGN 6.
-struct Stats {
-    std::vector<Stage> stages{};
-    std::string method{};
-    int bandLimit = 0;
-    double predictedError = 0.0;
-    int threads = 1;
-};
-/// Writes it as JSON, whole or not at all.
-void writeStats(const std::filesystem::path& path, const Stats& stats);
+/// Writes what `--stats FILE` asks for as JSON, whole or not at all: {"stages":[{"name","seconds","left_out","why"}], "method",
+/// "band_limit", "predicted_error", "threads", "peak_bytes"}. The stages are those that were done, with their times, and those that the
+/// plan left out.
+void writeStats(const std::filesystem::path& path, const std::vector<Stage>& plan, const WorkRecord& record, int threads);
 
 /// Prints stages as a table for `--explain`: name, needed or left out, what it is expected to cost where the plan knows, why.
 void printStages(const std::vector<Stage>& stages);

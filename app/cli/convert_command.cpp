@@ -2,6 +2,7 @@
 
 #include "core/image/map_file.h"
 #include "core/image/mip_pyramid.h"
+#include "core/image/probe_file.h"
 #include "core/image/reproject.h"
 
 #include <memory>
@@ -30,8 +31,7 @@ void run(const Options& o)
         layouts.push_back(levelLayout(target, i));
     checkOutputsDiffer({{"--output", mapFiles(o.out, layouts)}});
     const JobControl job = jobWithProgress("convert", o.threads);
-    std::vector<Stage> stages;
-    const Probe probe = readProbe(o.probe, read, job, stages);
+    const Probe probe = readProbe(o.probe, read, job);
     EnvironmentMap map = reproject(probe.map, {.target = target, .yaw = radians(o.yawDeg)}, job);
     std::vector<EnvironmentMap> levels;
     if (o.mips)

@@ -1,5 +1,4 @@
 #include "command.h"
-#include "scene_stats.h"
 
 #include "core/base/error.h"
 #include "core/scene/engine_scene_export.h"
@@ -91,7 +90,7 @@ void runForEngine(const Options& o)
     for (const std::string& warning : done.warnings)
         std::fprintf(stderr, "mirrorball: note: %s\n", warning.c_str());
     if (!o.stats.empty())
-        writeStats(o.stats, {.stages = done.stages, .method = "auto", .threads = job.threadCount()});
+        writeStats(o.stats, {}, {.stages = done.stages, .methods = {"auto"}}, job.threadCount());
 }
 
 void run(const Options& o)
@@ -105,15 +104,15 @@ void run(const Options& o)
             "--size, --name, --probe, --yaw, --encode and --zstd: belong to --for ENGINE; a scene's exports say these themselves");
     const Scene scene = sceneOf(o);
     const JobControl job = jobWithProgress("export", o.threads);
-    const PlanRequest request{.picture = false, .exports = o.only};
-    const Plan plan = makePlan(scene, probeLayout(scene, request), request);
+    PlannedScene planned = planExports(scene, {.only = o.only});
+    const std::vector<Stage> plan = planned.plan.stages;
     if (o.explain)
-        printStages(plan.stages);
-    const ExportOutcome outcome = exportScene(scene, o.folder, {.only = o.only}, job);
+        printStages(plan);
+    const ExportOutcome outcome = exportPlanned(std::move(planned), o.folder, job);
     for (const std::filesystem::path& file : outcome.files)
         std::printf("%s\n", file.string().c_str());
     if (!o.stats.empty())
-        writeStats(o.stats, sceneStats(plan, outcome.record, job.threadCount()));
+        writeStats(o.stats, plan, outcome.record, job.threadCount());
 }
 
 } // namespace

@@ -131,29 +131,31 @@ void filterByBrdf(const BrdfFilterOptions& o)
         throw InvalidArgument("--tolerance: must lie in (0, 1]");
     const MapLayout target{.kind = parseKind("--to", o.to), .size = o.size, .border = o.border};
     validate(target);
+    checkMapFile(o.out, target);
     ReadProbeOptions read;
     if (!o.from.empty())
         read.from = parseKind("--from", o.from);
     const Brdf brdf = brdfFromText(o.brdf);
 
     const JobControl job = jobWithProgress("filter", o.threads);
-    Stats stats{.method = "brdf " + o.method, .threads = job.threadCount()};
-    FilterSource source(readProbe(o.probe, read, job, stats.stages).map, job);
+    Probe probe = readProbe(o.probe, read, job);
+    WorkRecord record{.stages = std::move(probe.stages), .methods = {"brdf " + o.method}};
+    FilterSource source(std::move(probe.map), job);
     Made made;
-    timedStage(stats.stages, "filter " + describe(brdf), [&] { made = make(source, o, choice, brdf, target, job); });
-    stats.stages.back().why = made.why;
-    stats.bandLimit = made.bandLimit;
-    stats.predictedError = made.predictedError;
+    timedStage(record.stages, "filter " + describe(brdf), [&] { made = make(source, o, choice, brdf, target, job); });
+    record.stages.back().why = made.why;
+    record.bandLimit = made.bandLimit;
+    record.predictedError = made.predictedError;
     WriteOptions write{.sampleType = o.half ? SampleType::Half : SampleType::Float};
     write.attributes["mirrorball:brdf"] = describe(brdf);
     write.attributes["mirrorball:view"] = std::to_string(*o.viewDeg);
     write.attributes["mirrorball:azimuth"] = std::to_string(o.azimuthDeg);
     write.attributes["mirrorball:indexed_by"] = "reflection";
     if (o.explain)
-        printStages(stats.stages);
-    timedStage(stats.stages, "save map", [&] { writeMap(o.out, {made.map}, write); });
+        printStages(record.stages);
+    timedStage(record.stages, "save map", [&] { writeMap(o.out, {made.map}, write); });
     if (!o.stats.empty())
-        writeStats(o.stats, stats);
+        writeStats(o.stats, {}, record, job.threadCount());
 }
 
 } // namespace mirrorball::cli

@@ -6,6 +6,7 @@
 #include "core/image/map_file.h"
 #include "core/image/mip_pyramid.h"
 #include "core/preview/paraboloid_blur.h"
+#include "core/scene/scene_maps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -168,13 +169,6 @@ std::vector<PrefilterOptions> parseJobs(const Options& o)
     return jobs;
 }
 
-std::string sizeText(const MapLayout& layout)
-{
-    std::ostringstream text;
-    text << name(layout.kind) << ' ' << layout.width() << " x " << layout.height();
-    return text.str();
-}
-
 void runBrdf(const Options& o)
 {
     refuse(!o.lobe.empty(), "--lobe", "given beside --brdf; give one of them");
@@ -208,8 +202,8 @@ void run(const Options& o)
     }
     refuse(o.lobe.empty(), "--lobe", "is missing; give phong, diffuse or ggx, or a BRDF by --brdf");
     refuse(o.viewDeg.has_value(), "--view", "belongs to --brdf");
-    const std::vector<PrefilterOptions> jobs = parseJobs(o);
-    checkMapFile(o.out, jobs.front().target);
+    const std::vector<PrefilterOptions> levels = parseJobs(o);
+    checkMapFile(o.out, levels.front().target);
     ReadProbeOptions read;
     if (!o.from.empty())
         read.from = parseKind("--from", o.from);
@@ -218,56 +212,29 @@ void run(const Options& o)
         layouts.push_back(options.target);
     checkOutputsDiffer({{"--output", mapFiles(o.out, layouts)}, {"--stats", filesOf(o.stats)}});
     const JobControl job = jobWithProgress("filter", o.threads);
-    Stats stats{.threads = job.threadCount()};
-    OpenedSource opened = openFilterSource(o.probe, read, jobs, job, stats.stages);
+    WorkRecord record;
+    ProbeFile file(o.probe, read);
+    const Plan plan = timedStage(record.stages, "plan", [&] { return planFilters(o.probe, file.layout(), levels, o.out); });
+    if (o.explain)
+        printStages(plan.stages);
+
+    OpenedSource opened = openFilterSource(file, levels, job);
     opened.source.useParaboloidDevice(std::make_shared<preview::ParaboloidBlur>()); // starts no GPU before it is asked
+    record += {.stages = std::move(opened.stages)};
+    SceneProbe probe{.source = std::move(opened.source)};
+    BuiltMap built = buildMap(plan.exports.front().map, probe, 0.0, job);
+    record += std::move(built.record);
 
-    if (o.explain) {
-        std::vector<Stage> plan = stats.stages;
-        for (const PrefilterOptions& options : jobs) {
-            const PrefilterPlan p = planPrefilter(options, traits(opened.source));
-            std::ostringstream why;
-            why.precision(3);
-            if (p.filtered)
-                why << "to " << sizeText(options.target) << " by " << name(p.method) << ": " << p.why;
-            else
-                why << p.why;
-            if (p.filtered && p.method == Method::Spectral)
-                why << "; band limit " << p.bandLimit << " at most";
-            plan.push_back({.name = "filter " + describe(options.lobe),
-                            .leftOut = !p.filtered,
-                            .why = why.str(),
-                            .expected = {p.predictedSeconds, std::int64_t{12} * options.target.width() * options.target.height()}});
-        }
-        if (!o.mips)
-            plan.push_back({.name = "mip levels", .leftOut = true, .why = "not asked for (--mips)"});
-        plan.push_back({.name = "save map", .why = o.out});
-        printStages(plan);
-    }
-
-    std::vector<EnvironmentMap> maps;
-    std::string roughnesses;
-    for (const PrefilterOptions& options : jobs) {
-        PrefilterOutcome outcome = prefilter(opened.source, options, job);
-        for (Stage& stage : outcome.stages) {
-            stage.name += jobs.size() > 1 ? " " + describe(options.lobe) : "";
-            stats.stages.push_back(std::move(stage));
-        }
-        if (outcome.filtered)
-            stats.method = name(outcome.method);
-        stats.bandLimit = std::max(stats.bandLimit, outcome.bandLimit);
-        stats.predictedError = std::max(stats.predictedError, outcome.predictedError);
-        maps.push_back(std::move(outcome.map));
-        roughnesses += (roughnesses.empty() ? "" : " ") + describe(options.lobe);
-    }
-    if (stats.method.empty())
-        stats.method = "lookup";
-    WriteOptions write{.sampleType = o.half ? SampleType::Half : SampleType::Float};
-    write.attributes["mirrorball:lobes"] = roughnesses;
-    write.attributes["mirrorball:indexed_by"] = jobs.front().lobe.kind == LobeKind::Diffuse ? "normal" : "reflection";
-    timedStage(stats.stages, "save map", [&] { writeMap(o.out, maps, write); });
+    std::string lobes;
+    for (const PrefilterOptions& level : levels)
+        lobes += (lobes.empty() ? "" : " ") + describe(level.lobe);
+    const WriteOptions write{
+        .sampleType = o.half ? SampleType::Half : SampleType::Float,
+        .attributes = {{"mirrorball:lobes", lobes},
+                       {"mirrorball:indexed_by", levels.front().lobe.kind == LobeKind::Diffuse ? "normal" : "reflection"}}};
+    timedStage(record.stages, "save map", [&] { writeMap(o.out, built.levels, write); });
     if (!o.stats.empty())
-        writeStats(o.stats, stats);
+        writeStats(o.stats, plan.stages, record, job.threadCount());
 }
 
 } // namespace

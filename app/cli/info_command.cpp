@@ -1,6 +1,6 @@
 #include "command.h"
 
-#include "core/image/map_file.h"
+#include "core/image/probe_file.h"
 #include "core/image/probe_statistics.h"
 #include "core/preview/mesh_file.h"
 
@@ -41,8 +41,7 @@ void run(const Options& o)
     ReadProbeOptions read;
     if (!o.from.empty())
         read.from = parseKind("--from", o.from);
-    std::vector<Stage> stages;
-    const Probe probe = readProbe(o.probe, read, jobWithProgress("info", o.threads), stages);
+    const Probe probe = readProbe(o.probe, read, jobWithProgress("info", o.threads));
     const ProbeStatistics s = statistics(probe.map);
     const MapLayout& layout = probe.map.layout;
     const std::string kind(name(layout.kind));

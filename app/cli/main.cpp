@@ -72,6 +72,7 @@ int main(int argc, char** argv)
                    "Exit status: 0 done; 1 the work failed; 2 the arguments or the input are wrong.");
     cli::addInfoCommand(program);
     cli::addConvertCommand(program);
+    cli::addDoctorCommand(program);
     cli::addFilterCommand(program);
     cli::addBrdfCommand(program);
     cli::addRenderCommand(program);

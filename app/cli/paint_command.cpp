@@ -55,7 +55,7 @@ void run(const Options& o)
         if (!o.saved.empty())
             saveSphereMap(document, o.saved);
         if (!o.stats.empty())
-            writeStats(o.stats, {.stages = stages, .method = "paint", .threads = job.threadCount()});
+            writeStats(o.stats, {}, {.stages = stages, .methods = {"paint"}}, job.threadCount());
     };
     if (!o.specular.empty()) {
         const MatcapPasses passes =

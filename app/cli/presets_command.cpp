@@ -88,11 +88,9 @@ Image geometrySheet(const std::string& geometry, int size, const JobControl& job
         scene.view.camera.distance = 2.6;
         scene.view.background.kind = Backdrop::None;
         scene.material.sphereMap.source = map.name;
-        const Plan plan = makePlan(scene, probeLayout(scene));
-        WorkRecord record;
-        SceneProbe probe = openProbe(scene, plan, job, record);
-        pictures.push_back(
-            renderer.renderRadiance(preview::renderSettings(scene, plan), preview::renderMaps(buildMaps(scene, plan, probe, job, record))));
+        PlannedScene planned = planScene(scene);
+        const preview::RenderSettings settings = preview::renderSettings(scene, planned.plan);
+        pictures.push_back(renderer.renderRadiance(settings, preview::renderMaps(buildMaps(std::move(planned), job))));
     }
     return contactSheet(pictures, sheetLayout(pictures.size()).columns, ground);
 }

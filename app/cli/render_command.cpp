@@ -1,5 +1,4 @@
 #include "command.h"
-#include "scene_stats.h"
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
@@ -161,16 +160,15 @@ void run(const Options& o)
     checkOutputsDiffer({{"--output", {o.out}}, {"--save-scene", filesOf(o.saved)}, {"--stats", filesOf(o.stats)}});
     const Scene scene = makeScene(o);
     const JobControl job = jobWithProgress("render", o.threads);
-    const Plan plan = makePlan(scene, probeLayout(scene));
+    PlannedScene planned = planScene(scene);
+    const std::vector<Stage> plan = planned.plan.stages;
     if (o.explain)
-        printStages(plan.stages);
-
-    WorkRecord record;
-    preview::savePicture(scene, plan, o.out, job, record);
+        printStages(plan);
+    const WorkRecord record = preview::savePicture(std::move(planned), o.out, job);
     if (!o.saved.empty())
         saveScene(scene, o.saved);
     if (!o.stats.empty())
-        writeStats(o.stats, sceneStats(plan, record, job.threadCount()));
+        writeStats(o.stats, plan, record, job.threadCount());
 }
 
 /// The name that an option's value has in the help: its words or its range.

@@ -50,6 +50,8 @@ std::unique_ptr<ImageReader> openImage(const std::filesystem::path& path);
 
 /// The whole image as linear RGB. @throws FileError
 Image readImage(const std::filesystem::path& path, const JobControl& job = {});
+/// The same of a file that is open and was not read yet.
+Image readImage(ImageReader& reader, const JobControl& job = {});
 
 /// A pass of a layered OpenEXR file (Blender's matcaps have `diffuse` and `specular`), as linear RGB. Nothing where the file has no pass of
 /// that name, which no other format has. @throws FileError

@@ -1,9 +1,7 @@
 #include "map_file.h"
 
-#include "builtin_probes.h"
 #include "color.h"
 #include "image_format.h"
-#include "layout_detection.h"
 #include "opacity.h"
 
 #include "core/base/atomic_file.h"
@@ -17,7 +15,6 @@ namespace mirrorball {
 
 namespace {
 
-constexpr std::string_view builtinPrefix = "builtin:";
 constexpr std::array<std::string_view, 6> faceNames{"px", "nx", "py", "ny", "pz", "nz"};
 
 /// NAME.LEVEL.EXT, or where the name has a `%d` the level in its place.
@@ -96,25 +93,6 @@ Image face(const Image& cube, int index)
 }
 
 } // namespace
-
-Probe readProbe(const std::string& probe, const ReadProbeOptions& options, const JobControl& job, std::vector<Stage>& stages)
-{
-    Probe result;
-    if (probe.starts_with(builtinPrefix)) {
-        result.map = timedStage(stages, "compute probe",
-                                [&] { return renderBuiltinProbe(probe.substr(builtinPrefix.size()), builtinProbeLayout, job); });
-        result.origin = "built in";
-        return result;
-    }
-    const Detection detection = detectLayout(openImage(probe)->info(), options.from);
-    Image image = timedStage(stages, "read probe", [&] { return readImage(probe, job); });
-    result.repaired = timedStage(stages, "repair", [&] { return repair(image, options.negatives); });
-    stages.back().why = describe(result.repaired);
-    result.origin = detection.reason;
-    result.certain = detection.certain;
-    result.map = toEnvironmentMap(std::move(image), detection, job);
-    return result;
-}
 
 namespace {
 

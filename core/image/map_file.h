@@ -3,35 +3,13 @@
 #include "environment_map.h"
 #include "file_names.h"
 #include "image_io.h"
-#include "repair.h"
-
-#include "core/base/job.h"
-#include "core/base/stage.h"
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
-/// Environment maps as files: what the command line, scenes and the studio read and write alike.
+/// Environment maps as files: what the command line, scenes and the studio write alike.
 namespace mirrorball {
-
-struct ReadProbeOptions {
-    std::optional<Parameterization> from{}; ///< forces the parameterization; empty: found out from the file
-    NegativePolicy negatives = NegativePolicy::Keep;
-};
-
-struct Probe {
-    EnvironmentMap map{};
-    RepairReport repaired{};
-    std::string origin{}; ///< how the parameterization was found, in words
-    bool certain = true;  ///< false: a guess by shape alone (a square may be angular, sphere or octahedral)
-};
-
-/// Reads `probe`, a path or `builtin:NAME`, repairs it (repair.h) and finds out its parameterization (layout_detection.h).
-/// Appends its stages ("read probe", "compute probe", "repair").
-/// @throws FileError, InvalidArgument
-Probe readProbe(const std::string& probe, const ReadProbeOptions& options, const JobControl& job, std::vector<Stage>& stages);
 
 /// The files that writeMap() makes of levels of these layouts, in its order; nothing is opened.
 /// @throws InvalidArgument for an extension that cannot be written, or a `%s` in the name of a map that is no cube; refuseDoubtfulLevel()

@@ -3,8 +3,6 @@
 #include "export.h"
 #include "scene_maps.h"
 
-#include "core/image/map_file.h"
-
 #include <cmath>
 
 namespace mirrorball {
@@ -28,16 +26,16 @@ void addMatcap(const Scene& scene, const std::string& name, const std::filesyste
 EngineExport exportForEngine(const Scene& scene, const EngineProfile& profile, EngineExportOptions options,
                              const std::filesystem::path& folder, const JobControl& job)
 {
-    planEngineExport(profile, options, probeLayout(scene)); // refuses before any work
+    ProbeFile file = openProbeFile(scene);
+    planEngineExport(profile, options, file.layout()); // refuses before any work
     options.yaw = scene.probe.yawDeg * pi / 180.0;
-    std::vector<Stage> stages;
-    Probe probe = readProbe(resolved(scene, scene.probe.source), {.from = scene.probe.parameterization}, partOf(job, 0.0f, 0.2f), stages);
+    Probe probe = file.read(partOf(job, 0.0f, 0.2f));
     if (scene.probe.exposure != 0.0)
         for (float& value : probe.map.image.texels)
             value *= static_cast<float>(std::exp2(scene.probe.exposure));
     FilterSource source(std::move(probe.map), job);
     EngineExport done = exportForEngine(source, profile, options, folder, partOf(job, 0.2f, 1.0f));
-    done.stages.insert(done.stages.begin(), stages.begin(), stages.end());
+    done.stages.insert(done.stages.begin(), probe.stages.begin(), probe.stages.end());
     if (profile.word == "blender" && !scene.material.sphereMap.isNone())
         addMatcap(scene, options.name, folder, job, done);
     return done;

@@ -29,4 +29,8 @@ struct ExportOutcome {
 ExportOutcome exportScene(const Scene& scene, const std::filesystem::path& folder, const ExportOptions& options = {},
                           const JobControl& job = {});
 
+/// The same in two steps: the plan, which opens the probe's header, and what is done as it says.
+PlannedScene planExports(const Scene& scene, const ExportOptions& options = {});
+ExportOutcome exportPlanned(PlannedScene planned, const std::filesystem::path& folder, const JobControl& job = {});
+
 } // namespace mirrorball
