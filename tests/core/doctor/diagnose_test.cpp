@@ -41,8 +41,9 @@ TEST(Diagnosis, FindsNoFaultInACleanChainAndNamesItsLaw)
         EXPECT_EQ(describe(*d.orientation), "not mirrored");
         for (const LevelDiagnosis& level : d.levels) {
             const double asked = levelRoughness(c.law, static_cast<int>(&level - d.levels.data()), c.levels, c.size);
-            if (asked > 0.1)
+            if (asked > 0.1) {
                 EXPECT_NEAR(std::sqrt(level.fit.alpha), asked, 0.02) << diagnosisText(d);
+            }
             EXPECT_LT(level.mended.relRms, 0.01) << diagnosisText(d);
         }
     }
