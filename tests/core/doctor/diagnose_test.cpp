@@ -274,6 +274,17 @@ TEST(Diagnosis, SaysThatAConstantEnvironmentTellsNoOrientation)
     EXPECT_FALSE(d.orientation->certain());
 }
 
+TEST(Diagnosis, FindsNoFaultInADiffuseMapAlone)
+{
+    for (const char* probe : {"axes", "studio"}) {
+        const EnvironmentMap source = renderBuiltinProbe(probe, {Parameterization::Latlong, 128, 0});
+        const auto diffuse = filteredChain(source, {.size = 32, .levels = 1, .lobe = [](int) { return diffuseLobe(); }});
+        const Diagnosis d = diagnose(stored(diffuse), source);
+        EXPECT_TRUE(d.clean()) << diagnosisText(d);
+        EXPECT_GT(d.levels.front().fit.alpha, 0.97);
+    }
+}
+
 TEST(Diagnosis, NamesValuesThatAreNoNumbers)
 {
     std::vector<EnvironmentMap> chain = axesChain();
