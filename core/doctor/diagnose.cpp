@@ -175,11 +175,6 @@ void findClipping(Work& work, const EnvironmentMap& probe)
     EnvironmentMap& first = work.levels.front();
     if (d.transfer.transfer > Transfer::SrgbDecoded)
         return;
-    // A smooth map has many texels near its largest value, and less light there than the probe.
-    const int size = quarterTexels(first.layout);
-    const LobeFit smooth = fitLobe(lobeProblem(first, work.source->spectrum(lobeBandLimit, work.job), work.job), size);
-    if (smooth.alpha > 4.0 * unresolvedAlpha(size) && smooth.residual < 0.15)
-        return;
     const EnvironmentMap truth = truthOf(*work.source, ggxLobe(0.0), first.layout, 1e-2, work.job);
     const int charts = pictures(first.layout);
     const double scale = fitTransfer(averaged(first.image, charts, 32), averaged(truth.image, charts, 32)).exposure;
@@ -205,6 +200,11 @@ void findClipping(Work& work, const EnvironmentMap& probe)
     const bool ends =
         isFormatLimit(clipping.value) || d.levels.front().repaired.positiveInfinity > 0 || (same >= 4 && clipping.texels >= 4);
     if (!ends || clipping.lost < 1e-3 || clipping.texels == 0)
+        return;
+    // A smooth map has many texels near its largest value, and less light there than the probe.
+    const int size = quarterTexels(first.layout);
+    const LobeFit smooth = fitLobe(lobeProblem(first, work.source->spectrum(lobeBandLimit, work.job), work.job), size);
+    if (smooth.alpha > 4.0 * unresolvedAlpha(size) && smooth.residual < 0.15)
         return;
     EnvironmentMap clipped = probe;
     for (float& t : clipped.image.texels)
