@@ -230,8 +230,8 @@ void run(const Options& o)
     if (!o.from.empty())
         read.from = parseKind("--from", o.from);
     std::vector<MapLayout> layouts;
-    for (const PrefilterOptions& options : levels)
-        layouts.push_back(options.target);
+    for (const PrefilterOptions& level : levels)
+        layouts.push_back(level.target);
     checkOutputsDiffer({{"--output", mapFiles(o.out, layouts)}, {"--stats", filesOf(o.stats)}});
     const JobControl job = jobWithProgress("filter", o.threads);
     WorkRecord record;

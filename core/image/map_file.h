@@ -11,7 +11,6 @@
 /// Environment maps as files: what the command line, scenes and the studio write alike.
 namespace mirrorball {
 
-
 /// The files that writeMap() makes of levels of these layouts, in its order; nothing is opened.
 /// @throws InvalidArgument for an extension that cannot be written, or a `%s` in the name of a map that is no cube; refuseDoubtfulLevel()
 std::vector<std::filesystem::path> mapFiles(const std::filesystem::path& out, const std::vector<MapLayout>& levels);

@@ -77,7 +77,8 @@ TEST(ForeignFiles, HostileOnesCostLittleAndGiveOneLine)
         const char* word;
     };
     const std::string dpx = "SDPX" + std::string(2044, '\x7f'), iff = "FOR4" + big(456) + "CIMG" + std::string(452, '\x41');
-    for (const Hostile& file : {Hostile{"dpx.hdr", dpx, "no image of a known format"}, Hostile{"dpx.png", dpx, ".png"},
+    for (const Hostile& file : {Hostile{"dpx.hdr", dpx, "no image of a known format"},
+                                Hostile{"row.hdr", "#?RADIANCE\n\n-Y 1 +X 259153249\n12345678", "row.hdr"}, Hostile{"dpx.png", dpx, ".png"},
                                 Hostile{"a.iff", iff, "no image of a known format"}, Hostile{"a.psd", psd(30000, 30000), "a.psd"},
                                 Hostile{"wide.psd", psd(200000, 1000), "wide.psd"}, Hostile{"a.ply", endlessPly(), "a.ply"},
                                 Hostile{"a.webp", "RIFF" + std::string(4, '\xff') + "WEBPVP8L" + std::string(300, '\xff'), "a.webp"},

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/image/color.h"
 #include "core/image/map_file.h"
+#include "core/image/probe_file.h"
 #include "core/sphere/cube_map.h"
 
 #include <nlohmann/json.hpp>
@@ -24,11 +25,7 @@ namespace {
 
 using nlohmann::json;
 
-FilterSource sourceOf(const std::string& probe)
-{
-    std::vector<Stage> stages;
-    return FilterSource(readProbe(probe, {}, {}, stages).map);
-}
+FilterSource sourceOf(const std::string& probe) { return FilterSource(readProbe(probe).map); }
 
 /// A picture from a client, RGB, top row first.
 struct Picture {
@@ -288,8 +285,7 @@ Verdict judge(const json& manifest)
 void plant(const std::string& fault, const std::string& engine, const std::string& probeName, const std::string& folder)
 {
     EngineProfile profile = engineProfile(engine);
-    std::vector<Stage> stages;
-    EnvironmentMap map = readProbe(probeName, {}, {}, stages).map;
+    EnvironmentMap map = readProbe(probeName).map;
     EngineExportOptions options{.name = engine};
     if (fault == "flip") {
         profile.cube = profile.cube == mirroredInX() ? CubeOrientation{} : mirroredInX();

@@ -317,7 +317,7 @@ void ExportDialogTest::keepsWhatEachKindUnderstands()
     target.border = 2;
     QCOMPARE(withMips(target, Mips::All).border, 0);
     QCOMPARE(withKind(target, ExportKind::Diffuse).border, 0);
-    const ExportTarget pictures = withMips(withFormat(target, exportFormats().back()), Mips::All);
+    const ExportTarget pictures = withMips(withFormat(target, exportFormats()[5]), Mips::All);
     QVERIFY(pictures.mips);
     QVERIFY(!withKind(pictures, ExportKind::Source).mips); // a map of the probe has no numbered files unless its name says so
     const ExportTarget numbered = withLevelFiles(pictures, LevelFiles::Each);
