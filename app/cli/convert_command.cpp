@@ -1,9 +1,7 @@
 #include "command.h"
 
-#include "core/image/map_file.h"
 #include "core/image/mip_pyramid.h"
-#include "core/image/probe_file.h"
-#include "core/image/reproject.h"
+#include "core/image/probe_resampling.h"
 
 #include <memory>
 
@@ -12,7 +10,7 @@ namespace mirrorball::cli {
 namespace {
 
 struct Options {
-    std::string probe, out, to, from;
+    std::string probe, out, to, from, resample = "linear";
     int size = 0, border = 0, threads = 0;
     double yawDeg = 0.0;
     bool mips = false, half = false;
@@ -31,8 +29,9 @@ void run(const Options& o)
         layouts.push_back(levelLayout(target, i));
     checkOutputsDiffer({{"--output", mapFiles(o.out, layouts)}});
     const JobControl job = jobWithProgress("convert", o.threads);
-    const Probe probe = readProbe(o.probe, read, job);
-    EnvironmentMap map = reproject(probe.map, {.target = target, .yaw = radians(o.yawDeg)}, job);
+    const ReprojectOptions options{
+        .target = target, .yaw = radians(o.yawDeg), .resample = o.resample == "cubic" ? Resample::Cubic : Resample::Linear};
+    EnvironmentMap map = readResampled(ProbeFile(o.probe, read), options, job).map;
     std::vector<EnvironmentMap> levels;
     if (o.mips)
         levels = buildMipPyramid(map, job).levels;
@@ -56,6 +55,8 @@ void addConvertCommand(CLI::App& program)
     command->add_option("--from", o->from, "parameterization of the input, where it is not to be found out (KIND)");
     command->add_option("--yaw", o->yawDeg, "turn the environment about +Y, counterclockwise from above, in degrees")->check(anAngle());
     command->add_option("--border", o->border, "texels kept free outside each disc of a paraboloid map")->check(within(0, 4096));
+    command->add_option("--resample", o->resample, "between texels where the output is finer than the probe: linear or cubic")
+        ->check(CLI::IsMember({"linear", "cubic"}));
     command->add_flag("--mips", o->mips, "add the mip levels, filtered across seams");
     command->add_flag("--half", o->half, "16-bit floats (.exr, .tif)");
     command->add_option("--threads", o->threads, "threads; 0: one per core")->check(aThreadCount());
