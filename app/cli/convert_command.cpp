@@ -1,4 +1,5 @@
 #include "command.h"
+#include "frames.h"
 
 #include "core/image/mip_pyramid.h"
 #include "core/image/probe_resampling.h"
@@ -10,13 +11,13 @@ namespace mirrorball::cli {
 namespace {
 
 struct Options {
-    std::string probe, out, to, from, resample = "linear";
+    std::string probe, out, to, from, frames, resample = "linear";
     int size = 0, border = 0, threads = 0;
     double yawDeg = 0.0;
     bool mips = false, half = false;
 };
 
-void run(const Options& o)
+void runOne(const Options& o, const JobControl& job)
 {
     const MapLayout target{.kind = parseKind("--to", o.to), .size = o.size, .border = o.border};
     validate(target);
@@ -28,7 +29,6 @@ void run(const Options& o)
     for (int i = 0; i < (o.mips ? levelCount(target) : 1); ++i)
         layouts.push_back(levelLayout(target, i));
     checkOutputsDiffer({{"--output", mapFiles(o.out, layouts)}});
-    const JobControl job = jobWithProgress("convert", o.threads);
     const ReprojectOptions options{
         .target = target, .yaw = radians(o.yawDeg), .resample = o.resample == "cubic" ? Resample::Cubic : Resample::Linear};
     EnvironmentMap map = readResampled(ProbeFile(o.probe, read), options, job).map;
@@ -38,6 +38,20 @@ void run(const Options& o)
     else
         levels.push_back(std::move(map));
     writeMap(o.out, levels, {.sampleType = o.half ? SampleType::Half : SampleType::Float});
+}
+
+void run(const Options& o)
+{
+    if (o.frames.empty()) {
+        runOne(o, jobWithProgress("convert", o.threads));
+        return;
+    }
+    forFrames(o.frames, {o.out}, o.threads, FramesAtOnce::PerCore, [&](int frame, const JobControl& job) {
+        Options one = o;
+        for (std::string* name : {&one.probe, &one.out})
+            *name = withFrame(*name, frame);
+        runOne(one, job);
+    });
 }
 
 } // namespace
@@ -59,6 +73,7 @@ void addConvertCommand(CLI::App& program)
         ->check(CLI::IsMember({"linear", "cubic"}));
     command->add_flag("--mips", o->mips, "add the mip levels, filtered across seams");
     command->add_flag("--half", o->half, "16-bit floats (.exr, .tif)");
+    command->add_option("--frames", o->frames, "make every frame of a sequence, FIRST-LAST; #### in names stands for the frame's number");
     command->add_option("--threads", o->threads, "threads; 0: one per core")->check(aThreadCount());
     command->callback([o] { run(*o); });
 }

@@ -2,6 +2,7 @@
 
 #include "exr_format.h"
 #include "image_format.h"
+#include "input_checks.h"
 #include "opacity.h"
 #include "openimageio_loader.h"
 

@@ -59,6 +59,8 @@ struct Tile {
     std::vector<std::pair<int, OutlinePiece>> pieces{}; ///< by texel, where not
     std::vector<char> lookedUp{};                       ///< by texel: its value is the lookup at its centre
     std::vector<double> sums{};                         ///< 4 a texel
+
+    void putOff() { *this = Tile{.x = x, .y = y, .columns = columns, .rows = rows, .firstRow = firstRow}; }
 };
 
 /// Corners of a tile's finer grid as directions in the source.
@@ -183,13 +185,14 @@ int Remapper::earliestRow(const Tile& tile) const
     const int x0 = tile.x * m_side, y0 = tile.y * m_side, x1 = x0 + tile.columns * m_side, y1 = y0 + tile.rows * m_side;
     std::vector<glm::dvec3> border;
     const auto add = [&](int x, int y) { border.push_back(m_outlines.directionIn(x0, y0, {x, y})); };
-    for (int x = x0; x < x1; ++x)
+    constexpr int step = 4;
+    for (int x = x0; x < x1; x += step)
         add(x, y0);
-    for (int y = y0; y < y1; ++y)
+    for (int y = y0; y < y1; y += step)
         add(x1, y);
-    for (int x = x1; x > x0; --x)
+    for (int x = x1; x > x0; x -= step)
         add(x, y1);
-    for (int y = y1; y > y0; --y)
+    for (int y = y1; y > y0; y -= step)
         add(x0, y);
     unsigned common = ~0u;
     for (const glm::dvec3& d : border)
@@ -284,13 +287,15 @@ void Remapper::outlineGrid(Tile& tile, const Corners& corners, int chart) const
             twice += (tile.px[b] - tile.px[a]) * (tile.py[d] - tile.py[c]) - (tile.py[b] - tile.py[a]) * (tile.px[d] - tile.px[c]);
         }
     tile.sign = twice < 0.0 ? -1.0 : 1.0;
-    tile.endRow = static_cast<int>(std::ceil(*std::max_element(tile.py.begin(), tile.py.end())));
+    const auto [least, most] = std::minmax_element(tile.py.begin(), tile.py.end());
+    tile.firstRow = std::max(0, static_cast<int>(*least));
+    tile.endRow = static_cast<int>(std::ceil(*most));
 }
 
 /// Texel by texel: a quadrilateral where straight edges do and one chart holds it.
 void Remapper::outlineTexels(Tile& tile, const Corners& corners, bool straight) const
 {
-    double last = 0.0;
+    double first = m_charts.layout().height(), last = 0.0;
     for (int j = 0; j + 1 < corners.rows; ++j)
         for (int i = 0; i + 1 < corners.columns; ++i) {
             const int texel = j / m_side * tile.columns + i / m_side, x = tile.x * m_side + i, y = tile.y * m_side + j;
@@ -317,11 +322,14 @@ void Remapper::outlineTexels(Tile& tile, const Corners& corners, bool straight) 
                 pieces = m_outlines.pieces(x, y);
             }
             for (OutlinePiece& piece : pieces) {
-                for (const glm::dvec2& p : piece.corners)
+                for (const glm::dvec2& p : piece.corners) {
+                    first = std::min(first, p.y);
                     last = std::max(last, p.y);
+                }
                 tile.pieces.emplace_back(texel, std::move(piece));
             }
         }
+    tile.firstRow = std::max(0, static_cast<int>(first));
     tile.endRow = static_cast<int>(std::ceil(last));
 }
 
@@ -410,8 +418,14 @@ EnvironmentMap Remapper::run(const RowReader& readRows, const float* texels, con
             [&](int from, int to) {
                 for (int i = from; i < to; ++i) {
                     Tile& tile = m_tiles[active[static_cast<size_t>(i)]];
+                    if (tile.firstRow >= y + count && !last)
+                        continue;
                     if (!tile.begun)
                         begin(tile);
+                    if (tile.firstRow >= y + count && !last) { // too early after all: what is known of it would lie about till then
+                        tile.putOff();
+                        continue;
+                    }
                     add(tile);
                     if (tile.endRow > y + count && !last)
                         continue;
