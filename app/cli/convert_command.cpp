@@ -1,6 +1,7 @@
 #include "command.h"
 #include "frames.h"
 
+#include "core/image/map_file.h"
 #include "core/image/mip_pyramid.h"
 #include "core/image/probe_resampling.h"
 
