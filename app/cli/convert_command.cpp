@@ -1,10 +1,10 @@
 #include "command.h"
 #include "engine_words.h"
+#include "frames.h"
 
 #include "core/image/map_file.h"
 #include "core/image/mip_pyramid.h"
-#include "core/image/probe_file.h"
-#include "core/image/reproject.h"
+#include "core/image/probe_resampling.h"
 
 #include <memory>
 
@@ -13,13 +13,13 @@ namespace mirrorball::cli {
 namespace {
 
 struct Options {
-    std::string probe, out, to, from, engine, encode;
+    std::string probe, out, to, from, engine, encode, frames, resample = "linear";
     int size = 0, border = 0, threads = 0;
     double yawDeg = 0.0;
     bool mips = false, half = false;
 };
 
-void run(const Options& o)
+void runOne(const Options& o, const JobControl& job)
 {
     const MapLayout target{.kind = parseKind("--to", o.to), .size = o.size, .border = o.border};
     validate(target);
@@ -33,9 +33,10 @@ void run(const Options& o)
     for (int i = 0; i < (o.mips ? levelCount(target) : 1); ++i)
         layouts.push_back(levelLayout(target, i));
     checkOutputsDiffer({{"--output", mapFiles(o.out, layouts)}});
-    const JobControl job = jobWithProgress("convert", o.threads);
-    const Probe probe = readProbe(o.probe, read, job);
-    EnvironmentMap map = reproject(probe.map, {.target = target, .yaw = radians(o.yawDeg + turn.yawDeg)}, job);
+    const ReprojectOptions options{.target = target,
+                                   .yaw = radians(o.yawDeg + turn.yawDeg),
+                                   .resample = o.resample == "cubic" ? Resample::Cubic : Resample::Linear};
+    EnvironmentMap map = readResampled(ProbeFile(o.probe, read), options, job).map;
     std::vector<EnvironmentMap> levels;
     if (o.mips)
         levels = buildMipPyramid(map, job).levels;
@@ -43,6 +44,20 @@ void run(const Options& o)
         levels.push_back(std::move(map));
     store(levels, turn.orientation);
     writeMap(o.out, levels, write);
+}
+
+void run(const Options& o)
+{
+    if (o.frames.empty()) {
+        runOne(o, jobWithProgress("convert", o.threads));
+        return;
+    }
+    forFrames(o.frames, {o.out}, o.threads, FramesAtOnce::PerCore, [&](int frame, const JobControl& job) {
+        Options one = o;
+        for (std::string* name : {&one.probe, &one.out})
+            *name = withFrame(*name, frame);
+        runOne(one, job);
+    });
 }
 
 } // namespace
@@ -60,10 +75,13 @@ void addConvertCommand(CLI::App& program)
     command->add_option("--from", o->from, "parameterization of the input, where it is not to be found out (KIND)");
     command->add_option("--yaw", o->yawDeg, "turn the environment about +Y, counterclockwise from above, in degrees")->check(anAngle());
     command->add_option("--border", o->border, "texels kept free outside each disc of a paraboloid map")->check(within(0, 4096));
+    command->add_option("--resample", o->resample, "between texels where the output is finer than the probe: linear or cubic")
+        ->check(CLI::IsMember({"linear", "cubic"}));
     command->add_flag("--mips", o->mips, "add the mip levels, filtered across seams");
     command->add_flag("--half", o->half, "16-bit floats, where the format has them");
     command->add_option("--for", o->engine, "turn and mirror the map as this engine looks it up (latlong or cube)");
     command->add_option("--encode", o->encode, "of 8-bit formats: filmic (as without it), srgb, or in a .png rgbe, rgbm, rgbd, rgbp");
+    command->add_option("--frames", o->frames, "make every frame of a sequence, FIRST-LAST; #### in names stands for the frame's number");
     command->add_option("--threads", o->threads, "threads; 0: one per core")->check(aThreadCount());
     command->callback([o] { run(*o); });
 }

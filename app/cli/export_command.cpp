@@ -1,4 +1,5 @@
 #include "command.h"
+#include "frames.h"
 
 #include "core/base/error.h"
 #include "core/scene/engine_scene_export.h"
@@ -15,7 +16,7 @@ namespace mirrorball::cli {
 namespace {
 
 struct Options {
-    std::string scene, folder, stats, engine, probe, name;
+    std::string scene, folder, stats, engine, probe, name, frames;
     std::vector<std::string> only, encode;
     int threads = 0, size = 0;
     double yawDeg = 0.0;
@@ -56,7 +57,7 @@ EngineExportOptions engineOptions(const Options& o, const EngineProfile& profile
     return options;
 }
 
-void runForEngine(const Options& o)
+void runForEngine(const Options& o, const JobControl& job)
 {
     const EngineProfile& profile = engineProfile(o.engine);
     if (!o.only.empty())
@@ -68,7 +69,6 @@ void runForEngine(const Options& o)
     checkedSize(profile, options.size);
     Scene scene = sceneOf(o);
     scene.probe.yawDeg += o.yawDeg;
-    const JobControl job = jobWithProgress("export", o.threads);
     if (o.explain) {
         std::vector<Stage> stages;
         for (const EngineFilePlan& file : planEngineExport(profile, options, probeLayout(scene)))
@@ -88,17 +88,16 @@ void runForEngine(const Options& o)
         writeStats(o.stats, {}, {.stages = done.stages, .methods = {"auto"}}, job.threadCount());
 }
 
-void run(const Options& o)
+void runOne(const Options& o, const JobControl& job)
 {
     if (!o.engine.empty()) {
-        runForEngine(o);
+        runForEngine(o, job);
         return;
     }
     if (o.size != 0 || !o.name.empty() || !o.probe.empty() || !o.encode.empty() || o.zstd || o.yawDeg != 0.0)
         throw InvalidArgument(
             "--size, --name, --probe, --yaw, --encode and --zstd: belong to --for ENGINE; a scene's exports say these themselves");
     const Scene scene = sceneOf(o);
-    const JobControl job = jobWithProgress("export", o.threads);
     PlannedScene planned = planExports(scene, {.only = o.only});
     const std::vector<Stage> plan = planned.plan.stages;
     if (o.explain)
@@ -108,6 +107,20 @@ void run(const Options& o)
         std::printf("%s\n", file.string().c_str());
     if (!o.stats.empty())
         writeStats(o.stats, plan, outcome.record, job.threadCount());
+}
+
+void run(const Options& o)
+{
+    if (o.frames.empty()) {
+        runOne(o, jobWithProgress("export", o.threads));
+        return;
+    }
+    forFrames(o.frames, {o.folder, o.stats}, o.threads, FramesAtOnce::One, [&](int frame, const JobControl& job) {
+        Options one = o;
+        for (std::string* name : {&one.scene, &one.folder, &one.stats, &one.probe, &one.name})
+            *name = withFrame(*name, frame);
+        runOne(one, job);
+    });
 }
 
 } // namespace
@@ -131,6 +144,7 @@ void addExportCommand(CLI::App& program)
         ->check(anAngle());
     command->add_option("--encode", o->encode, "with --for playcanvas: rgbp or rgbm; bevy: rgba16f, rgba32f, r11g11b10 or e5b9g9r9");
     command->add_flag("--zstd", o->zstd, "with --for: compress .ktx2 files with Zstandard");
+    command->add_option("--frames", o->frames, "make every frame of a sequence, FIRST-LAST; #### in names stands for the frame's number");
     command->add_option("--threads", o->threads, "threads; 0: one per core")->check(aThreadCount());
     command->add_flag("--explain", o->explain, "print what is done, what is left out, and why; then do it");
     command->add_option("--stats", o->stats, "write times, method and predicted error to this JSON file");

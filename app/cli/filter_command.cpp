@@ -1,6 +1,7 @@
 #include "command.h"
 #include "engine_words.h"
 #include "filter_brdf.h"
+#include "frames.h"
 
 #include "core/base/error.h"
 #include "core/filter/source_file.h"
@@ -21,7 +22,7 @@ namespace mirrorball::cli {
 namespace {
 
 struct Options {
-    std::string probe, out, lobe, to, from, method = "auto", stats, law, engine, encode;
+    std::string probe, out, lobe, to, from, method = "auto", stats, law, engine, encode, frames;
     std::optional<int> levels;
     std::optional<double> exponent, roughness, alpha, lambda;
     std::optional<int> samples;
@@ -214,12 +215,8 @@ void runBrdf(const Options& o)
                   .explain = o.explain});
 }
 
-void run(const Options& o)
+void runOne(const Options& o, const JobControl& job)
 {
-    if (!o.brdf.empty()) {
-        runBrdf(o);
-        return;
-    }
     refuse(o.lobe.empty() && o.law.empty(), "--lobe",
            "is missing; give phong, diffuse or ggx, a BRDF by --brdf, or an engine's chain by --law");
     refuse(o.viewDeg.has_value(), "--view", "belongs to --brdf");
@@ -233,7 +230,6 @@ void run(const Options& o)
     for (const PrefilterOptions& level : levels)
         layouts.push_back(level.target);
     checkOutputsDiffer({{"--output", mapFiles(o.out, layouts)}, {"--stats", filesOf(o.stats)}});
-    const JobControl job = jobWithProgress("filter", o.threads);
     WorkRecord record;
     ProbeFile file(o.probe, read);
     const Plan plan = timedStage(record.stages, "plan", [&] { return planFilters(o.probe, file.layout(), levels, o.out); });
@@ -259,6 +255,26 @@ void run(const Options& o)
     timedStage(record.stages, "save map", [&] { writeMap(o.out, built.levels, write); });
     if (!o.stats.empty())
         writeStats(o.stats, plan.stages, record, job.threadCount());
+}
+
+void run(const Options& o)
+{
+    if (!o.brdf.empty()) {
+        refuse(!o.frames.empty(), "--frames", "belongs to lobes, not to --brdf");
+        runBrdf(o);
+        return;
+    }
+    if (o.frames.empty()) {
+        runOne(o, jobWithProgress("filter", o.threads));
+        return;
+    }
+    refuse(o.explain, "--explain", "explains one frame; leave out --frames");
+    forFrames(o.frames, {o.out, o.stats}, o.threads, FramesAtOnce::PerCore, [&](int frame, const JobControl& job) {
+        Options one = o;
+        for (std::string* name : {&one.probe, &one.out, &one.stats})
+            *name = withFrame(*name, frame);
+        runOne(one, job);
+    });
 }
 
 } // namespace
@@ -304,6 +320,7 @@ void addFilterCommand(CLI::App& program)
     ParaboloidKnobs::visitFields(knobs, [&](const Field& field, auto&) {
         command->add_option(optionOf(field), o->paraboloid[optionOf(field)], std::string(field.help));
     });
+    command->add_option("--frames", o->frames, "make every frame of a sequence, FIRST-LAST; #### in names stands for the frame's number");
     command->add_option("--threads", o->threads, "threads; 0: one per core")->check(aThreadCount());
     command->add_flag("--half", o->half, "16-bit floats, where the format has them");
     command->add_flag("--explain", o->explain, "print what is done, what is left out, and why; then do it");

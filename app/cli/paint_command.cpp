@@ -1,4 +1,5 @@
 #include "command.h"
+#include "frames.h"
 
 #include "core/base/error.h"
 #include "core/image/image_format.h"
@@ -16,7 +17,7 @@ namespace mirrorball::cli {
 namespace {
 
 struct Options {
-    std::string document, out, saved, stats;
+    std::string document, out, saved, stats, frames;
     int size = 512, border = 0, threads = 0;
     std::vector<std::string> specular;
     bool levels = false, half = false;
@@ -34,7 +35,7 @@ SphereMapDocument findDocument(const std::string& word)
     throw InvalidArgument("'" + word + "' is neither a sphere map file nor a preset (" + known + ")");
 }
 
-void run(const Options& o)
+void runOne(const Options& o, const JobControl& job)
 {
     if (!o.specular.empty())
         passFormat(o.out);
@@ -46,7 +47,6 @@ void run(const Options& o)
         checkOutputsDiffer({{"--output", {o.out}}, {"--save-document", filesOf(o.saved)}, {"--stats", filesOf(o.stats)}});
     std::vector<Stage> stages;
     const SphereMapDocument document = timedStage(stages, "read document", [&] { return findDocument(o.document); });
-    const JobControl job = jobWithProgress("paint", o.threads);
     if (o.size <= 2 * o.border)
         throw InvalidArgument("--border: must leave room for the map between the borders of a picture of " + std::to_string(o.size) +
                               " texels; it is " + std::to_string(o.border));
@@ -71,6 +71,20 @@ void run(const Options& o)
     const std::vector<Image> levels = timedStage(stages, "evaluate", [&] { return paintedPictures(document, options, job); });
     timedStage(stages, "write map", [&] { writePictures(o.out, levels, writeOptions); });
     writeTheRest();
+}
+
+void run(const Options& o)
+{
+    if (o.frames.empty()) {
+        runOne(o, jobWithProgress("paint", o.threads));
+        return;
+    }
+    forFrames(o.frames, {o.out, o.saved, o.stats}, o.threads, FramesAtOnce::PerCore, [&](int frame, const JobControl& job) {
+        Options one = o;
+        for (std::string* name : {&one.document, &one.out, &one.saved, &one.stats})
+            *name = withFrame(*name, frame);
+        runOne(one, job);
+    });
 }
 
 } // namespace
@@ -101,6 +115,7 @@ void addPaintCommand(CLI::App& program)
         ->excludes(levels);
     command->add_flag("--half", o->half, "16-bit floats (.exr, .tif)");
     command->add_option("--save-document", o->saved, "also write the document to this .spheremap file, to start from a preset");
+    command->add_option("--frames", o->frames, "make every frame of a sequence, FIRST-LAST; #### in names stands for the frame's number");
     command->add_option("--threads", o->threads, "threads; 0: one per core")->check(aThreadCount());
     command->add_option("--stats", o->stats, "write times to this JSON file");
     command->callback([o] { run(*o); });

@@ -1,4 +1,5 @@
 #include "command.h"
+#include "frames.h"
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
@@ -54,7 +55,7 @@ constexpr std::array fieldOptions{
 };
 
 struct Options {
-    std::string scene, probe, material, geometry, size, camera, out, saved, stats;
+    std::string scene, probe, material, geometry, size, camera, out, saved, stats, frames;
     std::map<std::string, std::string> fields; ///< by flag, as typed
     std::vector<std::string> set;
     int threads = 0;
@@ -153,13 +154,12 @@ Scene makeScene(const Options& o)
     return scene;
 }
 
-void run(const Options& o)
+void runOne(const Options& o, const JobControl& job)
 {
     writableFormat(o.out);
     checkTarget(o.out);
     checkOutputsDiffer({{"--output", {o.out}}, {"--save-scene", filesOf(o.saved)}, {"--stats", filesOf(o.stats)}});
     const Scene scene = makeScene(o);
-    const JobControl job = jobWithProgress("render", o.threads);
     PlannedScene planned = planScene(scene);
     const std::vector<Stage> plan = planned.plan.stages;
     if (o.explain)
@@ -169,6 +169,24 @@ void run(const Options& o)
         saveScene(scene, o.saved);
     if (!o.stats.empty())
         writeStats(o.stats, plan, record, job.threadCount());
+}
+
+void run(const Options& o)
+{
+    if (o.frames.empty()) {
+        runOne(o, jobWithProgress("render", o.threads));
+        return;
+    }
+    forFrames(o.frames, {o.out, o.saved, o.stats}, o.threads, FramesAtOnce::One, [&](int frame, const JobControl& job) {
+        Options one = o;
+        for (std::string* name : {&one.scene, &one.probe, &one.material, &one.geometry, &one.out, &one.saved, &one.stats})
+            *name = withFrame(*name, frame);
+        for (auto& [flag, value] : one.fields)
+            value = withFrame(value, frame);
+        for (std::string& assignment : one.set)
+            assignment = withFrame(assignment, frame);
+        runOne(one, job);
+    });
 }
 
 /// The name that an option's value has in the help: its words or its range.
@@ -206,6 +224,7 @@ void addRenderCommand(CLI::App& program)
     command->add_option("--set", o->set, "FIELD=VALUE: any field of the scene file, such as view.background.blur=0.5")
         ->allow_extra_args(false);
     command->add_option("--save-scene", o->saved, "write the scene that was drawn, options and all, to this .mirrorball file");
+    command->add_option("--frames", o->frames, "make every frame of a sequence, FIRST-LAST; #### in names stands for the frame's number");
     command->add_option("--threads", o->threads, "threads; 0: one per core")->check(aThreadCount());
     command->add_flag("--explain", o->explain, "print what is done, what is left out, and why; then do it");
     command->add_option("--stats", o->stats, "write times, method and predicted error to this JSON file");

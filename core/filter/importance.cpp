@@ -4,7 +4,7 @@
 
 #include "core/base/multiversion.h"
 #include "core/image/mip_pyramid.h"
-#include "core/image/spline_lookup.h"
+#include "core/image/smoothed_poles.h"
 
 #include <algorithm>
 #include <array>

@@ -270,7 +270,7 @@ void checkPlausible(const std::filesystem::path& file, const Imf::Header& header
     const Box2i window = header.dataWindow();
     const long long width = static_cast<long long>(window.max.x) - window.min.x + 1;
     const long long height = static_cast<long long>(window.max.y) - window.min.y + 1;
-    checkImageSize(path, width, height);
+    checkImageSize(path, width, height, maxStreamedTexels);
     // Subsampled channels count in full below; a factor of 4 pays for them.
     const auto bytes = static_cast<std::uint64_t>(width * height * bytesPerTexel(header.channels())) / 4;
     if (bytes / compressionKinds[header.compression()].largestRatio > std::filesystem::file_size(file))

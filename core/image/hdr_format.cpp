@@ -155,7 +155,8 @@ void parseResolution(const std::string& path, const std::string& line, Header& h
     const size_t x = header.order.transposed ? 0 : 1;
     header.order.leftward = signs[x] == '-';
     header.order.upward = signs[1 - x] == '+';
-    checkImageSize(path, sizes[x], sizes[1 - x]);
+    const bool streams = !header.order.transposed && !header.order.upward;
+    checkImageSize(path, sizes[x], sizes[1 - x], streams ? maxStreamedTexels : maxTexels);
     checkLength(path, sizes[x] * sizes[1 - x]);
     header.width = static_cast<int>(sizes[x]);
     header.height = static_cast<int>(sizes[1 - x]);

@@ -2,6 +2,7 @@
 
 #include "exr_format.h"
 #include "image_format.h"
+#include "input_checks.h"
 #include "opacity.h"
 #include "openimageio_loader.h"
 
@@ -126,6 +127,10 @@ Image readImage(ImageReader& reader, const JobControl& job)
     const int width = reader.info().width;
     const int height = reader.info().height;
     const auto rowFloats = 3 * static_cast<size_t>(width);
+    if (static_cast<long long>(width) * height > maxTexels)
+        throw FileError(reader.info().path.string(),
+                        "its " + std::to_string(width) + " x " + std::to_string(height) +
+                            " texels are more than the 2^28 that are held at once; convert it to a smaller map first");
     Image image;
     image.width = width;
     image.height = height;

@@ -47,10 +47,11 @@ public:
     virtual void readRows(int firstRow, int rows, float* rgb) = 0;
 };
 
-/// @throws FileError for a missing, empty, damaged, absurdly large (over 2^28 texels) or unknown file
+/// @throws FileError for a missing, empty, damaged, absurdly large (over 2^30 texels; over 2^28 where the
+/// format has no rows to be read by themselves) or unknown file
 std::unique_ptr<ImageReader> openImage(const std::filesystem::path& path);
 
-/// The whole image as linear RGB. @throws FileError
+/// The whole image as linear RGB. @throws FileError, also for more than 2^28 texels
 Image readImage(const std::filesystem::path& path, const JobControl& job = {});
 /// The same of a file that is open and was not read yet.
 Image readImage(ImageReader& reader, const JobControl& job = {});

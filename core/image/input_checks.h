@@ -13,17 +13,22 @@
 /// What every reader of image files checks the same way.
 namespace mirrorball {
 
-/// The largest image that is opened: 16384 x 16384. A header that asks for more is damaged or not an environment map.
+/// The largest image that is held whole: 16384 x 16384.
 inline constexpr long long maxTexels = 1LL << 28;
+/// The largest image that is opened where rows can be read without holding the others: 32768 x 32768. A header that asks for more is
+/// damaged or not an environment map.
+inline constexpr long long maxStreamedTexels = 1LL << 30;
 
+/// @param most  maxTexels or maxStreamedTexels
 /// @throws FileError for a size that no image has, before anything is allocated for it
-inline void checkImageSize(const std::string& path, long long width, long long height)
+inline void checkImageSize(const std::string& path, long long width, long long height, long long most = maxTexels)
 {
     const std::string size = std::to_string(width) + " x " + std::to_string(height) + " texels";
     if (width < 1 || height < 1)
         throw FileError(path, "its header claims " + size + "; the file is damaged, export or download it again");
-    if (width > maxTexels || height > maxTexels || width * height > maxTexels)
-        throw FileError(path, "its header claims " + size + "; at most 2^28 are read, scale it down first");
+    if (width > most || height > most || width * height > most)
+        throw FileError(path, "its header claims " + size + "; at most " + (most == maxTexels ? "2^28" : "2^30") +
+                                  " are read, scale it down first");
 }
 
 /// The matrix from a file's primaries to Rec.709. Nothing for Rec.709 itself (to 1e-4: files round) and for all zeros, which some

@@ -1,25 +1,39 @@
 #pragma once
 
 #include "environment_map.h"
+#include "lookup.h"
 
 #include "core/base/job.h"
+
+#include <functional>
 
 namespace mirrorball {
 
 struct ReprojectOptions {
     MapLayout target{};
-    double yaw = 0.0; ///< radians; turns the environment about +Y, from +Z towards +X: L'(d) = L(yawed(d, -yaw))
+    double yaw = 0.0;                     ///< radians; turns the environment about +Y, from +Z towards +X: L'(d) = L(yawed(d, -yaw))
+    Resample resample = Resample::Linear; ///< where texels become smaller
 };
 
 /// Resamples a map to another parameterization, size or yaw.
 ///
-/// Where a target texel is no larger than the source's, the value is the bilinear lookup at its centre. Where it is larger, it is the mean
-/// over the texel, weighted by solid angle, of sub-samples. When all are larger, those read a level of the source's mip pyramid whose
-/// texels are at most three quarters of the target's smallest, smoothed by a cubic B-spline and spaced by half a texel of that level.
-/// Texels outside a disc continue it. The same layout without yaw returns the source as it is. A constant map stays constant; the mean
-/// radiance is kept to about 1e-3 when minifying, even of a single bright texel.
+/// A target texel is the mean, by solid angle, of the source over it, each texel of the source taken as a patch of its radiance: what sums
+/// of ever finer samples converge to (remap.h). So a constant stays constant and the mean radiance stays the source's, even of a single
+/// bright texel: to 1e-4 where all texels become larger. A texel smaller than the source's in both directions is the lookup at its centre.
+/// Texels at a disc's rim stand for their part inside, those outside continue the map. The same layout without yaw returns the source as
+/// it is.
 /// @throws InvalidArgument for a layout out of range; Cancelled
 EnvironmentMap reproject(const EnvironmentMap& source, const ReprojectOptions& options, const JobControl& job = {});
+
+/// Reads rows [firstRow, firstRow + rows) as RGB; asked for in order from the top.
+using RowReader = std::function<void(int firstRow, int rows, float* rgb)>;
+
+/// Whether reprojectRows() can make that target: a source whose rows stand for themselves (no disc), and no texel smaller than its.
+bool canReprojectRows(const MapLayout& source, const ReprojectOptions& options);
+/// reproject() of a source that is read once, row by row, and never held.
+/// @throws InvalidArgument for a layout out of range, or where canReprojectRows() is false; Cancelled; what `readRows` throws
+EnvironmentMap reprojectRows(const MapLayout& source, const RowReader& readRows, const ReprojectOptions& options,
+                             const JobControl& job = {});
 
 /// A latlong image whose first and last texels lie *on* the seam and the poles, as OpenEXR's envmap "latlong" (ImfEnvmap.h: longitude
 /// pi - 2 pi x/(W-1), latitude pi/2 - pi y/(H-1)), resampled to texel centres by bilinear interpolation: a map of size H.

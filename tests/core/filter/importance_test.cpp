@@ -1,7 +1,7 @@
 #include "core/filter/importance.h"
 #include "core/filter/prefilter.h"
 #include "core/image/builtin_probes.h"
-#include "core/image/spline_lookup.h"
+#include "core/image/smoothed_poles.h"
 #include "core/report/error_metrics.h"
 #include "support/directions.h"
 #include "support/probe_builders.h"

@@ -121,8 +121,8 @@ TEST_F(HostileFiles, RefusesSizesBeyondTheLimitWithoutTakingMemory)
 {
     const long before = peakKilobytes();
     const std::string header = "#?RADIANCE\n\n";
-    EXPECT_THAT(errorOf(header + "-Y 16385 +X 16384\n" + std::string(5000, '\x02')), HasSubstr("2^28"));
-    EXPECT_THAT(errorOf(header + "-Y 99999999999999999999 +X 99999999999999999999\n"), HasSubstr("2^28"));
+    EXPECT_THAT(errorOf(header + "-Y 32769 +X 32768\n" + std::string(5000, '\x02')), HasSubstr("2^30"));
+    EXPECT_THAT(errorOf(header + "-Y 99999999999999999999 +X 99999999999999999999\n"), HasSubstr("2^30"));
     EXPECT_THAT(errorOf(header + "-Y 0 +X 5\n"), HasSubstr("damaged"));
     EXPECT_THAT(errorOf(header + "-Y -5 +X 5\n"), HasSubstr("damaged"));
     EXPECT_THAT(errorOf(header + "-Y 8192 +X 16384\n" + std::string(5000, '\x02')), HasSubstr("too short"));

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 namespace mirrorball {
 namespace {
 
@@ -70,7 +72,7 @@ TEST(Reproject, EveryTexelShowsWhatLiesInItsDirectionFromAnyToAny)
                         if (!isInside(target, x, y))
                             continue;
                         const glm::dvec3 d = texelDirection(target, x, y);
-                        double bound = 0.35 * angle;
+                        double bound = 0.4 * angle;
                         if (d.z < -0.8 && (source.kind == Parameterization::Sphere || target.kind == Parameterization::Sphere))
                             bound = 2.0 * std::sqrt(2.0 / std::min(to, 64));
                         const glm::dvec3 error = glm::abs(0.5 * d + 0.5 - texel(result.image, x, y));
@@ -134,6 +136,166 @@ TEST(Reproject, SunsKeepTheirEnergyInEveryKindOfSmallerMap)
             const double tolerance = target.border > 0 ? 2e-2 : 4e-3;
             EXPECT_NEAR(meanRadiance(reproject(map, {target, 0.0})).x / before, 1.0, tolerance) << describe(target);
         }
+}
+
+/// The size at which a kind has about that many texels on the sphere.
+MapLayout withTexels(Parameterization kind, double texels)
+{
+    const double perSquare = kind == Parameterization::Latlong      ? 2.0
+                             : kind == Parameterization::Cube       ? 6.0
+                             : kind == Parameterization::Paraboloid ? 0.5 * pi
+                             : kind == Parameterization::Octahedral ? 1.0
+                                                                    : 0.25 * pi;
+    return {kind, static_cast<int>(std::lround(std::sqrt(texels / perSquare))), 0};
+}
+
+bool hasDisc(Parameterization kind)
+{
+    return kind == Parameterization::Sphere || kind == Parameterization::Angular || kind == Parameterization::Paraboloid;
+}
+
+/// At a disc's rim only texels whose centres it holds are read: the others get their values, so that both agree about the mean.
+void agreeAtTheRim(EnvironmentMap& map)
+{
+    if (!hasDisc(map.layout.kind))
+        return;
+    for (int y = 0; y < map.image.height; ++y)
+        for (int x = 0; x < map.image.width; ++x)
+            if (isInside(map.layout, x, y)) {
+                const Texel t = acrossSeam(map.layout, {x, y}, x, y);
+                std::copy_n(map.image.texel(t.x, t.y), 3, map.image.texel(x, y));
+            }
+}
+
+/// The definition, by brute force: the mean by solid angle of the source's texels under fine samples of the target texel.
+glm::dvec3 meanUnderSamples(const EnvironmentMap& source, const MapLayout& target, int x, int y)
+{
+    constexpr int samples = 32;
+    glm::dvec3 sum(0.0);
+    double total = 0.0;
+    for (int j = 0; j < samples; ++j)
+        for (int i = 0; i < samples; ++i) {
+            const glm::dvec2 p{x + (i + 0.5) / samples, y + (j + 0.5) / samples};
+            const double w = density(target, p);
+            if (w <= 0.0)
+                continue;
+            const glm::dvec2 c = coordinate(source.layout, direction(target, p));
+            const int cx = std::min(static_cast<int>(c.x), source.image.width - 1),
+                      cy = std::min(static_cast<int>(c.y), source.image.height - 1);
+            const Texel t = hasDisc(source.layout.kind) ? acrossSeam(source.layout, {cx, cy}, cx, cy) : Texel{cx, cy};
+            sum += w * texel(source.image, t.x, t.y);
+            total += w;
+        }
+    return sum / total;
+}
+
+// Texels of noise, so that every one counts. Of 32 x 32 samples a few per cent of the source texels that the outline cuts are misjudged,
+// which leaves 4e-3; sums through a spline of a mip level were off by 1e-2 to 9e-2 here, from any to any.
+TEST(Reproject, MinifyingIsTheMeanOverTheTexelFromAnyToAny)
+{
+    for (const auto from : allParameterizations)
+        for (const double ratio : {2.0, 4.0, 8.0}) {
+            EnvironmentMap map(withTexels(from, 384.0 * ratio * ratio));
+            std::mt19937 engine(7);
+            std::uniform_real_distribution<float> noise(0.2f, 1.8f);
+            for (float& value : map.image.texels)
+                value = noise(engine);
+            agreeAtTheRim(map);
+            const double mean = meanRadiance(map).x;
+            for (const auto to : allParameterizations) {
+                const MapLayout target = withTexels(to, 384.0);
+                const EnvironmentMap result = reproject(map, {target});
+                const SolidAngles weights(target);
+                double error = 0.0, power = 0.0;
+                for (int y = 0; y < target.height(); ++y)
+                    for (int x = 0; x < target.width(); ++x) {
+                        if (weights.at(x, y) < 0.01 * 4.0 * pi / 384.0) // a sliver at a rim may lie between the samples
+                            continue;
+                        const glm::dvec3 truth = meanUnderSamples(map, target, x, y), off = texel(result.image, x, y) - truth;
+                        error += weights.at(x, y) * glm::dot(off, off);
+                        power += weights.at(x, y) * glm::dot(truth, truth);
+                    }
+                const std::string which = describe(map.layout) + " to " + describe(target);
+                // At ratio 2 an octahedron of the same count has texels smaller than some of the source's: those are lookups.
+                const bool lookups = ratio == 2.0;
+                EXPECT_LT(std::sqrt(error / power), lookups ? 0.05 : 9e-3) << which;
+                EXPECT_NEAR(meanRadiance(result).x / mean, 1.0, lookups ? 2e-3 : 1e-4) << which;
+            }
+        }
+}
+
+// What is left is how the source's density changes within the one texel where an outline cuts it, and that bends are followed to a two
+// thousandth of a texel, of four at the finest here.
+TEST(Reproject, OneTexelOfSunKeepsItsEnergyFromAnyToAny)
+{
+    for (const auto from : allParameterizations) {
+        const MapLayout layout = withTexels(from, 2e5);
+        EnvironmentMap map(layout);
+        const glm::dvec3 suns[3] = {glm::normalize(glm::dvec3(0.3, 0.5, 0.7)), glm::normalize(glm::dvec3(1, 1, 1.01)),
+                                    glm::normalize(glm::dvec3(-0.02, 0.99, -0.03))};
+        for (int c = 0; c < 3; ++c) {
+            const glm::dvec2 p = coordinate(layout, suns[c]);
+            map.image.texel(static_cast<int>(p.x), static_cast<int>(p.y))[c] = 1e6f;
+        }
+        const glm::dvec3 before = meanRadiance(map);
+        for (const auto to : allParameterizations)
+            for (const double ratio : {4.0, 7.0, 30.0}) {
+                const EnvironmentMap result = reproject(map, {withTexels(to, 2e5 / (ratio * ratio))});
+                const glm::dvec3 after = meanRadiance(result);
+                for (int c = 0; c < 3; ++c)
+                    EXPECT_NEAR(after[c] / before[c], 1.0, 6e-4)
+                        << describe(layout) << " to " << name(to) << ", ratio " << ratio << " " << c;
+                EXPECT_GE(*std::min_element(result.image.texels.begin(), result.image.texels.end()), 0.0f);
+            }
+    }
+}
+
+TEST(Reproject, RowsThatAreReadOnceMakeTheSameMap)
+{
+    // Large enough for several bands; rows are refused when asked for twice or out of order.
+    for (const MapLayout& source : {MapLayout{Parameterization::Latlong, 700, 0}, {Parameterization::Cube, 450, 0}}) {
+        const EnvironmentMap map = colouredByDirection(source);
+        for (const MapLayout& target :
+             {MapLayout{Parameterization::Cube, 40, 0}, {Parameterization::Sphere, 30, 0}, {Parameterization::Latlong, 90, 0}}) {
+            int next = 0;
+            const auto readRows = [&](int first, int rows, float* rgb) {
+                ASSERT_EQ(first, next);
+                next += rows;
+                std::copy_n(map.image.row(first), static_cast<size_t>(rows) * static_cast<size_t>(map.image.width) * 3, rgb);
+            };
+            ASSERT_TRUE(canReprojectRows(source, {target, 0.3}));
+            EXPECT_EQ(reprojectRows(source, readRows, {target, 0.3}).image, reproject(map, {target, 0.3}).image) << describe(target);
+            EXPECT_EQ(next, source.height());
+        }
+    }
+    EXPECT_FALSE(canReprojectRows({Parameterization::Latlong, 64, 0}, {{Parameterization::Cube, 64, 0}}));
+    EXPECT_FALSE(canReprojectRows({Parameterization::Angular, 512, 0}, {{Parameterization::Cube, 16, 0}}));
+    EXPECT_THROW(reprojectRows({Parameterization::Latlong, 64, 0}, {}, {{Parameterization::Cube, 64, 0}}), InvalidArgument);
+}
+
+TEST(Reproject, CubicLookupsFollowACurveCloserThanLinearOnesAndDoNotRing)
+{
+    const auto wave = [](const glm::dvec3& d) { return glm::dvec3(2.0 + std::sin(6.0 * d.x) * std::cos(5.0 * d.y)); };
+    for (const MapLayout& layout : layoutsOfSize(32)) {
+        const EnvironmentMap map = fill(layout, wave);
+        const MapLayout target{Parameterization::Cube, 96, 0};
+        const auto error = [&](Resample resample) {
+            const EnvironmentMap result = reproject(map, {target, 0.0, resample});
+            double sum = 0.0;
+            for (int y = 0; y < target.height(); ++y)
+                for (int x = 0; x < target.width(); ++x) {
+                    const glm::dvec3 d = texelDirection(target, x, y);
+                    if (d.z > -0.5) // the sphere map's rim is too coarse for either
+                        sum += std::pow(wave(d).x - result.image.texel(x, y)[0], 2.0);
+                }
+            return sum;
+        };
+        EXPECT_LT(error(Resample::Cubic), 0.6 * error(Resample::Linear)) << describe(layout);
+        EnvironmentMap sun(layout);
+        std::fill_n(sun.image.texel(layout.size / 2, layout.size / 2), 3, 1e4f);
+        for (const float value : reproject(sun, {target, 0.0, Resample::Cubic}).image.texels)
+            ASSERT_GE(value, 0.0f);
+    }
 }
 
 TEST(Reproject, CornersOfADiscContinueTheMap)

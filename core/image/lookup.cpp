@@ -1,0 +1,66 @@
+#include "lookup.h"
+
+#include "core/sphere/disc.h"
+#include "core/sphere/dual_paraboloid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace mirrorball {
+
+namespace {
+
+/// Weights of the texels at -1, 0, 1, 2 from the one at or before the position.
+std::array<float, 4> keysWeights(double f)
+{
+    return {static_cast<float>(f * (f * (1.0 - 0.5 * f) - 0.5)), static_cast<float>(1.0 + f * f * (1.5 * f - 2.5)),
+            static_cast<float>(f * (0.5 + f * (2.0 - 1.5 * f))), static_cast<float>(0.5 * f * f * (f - 1.0))};
+}
+
+/// Whether all 4 x 4 texels from (x, y) on lie in the chart of `at` and hold radiance.
+bool fits(const MapLayout& layout, Texel at, int x, int y)
+{
+    const int n = layout.size, chartWidth = layout.kind == Parameterization::Latlong ? 2 * n : n;
+    const int left = at.x / chartWidth * chartWidth, top = at.y / n * n;
+    if (x < left || x + 3 >= left + chartWidth || y < top || y + 3 >= top + n)
+        return false;
+    const bool paraboloid = layout.kind == Parameterization::Paraboloid;
+    if (layout.kind != Parameterization::Sphere && layout.kind != Parameterization::Angular && !(paraboloid && layout.border < 2))
+        return true;
+    const disc::Disc disc = paraboloid ? dual_paraboloid::half(n, layout.border, at.x >= n) : disc::inscribed(n);
+    return disc.holdsCentre(x, y) && disc.holdsCentre(x + 3, y) && disc.holdsCentre(x, y + 3) && disc.holdsCentre(x + 3, y + 3);
+}
+
+glm::vec3 cubic(const EnvironmentMap& map, const glm::dvec3& d)
+{
+    const MapLayout& layout = map.layout;
+    const glm::dvec2 p = coordinate(layout, glm::normalize(d));
+    const int x = static_cast<int>(std::floor(p.x - 0.5)) - 1, y = static_cast<int>(std::floor(p.y - 0.5)) - 1;
+    const std::array<float, 4> wx = keysWeights(p.x - 1.5 - x), wy = keysWeights(p.y - 1.5 - y);
+    const Texel chart{std::min(static_cast<int>(p.x), layout.width() - 1), std::min(static_cast<int>(p.y), layout.height() - 1)};
+    const bool inside = fits(layout, chart, x, y);
+    glm::vec3 sum(0.0f), least(std::numeric_limits<float>::max()), largest(-std::numeric_limits<float>::max());
+    for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 4; ++i) {
+            const Texel t = inside ? Texel{x + i, y + j} : acrossSeam(layout, chart, x + i, y + j);
+            const float* texel = map.image.texel(t.x, t.y);
+            const glm::vec3 value(texel[0], texel[1], texel[2]);
+            sum += wx[static_cast<size_t>(i)] * wy[static_cast<size_t>(j)] * value;
+            if ((i == 1 || i == 2) && (j == 1 || j == 2)) {
+                least = glm::min(least, value);
+                largest = glm::max(largest, value);
+            }
+        }
+    return glm::clamp(sum, least, largest);
+}
+
+} // namespace
+
+glm::vec3 lookUp(const EnvironmentMap& map, const glm::dvec3& d, Resample resample)
+{
+    return resample == Resample::Cubic && map.layout.size >= 4 ? cubic(map, d) : map.radiance(d);
+}
+
+} // namespace mirrorball

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "environment_map.h"
+
+namespace mirrorball {
+
+/// How a map is read between its texels' centres.
+enum class Resample {
+    Linear, ///< bilinear
+    Cubic,  ///< Keys' cubic convolution through the 4 x 4 texels around, held within the range of the four nearest: sharper, no ringing
+};
+
+/// The radiance in direction d, which need not be normalised. Seamless. Cubic asks for a map of size 4; smaller ones are read bilinearly.
+/// Source: R. Keys, Cubic Convolution Interpolation for Digital Image Processing, IEEE Trans. ASSP 29 (1981), with a = -1/2.
+glm::vec3 lookUp(const EnvironmentMap& map, const glm::dvec3& d, Resample resample);
+
+} // namespace mirrorball

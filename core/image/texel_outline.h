@@ -1,0 +1,59 @@
+#pragma once
+
+#include "map_charts.h"
+
+#include <vector>
+
+namespace mirrorball {
+
+/// Bends of an outline are followed to this many texels of the source.
+inline constexpr double outlineTolerance = 0.002;
+
+/// A part of a texel as a polygon in another map's image, within one chart of it. Corners run so that the area is positive:
+/// the sum of (x_i y_i+1 - x_i+1 y_i) / 2, y down.
+struct OutlinePiece {
+    std::vector<glm::dvec2> corners{};
+};
+
+/// Outlines of a target's texels in a source's image.
+///
+/// A texel's boundary is followed as directions, halved until straight lines between their image positions are within outlineTolerance of
+/// it, cut by the planes between the source's charts and laid out in each. Neighbours walk a common edge through the same points, so the
+/// pieces of all texels cover the source's image once, without gaps, whatever the tolerance.
+/// Texels at a disc's rim end there; those outside, and all of a paraboloid with a border, are taken as the map continues.
+class TexelOutlines {
+public:
+    /// @param yaw  as ReprojectOptions::yaw
+    TexelOutlines(const MapLayout& target, double yaw, const MapCharts& source) : m_target(target), m_yaw(yaw), m_source(source) {}
+
+    /// Direction in the source of an image position that belongs to texel (x, y), its edges included: unlike mirrorball::direction(), which
+    /// takes a position on the edge between two faces or halves for the second one's.
+    glm::dvec3 directionIn(int x, int y, const glm::dvec2& p) const;
+    /// Whether the rim of a disc cuts the texel and ends it.
+    bool endsAtRim(int x, int y) const;
+    /// The texel in the source's image. One that a disc only touches, in a sliver of no area, is taken whole.
+    std::vector<OutlinePiece> pieces(int x, int y) const { return pieces(x, y, Rim::Ends); }
+    /// How far the middle of a straight edge between image positions of texel (x, y) lies from where it should, in texels of the source.
+    /// Larger than any tolerance when the edge leaves its chart.
+    double bend(int x, int y, const glm::dvec2& from, const glm::dvec2& to) const;
+
+private:
+    enum class Rim { Ends, Continues };
+    template <class At>
+    void follow(const At& at, double t0, const glm::dvec3& d0, double t1, const glm::dvec3& d1, int depth,
+                std::vector<glm::dvec3>& out) const;
+    std::vector<OutlinePiece> pieces(int x, int y, Rim rim) const;
+    std::vector<glm::dvec3> boundary(int x, int y, Rim rim) const;
+    std::vector<glm::dvec3> clippedBoundary(int x, int y) const;
+    void split(std::vector<glm::dvec3> polygon, size_t plane, std::vector<OutlinePiece>& out) const;
+    void layOut(const std::vector<glm::dvec3>& polygon, int chart, std::vector<OutlinePiece>& out) const;
+    void layOutRim(int chart, const glm::dvec3& d0, const glm::dvec2& p0, const glm::dvec3& d1, const glm::dvec2& p1, int depth,
+                   std::vector<glm::dvec2>& out) const;
+    double bendBetween(const glm::dvec3& d0, const glm::dvec3& middle, const glm::dvec3& d1) const;
+
+    MapLayout m_target;
+    double m_yaw;
+    MapCharts m_source;
+};
+
+} // namespace mirrorball
