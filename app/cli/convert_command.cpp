@@ -33,9 +33,8 @@ void runOne(const Options& o, const JobControl& job)
     for (int i = 0; i < (o.mips ? levelCount(target) : 1); ++i)
         layouts.push_back(levelLayout(target, i));
     checkOutputsDiffer({{"--output", mapFiles(o.out, layouts)}});
-    const ReprojectOptions options{.target = target,
-                                   .yaw = radians(o.yawDeg + turn.yawDeg),
-                                   .resample = o.resample == "cubic" ? Resample::Cubic : Resample::Linear};
+    const ReprojectOptions options{
+        .target = target, .yaw = radians(o.yawDeg + turn.yawDeg), .resample = o.resample == "cubic" ? Resample::Cubic : Resample::Linear};
     EnvironmentMap map = readResampled(ProbeFile(o.probe, read), options, job).map;
     std::vector<EnvironmentMap> levels;
     if (o.mips)

@@ -22,7 +22,6 @@ constexpr int tileColumns = 32, tileRows = 16;
 constexpr size_t bandBytes = size_t{8} << 20;
 constexpr int leastBandRows = 8;
 constexpr int tooBent = 5; ///< halvings of a tile's sides
-constexpr int magnifiedSteps = 32;
 
 bool hasRim(const MapLayout& layout)
 {
@@ -70,42 +69,6 @@ struct Corners {
     size_t at(int i, int j) const { return static_cast<size_t>(j) * static_cast<size_t>(columns) + static_cast<size_t>(i); }
     glm::dvec3 direction(size_t k) const { return {x[k], y[k], z[k]}; }
 };
-
-} // namespace
-
-/// The angle that a texel subtends in direction d, as the side of a square of its solid angle. For a latlong its height, and for an angular
-/// map its radial length: the slivers at the poles and the rim are no finer than that in the other direction.
-static double texelAngle(const MapLayout& layout, const glm::dvec3& d)
-{
-    if (layout.kind == Parameterization::Latlong)
-        return pi / layout.size;
-    if (layout.kind == Parameterization::Angular)
-        return 2.0 * pi / layout.size;
-    const double omega = density(layout, coordinate(layout, d));
-    return omega > 0.0 ? std::sqrt(omega) : 4.0 / layout.size; // outside a disc
-}
-
-Magnification magnification(const MapLayout& source, const ReprojectOptions& options)
-{
-    const MapLayout& target = options.target;
-    const TexelOutlines outlines(target, options.yaw, MapCharts(source));
-    Magnification result{.smallest = 1e9, .largest = 0.0};
-    const int step = std::max(1, target.size / magnifiedSteps);
-    for (int y = 0; y < target.height(); y += step)
-        for (int x = 0; x < target.width(); x += step) {
-            const glm::dvec2 p{x + 0.5, y + 0.5};
-            const auto along = [&](const glm::dvec2& half) {
-                return glm::distance(outlines.directionIn(x, y, p + half), outlines.directionIn(x, y, p)) +
-                       glm::distance(outlines.directionIn(x, y, p), outlines.directionIn(x, y, p - half));
-            };
-            const double ratio = std::max(along({0.5, 0.0}), along({0.0, 0.5})) / texelAngle(source, outlines.directionIn(x, y, p));
-            result.smallest = std::min(result.smallest, ratio);
-            result.largest = std::max(result.largest, ratio);
-        }
-    return result;
-}
-
-namespace {
 
 class Remapper {
 public:

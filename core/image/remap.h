@@ -19,6 +19,10 @@ EnvironmentMap remap(const EnvironmentMap& source, const ReprojectOptions& optio
 /// @throws Cancelled; what `readRows` throws
 EnvironmentMap remapRows(const MapLayout& source, const RowReader& readRows, const ReprojectOptions& options, const JobControl& job);
 
+/// The angle that a texel subtends in direction d, as the side of a square of its solid angle. For a latlong its height, and for an angular
+/// map its radial length: the slivers at the poles and the rim are no finer than that in the other direction.
+double texelAngle(const MapLayout& layout, const glm::dvec3& d);
+
 /// How much larger target texels are than the source's, by the angle of their longer side.
 struct Magnification {
     double smallest = 0.0;

@@ -51,7 +51,8 @@ TEST(EngineExportCommand, RefusesInOneLineBeforeAnyWork)
     EXPECT_FAILS(mirrorballRuns("export --for three" + out), 2, "SCENE");
     EXPECT_FAILS(mirrorballRuns("convert builtin:axes --to cube --size 16 -o '" + in(folder, "m_%s.ktx2") + "' --for godot"), 2, "Godot");
     EXPECT_FAILS(mirrorballRuns("filter builtin:axes --law godot --to cube --size 16 -o " + in(folder, "m.ktx2")), 2, "Godot");
-    EXPECT_FAILS(mirrorballRuns("filter builtin:axes --law filament --levels 9 --to cube --size 16 -o " + in(folder, "m.ktx2")), 2, "--levels");
+    EXPECT_FAILS(mirrorballRuns("filter builtin:axes --law filament --levels 9 --to cube --size 16 -o " + in(folder, "m.ktx2")), 2,
+                 "--levels");
     EXPECT_FAILS(mirrorballRuns("filter builtin:axes --levels 3 --lobe ggx --roughness 1 --to cube --size 16 -o " + in(folder, "m.exr")), 2,
                  "--law");
     EXPECT_FAILS(mirrorballRuns("convert builtin:axes --to latlong --size 16 --encode rgbm -o " + in(folder, "m.exr")), 2, "--encode");
