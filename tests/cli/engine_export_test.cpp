@@ -2,6 +2,7 @@
 
 #include "core/image/container/container_file.h"
 #include "core/image/map_file.h"
+#include "core/image/probe_file.h"
 #include "support/temporary_folder.h"
 
 #include <gmock/gmock.h>
@@ -51,7 +52,8 @@ TEST(EngineExportCommand, RefusesInOneLineBeforeAnyWork)
     EXPECT_FAILS(mirrorballRuns("export --for three" + out), 2, "SCENE");
     EXPECT_FAILS(mirrorballRuns("convert builtin:axes --to cube --size 16 -o '" + in(folder, "m_%s.ktx2") + "' --for godot"), 2, "Godot");
     EXPECT_FAILS(mirrorballRuns("filter builtin:axes --law godot --to cube --size 16 -o " + in(folder, "m.ktx2")), 2, "Godot");
-    EXPECT_FAILS(mirrorballRuns("filter builtin:axes --law filament --levels 9 --to cube --size 16 -o " + in(folder, "m.ktx2")), 2, "--levels");
+    EXPECT_FAILS(mirrorballRuns("filter builtin:axes --law filament --levels 9 --to cube --size 16 -o " + in(folder, "m.ktx2")), 2,
+                 "--levels");
     EXPECT_FAILS(mirrorballRuns("filter builtin:axes --levels 3 --lobe ggx --roughness 1 --to cube --size 16 -o " + in(folder, "m.exr")), 2,
                  "--law");
     EXPECT_FAILS(mirrorballRuns("convert builtin:axes --to latlong --size 16 --encode rgbm -o " + in(folder, "m.exr")), 2, "--encode");
@@ -103,8 +105,7 @@ TEST(ContainerCommand, ParaboloidHalvesBecomeTheSlicesOfADdsArray)
     const Texture texture = readContainer(folder / "dual.dds").texture;
     EXPECT_EQ(texture.slices, 2);
     EXPECT_EQ(texture.faces, 1);
-    std::vector<Stage> stages;
-    const Probe probe = readProbe(in(folder, "dual.dds"), {}, {}, stages);
+    const Probe probe = readProbe(in(folder, "dual.dds"));
     EXPECT_EQ(probe.map.layout.kind, Parameterization::Paraboloid);
     EXPECT_EQ(probe.map.image, readImage(folder / "dual.exr"));
 }

@@ -49,9 +49,9 @@ TEST(Sh9, MissesWhatItsSpectrumSaysItMisses)
 
 TEST(Sh9, OneSunGivesNoNegativeLightAndIsOffByNoMoreThanThatCosts)
 {
-    // The nine of a texel are the polynomial 1 + 2 c + 1.25 P_2(c) of the cosine c, -0.158 at its least. The nearest that is not negative is
-    // A (c - c0)^2; over the Legendre coefficients, weighted by 1/(2l+1), it costs D = 0.0135, beside the 0.0208 of the degrees above two,
-    // of 8/3 in all: sqrt(0.0343 / (8/3)) = 0.1134.
+    // The nine of a texel are the polynomial 1 + 2 c + 1.25 P_2(c) of the cosine c, -0.158 at its least. The nearest that is not negative
+    // is A (c - c0)^2; over the Legendre coefficients, weighted by 1/(2l+1), it costs D = 0.0135, beside the 0.0208 of the degrees above
+    // two, of 8/3 in all: sqrt(0.0343 / (8/3)) = 0.1134.
     EnvironmentMap black = test::constantProbe(64, 0.0f);
     black.image.texel(30, 25)[0] = 1000.0f;
     FilterSource source(black);
