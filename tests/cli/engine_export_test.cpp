@@ -2,6 +2,7 @@
 
 #include "core/image/container/container_file.h"
 #include "core/image/map_file.h"
+#include "core/image/probe_file.h"
 #include "support/temporary_folder.h"
 
 #include <gmock/gmock.h>
@@ -104,8 +105,7 @@ TEST(ContainerCommand, ParaboloidHalvesBecomeTheSlicesOfADdsArray)
     const Texture texture = readContainer(folder / "dual.dds").texture;
     EXPECT_EQ(texture.slices, 2);
     EXPECT_EQ(texture.faces, 1);
-    std::vector<Stage> stages;
-    const Probe probe = readProbe(in(folder, "dual.dds"), {}, {}, stages);
+    const Probe probe = readProbe(in(folder, "dual.dds"));
     EXPECT_EQ(probe.map.layout.kind, Parameterization::Paraboloid);
     EXPECT_EQ(probe.map.image, readImage(folder / "dual.exr"));
 }

@@ -7,6 +7,7 @@
 #include "core/image/container/container_file.h"
 #include "core/image/container/play_canvas_atlas.h"
 #include "core/image/map_file.h"
+#include "core/image/probe_file.h"
 #include "support/probe_builders.h"
 #include "support/temporary_folder.h"
 
@@ -89,8 +90,7 @@ TEST(EngineExport, BabylonsFacesAreMirroredInXAndStandBottomUp)
     for (int face = 0; face < 6; ++face)
         expectColor(texel(stored.levels[0], face, 247, 247), .95f, .95f, .95f);
     expectColor(texel(stored.levels[0], 0, 8, 247), .04f, .39f, .43f);
-    std::vector<Stage> stages;
-    const Probe probe = readProbe((folder / "light.env").string(), {}, {}, stages);
+    const Probe probe = readProbe((folder / "light.env").string());
     EXPECT_LT(glm::distance(probe.map.radiance({1.0, 0.1, 0.2}), axes().radiance({1.0, 0.1, 0.2})), step) << "as a probe it stands upright";
 }
 
@@ -108,8 +108,7 @@ TEST(EngineExport, LatlongsAreTurnedAsTheEngineLooksThemUp)
         for (const auto& file : done.files)
             if (file.extension() == ".hdr" || file.extension() == ".exr")
                 picture = file;
-        std::vector<Stage> stages;
-        const EnvironmentMap map = readProbe(picture.string(), {}, {}, stages).map;
+        const EnvironmentMap map = readProbe(picture.string()).map;
         const glm::dvec3 aside = glm::normalize(centre + 0.3 * glm::cross(centre, glm::dvec3(0, 1, 0)) + glm::dvec3(0, 0.2, 0));
         const double turn = std::atan2(centre.x, centre.z);
         EXPECT_LT(glm::distance(map.radiance(yawed(aside, -turn)), ours.radiance(aside)), step) << engine;
