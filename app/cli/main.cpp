@@ -16,7 +16,7 @@
 
 namespace {
 
-/// The one place where errors end: one line on stderr, and the exit status of DESIGN 6.
+/// The one place where errors end: one line on stderr, and the exit status (docs/conventions.md).
 int fail(const char* message, int status)
 {
     std::fprintf(stderr, "mirrorball: %s\n", message);
