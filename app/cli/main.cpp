@@ -16,7 +16,7 @@
 
 namespace {
 
-/// The one place where errors end: one line on stderr, and the exit status of DESIGN 6.
+/// The one place where errors end: one line on stderr, and the exit status (docs/conventions.md).
 int fail(const char* message, int status)
 {
     std::fprintf(stderr, "mirrorball: %s\n", message);
@@ -72,7 +72,6 @@ int main(int argc, char** argv)
                    "Exit status: 0 done; 1 the work failed; 2 the arguments or the input are wrong.");
     cli::addInfoCommand(program);
     cli::addConvertCommand(program);
-    cli::addDoctorCommand(program);
     cli::addFilterCommand(program);
     cli::addBrdfCommand(program);
     cli::addRenderCommand(program);
@@ -80,6 +79,7 @@ int main(int argc, char** argv)
     cli::addPaintCommand(program);
     cli::addPresetsCommand(program);
     cli::addReportCommand(program, argc, argv);
+    cli::addDoctorCommand(program);
     cli::refuseInfinities(program);
     try {
         try {

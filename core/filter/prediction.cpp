@@ -4,7 +4,6 @@
 #include "bright_texels.h"
 #include "direct.h"
 #include "importance.h"
-#include "irradiance_sh.h"
 #include "mip_blur.h"
 #include "sh9.h"
 #include "spectral.h"
@@ -76,23 +75,6 @@ double transferError(const std::vector<double>& p, const std::vector<double>& k,
     return std::max(floatLookups, total > 0.0 ? std::sqrt(error / total) : 0.0);
 }
 
-/// What it costs that the nine give no negative light: squared difference over the sphere. The worst probe is one bright texel.
-double nonNegativeLoss(const std::shared_ptr<const Spectrum>& spectrum)
-{
-    RadianceSh sh;
-    for (int i = 0; i < 9; ++i) // of a texel at +Y, whose mean has the power 1
-        sh.coefficients[static_cast<size_t>(i)].r = shNorm(i) * shPolynomial(i, {0.0, 1.0, 0.0}) / shNorm(0);
-    if (spectrum && spectrum->bandLimit >= 2)
-        sh = radianceSh(*spectrum);
-    const RadianceSh fit = nonNegative(sh);
-    double loss = 0.0;
-    for (int i = 0; i < 9; ++i) {
-        const glm::dvec3 d = shCosineFactor(i) * (fit.coefficients[static_cast<size_t>(i)] - sh.coefficients[static_cast<size_t>(i)]);
-        loss += glm::dot(d, d);
-    }
-    return loss;
-}
-
 double sh9Error(const PrefilterOptions& options, const ProbeTraits& probe)
 {
     constexpr int bandLimit = sh9BandLimit;
@@ -100,12 +82,7 @@ double sh9Error(const PrefilterOptions& options, const ProbeTraits& probe)
     std::vector<double> missing;
     for (size_t l = 0; l < k.size(); ++l)
         missing.push_back(l > 2 ? k[l] * k[l] : 0.0);
-    const std::vector<double> p = power(probe.spectrum, bandLimit, largestPower);
-    double total = 0.0;
-    for (size_t l = 0; l < k.size(); ++l)
-        total += p[l] * k[l] * k[l];
-    const double missed = transferError(p, k, missing);
-    return total > 0.0 ? std::sqrt(missed * missed + nonNegativeLoss(probe.spectrum) / total) : missed;
+    return transferError(power(probe.spectrum, bandLimit, largestPower), k, missing);
 }
 
 double mipError(const PrefilterOptions& options, const ProbeTraits& probe)

@@ -1,6 +1,5 @@
 #include "sh9.h"
 
-#include "irradiance_sh.h"
 #include "lobe.h"
 
 #include <algorithm>
@@ -47,14 +46,11 @@ glm::dvec3 Sh9::irradianceOverPi(const glm::dvec3& r) const
 EnvironmentMap filterSh9(const Spectrum& spectrum, const MapLayout& target, double yaw, const JobControl& job)
 {
     const Sh9 sh9(spectrum);
-    const RadianceSh whole = radianceSh(spectrum), fit = nonNegative(whole);
-    const bool isNegative = fit != whole;
     EnvironmentMap map(target);
     parallelRows(map.image.height, job, [&](int first, int last) {
         for (int y = first; y < last; ++y)
             for (int x = 0; x < map.image.width; ++x) {
-                const glm::dvec3 d = yawed(texelDirection(target, x, y), -yaw);
-                const glm::vec3 value(isNegative ? glm::max(irradianceOverPi(fit, d), 0.0) : sh9.irradianceOverPi(d));
+                const glm::vec3 value(sh9.irradianceOverPi(yawed(texelDirection(target, x, y), -yaw)));
                 std::copy_n(&value.x, 3, map.image.texel(x, y));
             }
     });

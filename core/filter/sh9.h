@@ -34,8 +34,7 @@ private:
 /// Degrees that the method looks at: two for the map, the others for what it misses.
 inline constexpr int sh9BandLimit = 24;
 
-/// The diffuse map. Where the nine would give negative light, as beside a sun, the nearest ones that do not (irradiance_sh.h) take their
-/// place. @throws Cancelled
+/// The diffuse map. @throws Cancelled
 EnvironmentMap filterSh9(const Spectrum& spectrum, const MapLayout& target, double yaw, const JobControl& job = {});
 
 } // namespace mirrorball

@@ -74,6 +74,11 @@ private:
     {
         try {
             return action();
+        } catch (const InvalidArgument& refused) { // the wire tells no kinds of refusals, and what is refused here is the file
+            std::string_view message = refused.what();
+            const std::string start = shownPath(info().path.string()) + ": ";
+            message.remove_prefix(message.starts_with(start) ? start.size() : 0);
+            throw FileError(info().path.string(), std::string(message));
         } catch (const HelperEnded& ended) {
             throw FileError(info().path.string(), "the reader of " + info().format + " pictures gave up on it, because " + ended.what() +
                                                       "; the file is damaged or does harm, export or download it again");

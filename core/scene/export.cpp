@@ -120,6 +120,7 @@ ExportOutcome exportPlanned(PlannedScene planned, const std::filesystem::path& f
         }
         checkDifferent(outcome.files);
         together.addManifest();
+        job.checkStop(); // what was cancelled leaves nothing, however little was left to do
     } catch (const WorkError& failure) {
         throw WorkError(together.aboutTheFolder(failure.what()));
     }

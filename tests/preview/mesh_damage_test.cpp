@@ -99,10 +99,6 @@ TEST(MeshDamage, OneBadElementIsLeftOutAndCounted)
     }
     writeBytes(folder / "careless.obj", good + "f 1//0 2//0 3//0\nf 1/7/1 2/8/1 4/9/1\n"); // no such normals: made, as for the others
     EXPECT_EQ(describe(readMeshFile(folder / "careless.obj").facts), "50 triangles, 2.0 m if its unit is the metre");
-    writeBytes(folder / "bad.off", "OFF\n4 2 0\n0 0 0\n3 0 0\n0 4 0\n0 0 5\n3 0 1 2\n3 0 1 77\n");
-    const MeshFacts facts = readMeshFile(folder / "bad.off").facts;
-    EXPECT_EQ(facts.triangles, 1u);
-    EXPECT_EQ(facts.dropped, 1u);
 }
 
 TEST(MeshDamage, AByteOrderMarkIsPassedOver)
