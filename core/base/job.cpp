@@ -1,6 +1,7 @@
 #include "job.h"
 
 #include "error.h"
+#include "worker_team.h"
 
 #include <algorithm>
 #include <atomic>
@@ -40,7 +41,7 @@ JobControl partOf(const JobControl& job, float from, float to)
 
 void needThreads(int threads)
 {
-    thread_local int proven = 1; // OpenMP keeps the threads that it has started, for each thread that starts some
+    thread_local int proven = 1; // teams are each thread's own
     if (threads <= proven)
         return;
 #if !defined(__SANITIZE_THREAD__)
@@ -100,19 +101,7 @@ void parallelRows(int rows, const JobControl& job, const std::function<void(int,
 
     const int chunks = (rows + grain - 1) / grain;
     const int workers = std::min(job.threadCount(), chunks);
-    // OpenMP's threads, because libsharp uses them too: a pool of our own would compete with its idle threads, which spin for a while.
-    // ThreadSanitizer cannot see libgomp's barriers, so under it the workers are plain threads.
-#if defined(__SANITIZE_THREAD__)
-    std::vector<std::jthread> others;
-    for (int i = 1; i < workers; ++i)
-        others.emplace_back(work);
-    work();
-    others.clear(); // joins
-#else
-    needThreads(workers);
-#pragma omp parallel num_threads(workers) if (workers > 1)
-    work();
-#endif
+    WorkerTeam::ofThisThread().run(workers, work);
     if (error)
         std::rethrow_exception(error);
 }

@@ -1,11 +1,11 @@
 #include "spectrum.h"
 
 #include "core/base/error.h"
+#include "core/base/open_mp.h"
 
 #include <fftw3.h>
 #include <libsharp/sharp.h>
 #include <libsharp/sharp_almhelpers.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <cassert>
@@ -49,22 +49,6 @@ Coefficients triangle(int bandLimit)
     sharp_make_triangular_alm_info(bandLimit, bandLimit, 1, &info);
     return Coefficients(info);
 }
-
-/// libsharp takes its number of threads from OpenMP's setting for the calling thread; this sets it for a scope.
-class OpenMpThreads {
-public:
-    explicit OpenMpThreads(int threads) : m_before(omp_get_max_threads())
-    {
-        needThreads(threads);
-        omp_set_num_threads(threads);
-    }
-    ~OpenMpThreads() { omp_set_num_threads(m_before); }
-    OpenMpThreads(const OpenMpThreads&) = delete;
-    OpenMpThreads& operator=(const OpenMpThreads&) = delete;
-
-private:
-    int m_before;
-};
 
 void transform(sharp_jobtype type, std::vector<Complex>& coefficients, std::vector<double>& map, const Geometry& geometry,
                const Coefficients& triangle, const JobControl& job)

@@ -1,10 +1,10 @@
 #include "spin_transform.h"
 
+#include "core/base/open_mp.h"
 #include "core/sphere/direction.h"
 
 #include <libsharp/sharp.h>
 #include <libsharp/sharp_almhelpers.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <cassert>
@@ -107,10 +107,10 @@ OrderMap synthesiseOrder(const Spectrum& spectrum, int channel, int m, std::span
     map.imaginary.resize(m > 0 ? map.real.size() : 0);
     Complex* alm[] = {gradient.data(), curl.data()};
     double* texels[] = {map.real.data(), map.imaginary.data()};
-    const int before = omp_get_max_threads();
-    omp_set_num_threads(job.threadCount());
-    sharp_execute(SHARP_ALM2MAP, m, alm, texels, geometry.get(), layout.get(), SHARP_DP, nullptr, nullptr);
-    omp_set_num_threads(before);
+    {
+        const OpenMpThreads threads(job.threadCount());
+        sharp_execute(SHARP_ALM2MAP, m, alm, texels, geometry.get(), layout.get(), SHARP_DP, nullptr, nullptr);
+    }
     // libsharp's gradient is the negative one, and its second map runs with the rows of the map like phi does.
     if (m > 0)
         for (double& value : map.real)

@@ -18,8 +18,9 @@ namespace {
 constexpr int leastSourceSize = 384; ///< smaller sources are cut up, so that the density hardly changes within a texel
 constexpr int leastTargetSize = 16;  ///< smaller targets are gathered from finer texels, each much smaller than a hemisphere
 constexpr double longestEdge = 16.0; ///< of a texel that is remapped at once, in source texels: straight enough away from the poles
-constexpr int tileColumns = 32, tileRows = 16;
-constexpr size_t bandBytes = size_t{8} << 20;
+constexpr int tileColumns = 32, tileRows = 16, leastTileSide = 4;
+constexpr double tileSide = 64.0; ///< about a tile's extent in the source, in texels: whose running sums the caches hold
+constexpr size_t bandBytes = size_t{12} << 20;
 constexpr int leastBandRows = 8;
 constexpr int tooBent = 5; ///< halvings of a tile's sides
 
@@ -52,7 +53,8 @@ struct Tile {
     int firstRow = 0;                        ///< of the source that can lie in it: it may be put off till then
     int endRow = std::numeric_limits<int>::max();
     bool begun = false, done = false;
-    int grid = 0; ///< cells along a target texel's side of the grid px, py; 0: none
+    bool positive = true; ///< none of the source's texels about it is negative
+    int grid = 0;         ///< cells along a target texel's side of the grid px, py; 0: none
     double sign = 1.0;
     std::vector<double> px{}, py{};                     ///< corners of a grid of cells with straight edges, where one chart holds the tile
     std::vector<std::pair<int, OutlinePiece>> pieces{}; ///< by texel, where not
@@ -86,6 +88,7 @@ public:
     EnvironmentMap run(const RowReader& readRows, const float* texels, const JobControl& job);
 
 private:
+    static double ratio(const MapLayout& source, const MapLayout& target);
     static int refinement(const MapLayout& source, const MapLayout& target);
     Corners cornersOf(const Tile& tile, int perFine) const;
     void makeTiles(const JobControl& job);
@@ -109,13 +112,20 @@ private:
     RowSums m_band;
     bool m_magnifies; ///< some texels may be lookups
     std::vector<Tile> m_tiles{};
+    double m_total[4]{}; ///< of all bands so far, where a texel may need it
     EnvironmentMap m_result;
 };
 
+/// About the extent of a target texel in texels of the source.
+double Remapper::ratio(const MapLayout& source, const MapLayout& target)
+{
+    return std::sqrt(static_cast<double>(source.width()) * source.height() / target.width() / target.height());
+}
+
 int Remapper::refinement(const MapLayout& source, const MapLayout& target)
 {
-    const double ratio = std::sqrt(static_cast<double>(source.width()) * source.height() / target.width() / target.height());
-    const int side = std::max({1, (leastTargetSize + target.size - 1) / target.size, static_cast<int>(std::ceil(ratio / longestEdge))});
+    const int side =
+        std::max({1, (leastTargetSize + target.size - 1) / target.size, static_cast<int>(std::ceil(ratio(source, target) / longestEdge))});
     // The folds of an octahedron run along texels' edges where the size is even.
     return target.kind == Parameterization::Octahedral && target.size % 2 == 1 ? side + side % 2 : side;
 }
@@ -124,20 +134,12 @@ int Remapper::refinement(const MapLayout& source, const MapLayout& target)
 Corners Remapper::cornersOf(const Tile& tile, int perFine) const
 {
     Corners corners{.columns = tile.columns * m_side * perFine + 1, .rows = tile.rows * m_side * perFine + 1};
-    const double step = 1.0 / perFine;
     const size_t count = static_cast<size_t>(corners.columns) * static_cast<size_t>(corners.rows);
     corners.x.resize(count);
     corners.y.resize(count);
     corners.z.resize(count);
-    const int x0 = tile.x * m_side, y0 = tile.y * m_side;
-    size_t k = 0;
-    for (int j = 0; j < corners.rows; ++j)
-        for (int i = 0; i < corners.columns; ++i, ++k) {
-            const glm::dvec3 d = m_outlines.directionIn(x0, y0, {x0 + step * i, y0 + step * j});
-            corners.x[k] = d.x;
-            corners.y[k] = d.y;
-            corners.z[k] = d.z;
-        }
+    m_outlines.directionsOfGrid(tile.x * m_side, tile.y * m_side, 1.0 / perFine, corners.columns, corners.rows, corners.x.data(),
+                                corners.y.data(), corners.z.data());
     return corners;
 }
 
@@ -176,7 +178,11 @@ int Remapper::earliestRow(const Tile& tile) const
 
 void Remapper::makeTiles(const JobControl& job)
 {
-    const int columns = std::max(1, tileColumns / m_side), rows = std::max(1, tileRows / m_side);
+    // A power of two, so that the planes between the source's charts run between tiles of most sizes.
+    const double extent = std::clamp(tileSide * m_side / ratio(m_charts.layout(), m_target), 1.0, 1024.0); // in finer texels
+    const int side = static_cast<int>(std::bit_ceil(static_cast<unsigned>(extent)));
+    const int columns = std::max(1, std::clamp(side, leastTileSide, tileColumns) / m_side);
+    const int rows = std::max(1, std::clamp(side, leastTileSide, tileRows) / m_side);
     // A tile lies in one chart of the m_target.
     const int chartColumns = m_target.kind == Parameterization::Latlong ? 2 * m_target.size : m_target.size;
     for (int top = 0; top < m_target.height(); top += m_target.size)
@@ -187,6 +193,8 @@ void Remapper::makeTiles(const JobControl& job)
                                        .y = top + y,
                                        .columns = std::min(columns, chartColumns - x),
                                        .rows = std::min(rows, m_target.size - y)});
+    if (m_whole && m_charts.layout().kind == Parameterization::Latlong)
+        return; // one band: nothing waits for its rows
     parallelRows(static_cast<int>(m_tiles.size()), {.stop = job.stop, .progress = {}, .threads = job.threads}, [&](int first, int last) {
         for (int i = first; i < last; ++i)
             m_tiles[static_cast<size_t>(i)].firstRow = earliestRow(m_tiles[static_cast<size_t>(i)]);
@@ -223,14 +231,15 @@ void Remapper::markLookups(Tile& tile, const Corners& corners) const
     tile.lookedUp.assign(static_cast<size_t>(tile.columns) * static_cast<size_t>(tile.rows), 0);
     if (!m_magnifies)
         return;
-    const auto length = [&](size_t a, size_t b) { return glm::distance(corners.direction(a), corners.direction(b)); };
+    const auto unit = [&](size_t k) { return glm::normalize(corners.direction(k)); };
+    const auto length = [&](size_t a, size_t b) { return glm::distance(unit(a), unit(b)); };
     for (int j = 0; j < tile.rows; ++j)
         for (int i = 0; i < tile.columns; ++i) {
             const int x = i * m_side, y = j * m_side;
             const size_t a = corners.at(x, y), b = corners.at(x + m_side, y), c = corners.at(x, y + m_side),
                          d = corners.at(x + m_side, y + m_side);
             const double extent = 0.5 * std::max(length(a, b) + length(c, d), length(a, c) + length(b, d));
-            const double own = texelAngle(m_given, corners.direction(a));
+            const double own = texelAngle(m_given, unit(a));
             tile.lookedUp[static_cast<size_t>(j) * static_cast<size_t>(tile.columns) + static_cast<size_t>(i)] =
                 extent < magnifiedBelow * own;
         }
@@ -308,10 +317,18 @@ void Remapper::begin(Tile& tile) const
     }
     unsigned common = ~0u;
     bool singular = false;
-    for (size_t k = 0; k < corners.x.size(); ++k) {
-        common &= m_charts.chartsOf(corners.direction(k));
-        singular = singular || m_charts.isSingular(corners.direction(k));
-    }
+    // Charts have no holes: what holds the tile's border holds the tile.
+    const auto see = [&](int i, int j) {
+        const glm::dvec3 d = corners.direction(corners.at(i, j));
+        common &= m_charts.chartsOf(d);
+        singular = singular || m_charts.isSingular(d);
+    };
+    for (int i = 0; i < corners.columns; ++i)
+        for (const int j : {0, corners.rows - 1})
+            see(i, j);
+    for (int j = 0; j < corners.rows; ++j)
+        for (const int i : {0, corners.columns - 1})
+            see(i, j);
     const int halved = halvings(tile);
     if (halved < tooBent && common != 0 && !singular) {
         tile.grid = m_side << halved;
@@ -323,16 +340,17 @@ void Remapper::begin(Tile& tile) const
 
 void Remapper::add(Tile& tile) const
 {
-    if (tile.grid > 0)
-        m_band.addGrid({tile.columns * tile.grid, tile.rows * tile.grid, tile.grid, tile.px.data(), tile.py.data(), tile.sign},
-                       tile.sums.data());
+    if (tile.grid > 0 &&
+        !m_band.addGrid({tile.columns * tile.grid, tile.rows * tile.grid, tile.grid, tile.px.data(), tile.py.data(), tile.sign},
+                        tile.sums.data()))
+        tile.positive = false;
     for (const auto& [texel, piece] : tile.pieces)
-        m_band.addPolygon(piece.corners, tile.sums.data() + 4 * static_cast<size_t>(texel));
+        if (!m_band.addPolygon(piece.corners, tile.sums.data() + 4 * static_cast<size_t>(texel)))
+            tile.positive = false;
 }
 
 void Remapper::write(const Tile& tile)
 {
-    const double* total = m_band.total();
     for (int j = 0; j < tile.rows; ++j)
         for (int i = 0; i < tile.columns; ++i) {
             const size_t k = static_cast<size_t>(j) * static_cast<size_t>(tile.columns) + static_cast<size_t>(i);
@@ -345,10 +363,10 @@ void Remapper::write(const Tile& tile)
                 continue;
             }
             // A texel that covers nothing is a point of a rim, wholly outside the map: give it what is everywhere.
-            const double* from = sum[3] > 0.0 ? sum : total;
+            const double* from = sum[3] > 0.0 ? sum : m_total;
             for (int c = 0; c < 3; ++c) {
                 const double value = from[c] / from[3];
-                out[c] = static_cast<float>(m_band.isPositive() ? std::max(value, 0.0) : value);
+                out[c] = static_cast<float>(tile.positive ? std::max(value, 0.0) : value);
             }
         }
 }
@@ -358,8 +376,11 @@ EnvironmentMap Remapper::run(const RowReader& readRows, const float* texels, con
 {
     const MapLayout& source = m_charts.layout();
     const int width = source.width(), height = source.height();
-    const size_t rowBytes = 32 * (static_cast<size_t>(width) + 1);
-    const int bandRows = std::clamp(static_cast<int>(bandBytes / rowBytes), leastBandRows, height);
+    const bool latlong = source.kind == Parameterization::Latlong;
+    const size_t rowBytes = (latlong ? 12 : 20) * static_cast<size_t>(width);
+    // A latlong in memory is one band: its densities are a few numbers.
+    const int bandRows =
+        texels && latlong ? height : std::clamp(static_cast<int>(bandBytes / rowBytes), std::min(leastBandRows, height), height);
     const JobControl quiet{.stop = job.stop, .progress = {}, .threads = job.threads};
     std::vector<float> rows(texels ? 0 : static_cast<size_t>(bandRows) * static_cast<size_t>(width) * 3);
     std::vector<size_t> waiting(m_tiles.size());
@@ -373,11 +394,14 @@ EnvironmentMap Remapper::run(const RowReader& readRows, const float* texels, con
         if (!texels)
             readRows(y, count, rows.data());
         m_band.assign(y, count, band, quiet);
+        if (hasRim(m_target))
+            m_band.addWhole(m_total);
         for (; next < waiting.size() && m_tiles[waiting[next]].firstRow < y + count; ++next)
             active.push_back(waiting[next]);
         const bool last = y + count == height;
+        const auto share = [&](int rowsDone) { return static_cast<float>(rowsDone) / static_cast<float>(height); };
         parallelRows(
-            static_cast<int>(active.size()), quiet,
+            static_cast<int>(active.size()), partOf(job, share(y), share(y + count)),
             [&](int from, int to) {
                 for (int i = from; i < to; ++i) {
                     Tile& tile = m_tiles[active[static_cast<size_t>(i)]];
@@ -398,8 +422,6 @@ EnvironmentMap Remapper::run(const RowReader& readRows, const float* texels, con
             },
             4);
         std::erase_if(active, [&](size_t i) { return m_tiles[i].done; });
-        if (job.progress)
-            job.progress(static_cast<float>(y + count) / static_cast<float>(height));
     }
     return std::move(m_result);
 }

@@ -12,100 +12,83 @@ namespace {
 /// Four sums side by side, which the compiler makes a vector of.
 typedef double Lanes __attribute__((vector_size(32), aligned(8), may_alias));
 
-struct Band {
-    int first, rows, width;
-    size_t stride;
+typedef float Texel4 __attribute__((vector_size(16), aligned(4), may_alias)); ///< a texel's values and the one after them
+
+/// Running sums of a rectangle of texels: columns + 1 to a row.
+struct Sums {
+    int left, columns, first, rows;
     const double* sums;
+    size_t stride() const { return 4 * (static_cast<size_t>(columns) + 1); }
 };
 
-[[gnu::always_inline]] inline void addSumAt(const double* row, int width, double x, double weight, Lanes& sum)
+[[gnu::always_inline]] inline void addSumAt(const double* row, const Sums& sums, double x, double weight, Lanes& sum)
 {
-    int column = static_cast<int>(x); // towards 0: a position just before the first texel is continued from it
-    column = column < 0 ? 0 : column >= width ? width - 1 : column;
+    int column = static_cast<int>(x) - sums.left; // towards 0: a position just before the first texel is continued from it
+    column = column < 0 ? 0 : column >= sums.columns ? sums.columns - 1 : column;
     const Lanes* at = reinterpret_cast<const Lanes*>(row) + column;
-    sum += weight * (at[0] + (x - column) * (at[1] - at[0]));
+    sum += weight * (at[0] + (x - (column + sums.left)) * (at[1] - at[0]));
 }
 
 /// A straight piece within one row, which it crosses by `height` between the columns xa and xb.
-[[gnu::always_inline]] inline void addRowPiece(const double* row, int width, double xa, double xb, double height, Lanes& sum)
+[[gnu::always_inline]] inline void addRowPiece(const double* row, const Sums& sums, double xa, double xb, double height, Lanes& sum)
 {
     const double low = xa < xb ? xa : xb, high = xa < xb ? xb : xa;
     const int from = static_cast<int>(low), to = static_cast<int>(high);
     if (from == to) {
-        addSumAt(row, width, 0.5 * (xa + xb), height, sum);
+        addSumAt(row, sums, 0.5 * (xa + xb), height, sum);
         return;
     }
     const double perColumn = height / (high - low);
     double x = low;
     for (int edge = from + 1; edge <= to; ++edge) {
-        addSumAt(row, width, 0.5 * (x + edge), perColumn * (edge - x), sum);
+        addSumAt(row, sums, 0.5 * (x + edge), perColumn * (edge - x), sum);
         x = edge;
     }
     if (high > x)
-        addSumAt(row, width, 0.5 * (x + high), perColumn * (high - x), sum);
+        addSumAt(row, sums, 0.5 * (x + high), perColumn * (high - x), sum);
 }
 
-/// The integral of W dy along a straight edge, as far as it lies in the band.
-[[gnu::always_inline]] inline void addEdge(const Band& band, double x0, double y0, double x1, double y1, double sign, Lanes& sum)
+/// The integral of W dy along a straight edge, as far as it lies in the rows.
+[[gnu::always_inline]] inline void addEdge(const Sums& sums, double xa, double ya, double xb, double yb, double direction, Lanes& sum)
 {
-    if (y0 > y1) {
-        std::swap(x0, x1);
-        std::swap(y0, y1);
-        sign = -sign;
-    }
-    double y = y0 > band.first ? y0 : band.first, x = x0;
-    const double last = band.first + band.rows, end = y1 < last ? y1 : last;
+    const bool rises = ya > yb;
+    const double x0 = rises ? xb : xa, y0 = rises ? yb : ya, x1 = rises ? xa : xb, y1 = rises ? ya : yb;
+    const double sign = rises ? -direction : direction;
+    double y = y0 > sums.first ? y0 : sums.first, x = x0;
+    const double last = sums.first + sums.rows, end = y1 < last ? y1 : last;
     if (!(end > y))
         return;
     const double slope = (x1 - x0) / (y1 - y0);
     if (y != y0)
         x = x0 + slope * (y - y0);
     int row = static_cast<int>(y);
-    const double* sums = band.sums + static_cast<size_t>(row - band.first) * band.stride;
+    const double* at = sums.sums + static_cast<size_t>(row - sums.first) * sums.stride();
     while (y < end) {
         const double below = row + 1.0, next = below < end ? below : end;
         const double to = next == y1 ? x1 : x0 + slope * (next - y0);
-        addRowPiece(sums, band.width, x, to, sign * (next - y), sum);
+        addRowPiece(at, sums, x, to, sign * (next - y), sum);
         x = to;
         y = next;
         ++row;
-        sums += band.stride;
+        at += sums.stride();
     }
 }
 
 MIRRORBALL_CLONES
-void addPolygonTo(const Band& band, const glm::dvec2* corners, size_t count, double* out)
+void addPolygonTo(const Sums& sums, const glm::dvec2* corners, size_t count, double* out)
 {
     Lanes sum{};
     for (size_t i = 0; i < count; ++i) {
         const glm::dvec2 &a = corners[i], &b = corners[i + 1 == count ? 0 : i + 1];
-        addEdge(band, a.x, a.y, b.x, b.y, 1.0, sum);
+        addEdge(sums, a.x, a.y, b.x, b.y, 1.0, sum);
     }
     for (size_t c = 0; c < 4; ++c)
         out[c] += sum[c];
 }
 
-/// Fetches what the grid will read into the cache: its columns lie apart by whole rows, which the processor does not foresee.
-void prefetch(const Band& band, const RowSums::Grid& grid)
-{
-    const size_t count = (static_cast<size_t>(grid.columns) + 1) * (static_cast<size_t>(grid.rows) + 1);
-    const auto [left, right] = std::minmax_element(grid.x, grid.x + count);
-    const auto [top, bottom] = std::minmax_element(grid.y, grid.y + count);
-    const int firstColumn = std::max(0, static_cast<int>(*left)), lastColumn = std::min(band.width, static_cast<int>(*right) + 1);
-    const int firstRow = std::max(band.first, static_cast<int>(*top));
-    const int endRow = std::min(band.first + band.rows, static_cast<int>(*bottom) + 1);
-    if (firstRow >= endRow || static_cast<size_t>(lastColumn - firstColumn) > count)
-        return;
-    for (int y = firstRow; y < endRow; ++y) {
-        const double* row = band.sums + static_cast<size_t>(y - band.first) * band.stride;
-        for (int x = firstColumn; x <= lastColumn; x += 2) // two to a cache line
-            __builtin_prefetch(row + 4 * static_cast<size_t>(x), 0, 2);
-    }
-}
-
 /// Every edge once: what lies right of a left edge and below an upper one is the cell's, what lies beyond its right and lower edge is not.
 MIRRORBALL_CLONES
-void addGridTo(const Band& band, const RowSums::Grid& grid, double* out)
+void addGridTo(const Sums& sums, const RowSums::Grid& grid, double* out)
 {
     const int columns = grid.columns, groups = columns / grid.side;
     const size_t stride = static_cast<size_t>(columns) + 1;
@@ -117,7 +100,7 @@ void addGridTo(const Band& band, const RowSums::Grid& grid, double* out)
         if (above != here) // else inside a group
             for (int i = 0; i < columns; ++i) {
                 Lanes sum{};
-                addEdge(band, x[i], y[i], x[i + 1], y[i + 1], grid.sign, sum);
+                addEdge(sums, x[i], y[i], x[i + 1], y[i + 1], grid.sign, sum);
                 const size_t group = static_cast<size_t>(i / grid.side) * 4;
                 for (size_t c = 0; c < 4; ++c) {
                     if (here)
@@ -130,7 +113,7 @@ void addGridTo(const Band& band, const RowSums::Grid& grid, double* out)
             continue;
         for (int i = 0; i <= columns; i += grid.side) {
             Lanes sum{};
-            addEdge(band, x[i], y[i], x[static_cast<size_t>(i) + stride], y[static_cast<size_t>(i) + stride], grid.sign, sum);
+            addEdge(sums, x[i], y[i], x[static_cast<size_t>(i) + stride], y[static_cast<size_t>(i) + stride], grid.sign, sum);
             const size_t group = static_cast<size_t>(i / grid.side) * 4;
             for (size_t c = 0; c < 4; ++c) {
                 if (i > 0)
@@ -142,82 +125,124 @@ void addGridTo(const Band& band, const RowSums::Grid& grid, double* out)
     }
 }
 
-MIRRORBALL_CLONES
-void runningSums(const float* rgb, int width, double weight, double* sums)
+/// Running sums of `count` texels, each of `weights`[i] or all of weights[0], and the least value among them and *least.
+template <bool each>
+[[gnu::always_inline]] inline void runningSums(const float* rgb, int count, const double* weights, double* sums, float* least)
 {
     Lanes sum{};
     Lanes* out = reinterpret_cast<Lanes*>(sums);
-    const Lanes w{weight, weight, weight, weight};
-    for (int x = 0; x < width; ++x, rgb += 3) {
+    Texel4 low{least[0], least[0], least[0], 0.0f};
+    const auto add = [&](const Texel4& texel, int x) {
         out[x] = sum;
-        const Lanes texel{rgb[0], rgb[1], rgb[2], 1.0};
-        sum += w * texel;
+        low = texel < low ? texel : low;
+        Lanes values = __builtin_convertvector(texel, Lanes);
+        values[3] = 1.0;
+        sum += weights[each ? x : 0] * values;
+    };
+    for (int x = 0; x + 1 < count; ++x)
+        add(*reinterpret_cast<const Texel4*>(rgb + 3 * static_cast<size_t>(x)), x);
+    const float* last = rgb + 3 * (static_cast<size_t>(count) - 1);
+    add(Texel4{last[0], last[1], last[2], 0.0f}, count - 1);
+    out[count] = sum;
+    *least = std::min({low[0], low[1], low[2]});
+}
+
+MIRRORBALL_CLONES
+float sumRows(const float* rgb, size_t floatsPerRow, int count, int rows, const double* weights, size_t weightsPerRow, double* sums)
+{
+    float least = 0.0f;
+    for (int y = 0; y < rows; ++y, rgb += floatsPerRow, weights += weightsPerRow, sums += 4 * (static_cast<size_t>(count) + 1)) {
+        if (weightsPerRow > 1)
+            runningSums<true>(rgb, count, weights, sums, &least);
+        else
+            runningSums<false>(rgb, count, weights, sums, &least);
     }
-    out[width] = sum;
+    return least;
 }
 
 } // namespace
 
-RowSums::RowSums(const MapCharts& charts) : m_charts(charts), m_stride(4 * (static_cast<size_t>(charts.layout().width()) + 1)) {}
+struct RowSums::Window {
+    Sums sums{};
+    bool isPositive = true;
+};
 
-void RowSums::assignRow(int y, const float* rgb, double* sums) const
+/// Sums of the texels about a region, as far as they lie in the band. They stay valid until this thread asks for the next.
+RowSums::Window RowSums::window(double left, double right, double top, double bottom) const
 {
-    const MapLayout& layout = m_charts.layout();
-    const int width = layout.width();
-    if (layout.kind == Parameterization::Latlong) {
-        runningSums(rgb, width, m_charts.density(0, y), sums);
-        return;
-    }
-    double sum[4]{};
-    for (int x = 0; x < width; ++x, rgb += 3, sums += 4) {
-        std::copy_n(sum, 4, sums);
-        const double w = m_charts.density(x, y);
-        if (w <= 0.0)
-            continue;
-        for (int c = 0; c < 3; ++c)
-            sum[c] += w * rgb[c];
-        sum[3] += w;
-    }
-    std::copy_n(sum, 4, sums);
+    const int width = m_charts.layout().width();
+    const int firstColumn = std::clamp(static_cast<int>(left), 0, width - 1),
+              lastColumn = std::clamp(static_cast<int>(right), 0, width - 1);
+    const int firstRow = std::max(m_first, static_cast<int>(top)), endRow = std::min(end(), static_cast<int>(bottom) + 1);
+    Window result;
+    result.sums = {firstColumn, lastColumn - firstColumn + 1, firstRow, std::max(0, endRow - firstRow), nullptr};
+    if (result.sums.rows == 0)
+        return result;
+    thread_local std::vector<double> buffer;
+    const size_t needed = result.sums.stride() * static_cast<size_t>(result.sums.rows);
+    if (buffer.size() < needed)
+        buffer.resize(needed);
+    const size_t row = static_cast<size_t>(firstRow - m_first), column = static_cast<size_t>(firstColumn);
+    const bool latlong = m_charts.layout().kind == Parameterization::Latlong;
+    const size_t perRow = latlong ? 1 : static_cast<size_t>(width);
+    result.isPositive =
+        sumRows(m_rgb + 3 * (row * static_cast<size_t>(width) + column), 3 * static_cast<size_t>(width), result.sums.columns,
+                result.sums.rows, m_weights.data() + (latlong ? row : row * perRow + column), perRow, buffer.data()) >= 0.0f;
+    result.sums.sums = buffer.data();
+    return result;
 }
 
 void RowSums::assign(int first, int rows, const float* rgb, const JobControl& job)
 {
-    const int width = m_charts.layout().width();
     m_first = first;
     m_rows = rows;
-    if (m_sums.size() < static_cast<size_t>(rows) * m_stride)
-        m_sums.resize(static_cast<size_t>(rows) * m_stride);
-    std::vector<char> negative(static_cast<size_t>(rows), 0);
-    parallelRows(
-        rows, {.stop = job.stop, .progress = {}, .threads = job.threads},
-        [&](int from, int to) {
-            for (int y = from; y < to; ++y) {
-                const float* row = rgb + static_cast<size_t>(y) * static_cast<size_t>(width) * 3;
-                assignRow(first + y, row, m_sums.data() + static_cast<size_t>(y) * m_stride);
-                float least = 0.0f;
-                for (int i = 0; i < 3 * width; ++i)
-                    least = row[i] < least ? row[i] : least;
-                negative[static_cast<size_t>(y)] = least < 0.0f;
-            }
-        },
-        4);
-    m_positive = m_positive && std::find(negative.begin(), negative.end(), 1) == negative.end();
-    for (int y = 0; y < rows; ++y)
-        for (size_t c = 0; c < 4; ++c)
-            m_total[c] += m_sums[static_cast<size_t>(y) * m_stride + 4 * static_cast<size_t>(width) + c];
+    m_rgb = rgb;
+    const bool latlong = m_charts.layout().kind == Parameterization::Latlong;
+    const size_t perRow = latlong ? 1 : static_cast<size_t>(m_charts.layout().width());
+    m_weights.resize(static_cast<size_t>(rows) * perRow);
+    parallelRows(rows, {.stop = job.stop, .progress = {}, .threads = job.threads}, [&](int from, int to) {
+        for (int y = from; y < to; ++y)
+            for (size_t x = 0; x < perRow; ++x)
+                m_weights[static_cast<size_t>(y) * perRow + x] = std::max(0.0, m_charts.density(static_cast<int>(x), first + y));
+    });
 }
 
-void RowSums::addPolygon(std::span<const glm::dvec2> corners, double* sum) const
+bool RowSums::addPolygon(std::span<const glm::dvec2> corners, double* sum) const
 {
-    addPolygonTo({m_first, m_rows, m_charts.layout().width(), m_stride, m_sums.data()}, corners.data(), corners.size(), sum);
+    if (corners.empty())
+        return true;
+    glm::dvec2 least = corners[0], most = corners[0];
+    for (const glm::dvec2& p : corners) {
+        least = glm::min(least, p);
+        most = glm::max(most, p);
+    }
+    const Window about = window(least.x, most.x, least.y, most.y);
+    if (about.sums.rows > 0)
+        addPolygonTo(about.sums, corners.data(), corners.size(), sum);
+    return about.isPositive;
 }
 
-void RowSums::addGrid(const Grid& grid, double* sums) const
+bool RowSums::addGrid(const Grid& grid, double* sums) const
 {
-    const Band band{m_first, m_rows, m_charts.layout().width(), m_stride, m_sums.data()};
-    prefetch(band, grid);
-    addGridTo(band, grid, sums);
+    const size_t count = (static_cast<size_t>(grid.columns) + 1) * (static_cast<size_t>(grid.rows) + 1);
+    const auto [left, right] = std::minmax_element(grid.x, grid.x + count);
+    const auto [top, bottom] = std::minmax_element(grid.y, grid.y + count);
+    const Window about = window(*left, *right, *top, *bottom);
+    if (about.sums.rows > 0)
+        addGridTo(about.sums, grid, sums);
+    return about.isPositive;
+}
+
+void RowSums::addWhole(double* sum) const
+{
+    const size_t width = static_cast<size_t>(m_charts.layout().width());
+    const bool latlong = m_charts.layout().kind == Parameterization::Latlong;
+    for (size_t i = 0; i < width * static_cast<size_t>(m_rows); ++i) {
+        const double w = m_weights[latlong ? i / width : i];
+        for (size_t c = 0; c < 3; ++c)
+            sum[c] += w * static_cast<double>(m_rgb[3 * i + c]);
+        sum[3] += w;
+    }
 }
 
 } // namespace mirrorball

@@ -10,27 +10,25 @@
 
 namespace mirrorball {
 
-/// A band of a map's rows as running sums along each row, from which integrals over polygons of the image are read.
+/// A band of a map's rows, from which integrals over polygons of the image are read.
 ///
 /// With w the solid angle of a square texel at each place (MapCharts::density) and W(x, y) the integral of (w R, w G, w B, w) along row y
 /// from the row's start to x, a piecewise constant map's integral over a region is by Green's theorem the integral of W dy around its
 /// boundary: W is linear between the texels' edges, so each straight piece of the boundary within one texel counts with its middle,
-/// exactly. Where the boundary runs along a row dy is 0, so a region's parts in different bands just add up.
+/// exactly. Where the boundary runs along a row dy is 0, so a region's parts in different bands just add up. A constant in W adds nothing
+/// around a whole boundary, so W starts where the region does: as running sums of the few texels about it, which stay in the cache.
 class RowSums {
 public:
-    explicit RowSums(const MapCharts& charts);
-    /// Replaces the band by rows [first, first + rows), RGB.
+    explicit RowSums(const MapCharts& charts) : m_charts(charts) {}
+    /// Replaces the band by rows [first, first + rows), RGB, which must stay where they are.
     void assign(int first, int rows, const float* rgb, const JobControl& job);
 
     int first() const { return m_first; }
     int end() const { return m_first + m_rows; }
-    /// Whether no value of any band so far was negative.
-    bool isPositive() const { return m_positive; }
-    /// Solid angle and energy of all bands so far: integrals of (w R, w G, w B, w).
-    const double* total() const { return m_total; }
 
     /// Adds the integral over the part of a polygon that lies in the band to sum[0..3].
-    void addPolygon(std::span<const glm::dvec2> corners, double* sum) const;
+    /// @return whether no texel about it has a negative value
+    bool addPolygon(std::span<const glm::dvec2> corners, double* sum) const;
 
     /// A grid of quadrilaterals, by the image positions of its (columns + 1) x (rows + 1) corners. Cells are gathered in groups of
     /// `side` x `side`, which must divide both.
@@ -41,17 +39,20 @@ public:
         double sign = 1.0; ///< -1 where corners that run right and down make negative areas
     };
     /// Adds the integrals over the parts of the cells that lie in the band to sums, 4 a group, row by row.
-    void addGrid(const Grid& grid, double* sums) const;
+    /// @return whether no texel about them has a negative value
+    bool addGrid(const Grid& grid, double* sums) const;
+
+    /// Adds the integral over the whole band to sum[0..3].
+    void addWhole(double* sum) const;
 
 private:
-    void assignRow(int y, const float* rgb, double* sums) const;
+    struct Window;
+    Window window(double left, double right, double top, double bottom) const;
 
     MapCharts m_charts;
     int m_first = 0, m_rows = 0;
-    size_t m_stride; ///< doubles from row to row: 4 (width + 1)
-    std::vector<double> m_sums{};
-    bool m_positive = true;
-    double m_total[4]{};
+    const float* m_rgb = nullptr;
+    std::vector<double> m_weights{}; ///< densities: one a row in a latlong, one a texel elsewhere
 };
 
 } // namespace mirrorball

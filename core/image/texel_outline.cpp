@@ -66,6 +66,48 @@ glm::dvec3 TexelOutlines::directionIn(int x, int y, const glm::dvec2& p) const
     return m_yaw == 0.0 ? d : yawed(d, -m_yaw);
 }
 
+void TexelOutlines::directionsOfGrid(int x, int y, double step, int columns, int rows, double* dx, double* dy, double* dz) const
+{
+    const int n = m_target.size;
+    const auto put = [&](const glm::dvec3& d) {
+        *dx++ = d.x;
+        *dy++ = d.y;
+        *dz++ = d.z;
+    };
+    if (m_target.kind == Parameterization::Cube) { // linear in either
+        const int face = y / n;
+        const auto at = [&](double s, double t) {
+            const glm::dvec3 d = cube_map::facePoint(face, s, t);
+            return m_yaw == 0.0 ? d : yawed(d, -m_yaw);
+        };
+        const glm::dvec3 middle = at(0.0, 0.0), alongS = at(1.0, 0.0) - middle, alongT = at(0.0, 1.0) - middle;
+        for (int j = 0; j < rows; ++j) {
+            const glm::dvec3 left = middle + (2.0 * (y - face * n + step * j) / n - 1.0) * alongT;
+            for (int i = 0; i < columns; ++i)
+                put(left + (2.0 * (x + step * i) / n - 1.0) * alongS);
+        }
+        return;
+    }
+    if (m_target.kind == Parameterization::Latlong) { // separable
+        std::vector<glm::dvec2> meridians;
+        for (int i = 0; i < columns; ++i) {
+            const glm::dvec3 d = directionIn(x, y, {x + step * i, 0.5 * n});
+            meridians.emplace_back(d.x, d.z);
+        }
+        for (int j = 0; j < rows; ++j) {
+            const double latitude = 0.5 * pi - (y + step * j) * pi / n;
+            const bool pole = y + step * j == 0.0 || y + step * j == n;
+            const double sine = std::sin(latitude), cosine = pole ? 0.0 : std::cos(latitude);
+            for (const glm::dvec2& m : meridians)
+                put({cosine * m.x, sine, cosine * m.y});
+        }
+        return;
+    }
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i)
+            put(directionIn(x, y, {x + step * i, y + step * j}));
+}
+
 bool TexelOutlines::endsAtRim(int x, int y) const
 {
     if (!hasRim(m_target) || !isInside(m_target, x, y))

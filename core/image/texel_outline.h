@@ -29,6 +29,9 @@ public:
     /// Direction in the source of an image position that belongs to texel (x, y), its edges included: unlike mirrorball::direction(), which
     /// takes a position on the edge between two faces or halves for the second one's.
     glm::dvec3 directionIn(int x, int y, const glm::dvec2& p) const;
+    /// The same of the corners of a grid in texel (x, y)'s chart, from its upper left corner on, `step` texels apart, row by row; not
+    /// normalised. Places that differ by less than rounding in neighbouring charts.
+    void directionsOfGrid(int x, int y, double step, int columns, int rows, double* dx, double* dy, double* dz) const;
     /// Whether the rim of a disc cuts the texel and ends it.
     bool endsAtRim(int x, int y) const;
     /// The texel in the source's image. One that a disc only touches, in a sliver of no area, is taken whole.
