@@ -1,5 +1,7 @@
 #include "lookup.h"
 
+#include "latlong_positions.h"
+
 #include "core/sphere/disc.h"
 #include "core/sphere/dual_paraboloid.h"
 
@@ -61,6 +63,40 @@ glm::vec3 cubic(const EnvironmentMap& map, const glm::dvec3& d)
 glm::vec3 lookUp(const EnvironmentMap& map, const glm::dvec3& d, Resample resample)
 {
     return resample == Resample::Cubic && map.layout.size >= 4 ? cubic(map, d) : map.radiance(d);
+}
+
+void lookUp(const EnvironmentMap& map, size_t count, const double* x, const double* y, const double* z, Resample resample, float* rgb)
+{
+    const auto one = [&](size_t i) {
+        const glm::vec3 value = lookUp(map, {x[i], y[i], z[i]}, resample);
+        std::copy_n(&value.x, 3, rgb + 3 * i);
+    };
+    if (map.layout.kind != Parameterization::Latlong || resample != Resample::Linear) {
+        for (size_t i = 0; i < count; ++i)
+            one(i);
+        return;
+    }
+    constexpr size_t atOnce = 64;
+    const int n = map.layout.size;
+    double px[atOnce], py[atOnce];
+    for (size_t start = 0; start < count; start += atOnce) {
+        const size_t block = std::min(atOnce, count - start);
+        latlongCoordinates(n, block, x + start, y + start, z + start, px, py);
+        for (size_t i = 0; i < block; ++i) {
+            const double column = px[i] - 0.5, row = py[i] - 0.5;
+            if (!(column >= 0.0 && row >= 0.0 && column < 2 * n - 1 && row < n - 1)) { // over an edge
+                one(start + i);
+                continue;
+            }
+            const int left = static_cast<int>(column), top = static_cast<int>(row);
+            const float fx = static_cast<float>(column - left), fy = static_cast<float>(row - top);
+            const float w00 = (1.0f - fx) * (1.0f - fy), w10 = fx * (1.0f - fy), w01 = (1.0f - fx) * fy, w11 = fx * fy;
+            const float* upper = map.image.texel(left, top);
+            const float* lower = map.image.texel(left, top + 1);
+            for (size_t c = 0; c < 3; ++c)
+                rgb[3 * (start + i) + c] = w00 * upper[c] + w10 * upper[c + 3] + w01 * lower[c] + w11 * lower[c + 3];
+        }
+    }
 }
 
 } // namespace mirrorball

@@ -13,5 +13,7 @@ enum class Resample {
 /// The radiance in direction d, which need not be normalised. Seamless. Cubic asks for a map of size 4; smaller ones are read bilinearly.
 /// Source: R. Keys, Cubic Convolution Interpolation for Digital Image Processing, IEEE Trans. ASSP 29 (1981), with a = -1/2.
 glm::vec3 lookUp(const EnvironmentMap& map, const glm::dvec3& d, Resample resample);
+/// The same in many directions (x[i], y[i], z[i]): rgb[3 i].
+void lookUp(const EnvironmentMap& map, size_t count, const double* x, const double* y, const double* z, Resample resample, float* rgb);
 
 } // namespace mirrorball

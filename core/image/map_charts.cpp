@@ -1,6 +1,7 @@
 #include "map_charts.h"
 
-#include "core/base/multiversion.h"
+#include "latlong_positions.h"
+
 #include "core/sphere/angular_map.h"
 #include "core/sphere/cube_map.h"
 #include "core/sphere/dual_paraboloid.h"
@@ -23,34 +24,6 @@ unsigned sides(double value, double scale) { return value > onPlane * scale ? 2u
 /// Bits of the products of sides: bit a + 2 b + ... for side a of the first, b of the second.
 unsigned product(unsigned a, unsigned b) { return ((b & 1u) != 0 ? a : 0u) | ((b & 2u) != 0 ? a << 2 : 0u); }
 
-/// Four numbers side by side.
-typedef double Lanes __attribute__((vector_size(32), aligned(8), may_alias));
-typedef int Wholes __attribute__((vector_size(16)));
-
-/// atan2 of four at once, as precise as the library's to 2e-16.
-/// Source of the rational function: S. Moshier, Cephes, atan.c.
-[[gnu::always_inline]] inline void atan2Of(const Lanes& y, const Lanes& x, Lanes& angle)
-{
-    const Lanes none{};
-    const Lanes ax = x < 0.0 ? -x : x, ay = y < 0.0 ? -y : y;
-    const Lanes low = ax < ay ? ax : ay, high = ax < ay ? ay : ax;
-    const auto large = low > 0.66 * high;
-    const Lanes over = large ? low - high : low, sum = large ? low + high : high, under = sum > 0.0 ? sum : none + 1.0;
-    const Lanes t = over / under, u = t * t;
-    const Lanes p =
-        ((((-8.750608600031904122785e-1 * u - 1.615753718733365076637e1) * u - 7.500855792314704667340e1) * u - 1.228866684490136173410e2) *
-             u -
-         6.485021904942025371773e1);
-    const Lanes q = (((((u + 2.485846490142306297962e1) * u + 1.650270098316988542046e2) * u + 4.328810604912902668951e2) * u +
-                      4.853903996359136964868e2) *
-                         u +
-                     1.945506571482613964425e2);
-    angle = t + t * u * (p / q) + (large ? none + 0.25 * pi : none);
-    angle = ax < ay ? 0.5 * pi - angle : angle;
-    angle = x < 0.0 ? pi - angle : angle;
-    angle = y < 0.0 ? -angle : angle;
-}
-
 /// Where in the polar rows a colatitude lies by solid angle; y in rows from the pole.
 double polarPosition(int n, double y)
 {
@@ -64,47 +37,6 @@ double polarPosition(int n, double y)
 }
 
 double byPolarRow(int n, double y) { return 2.0 * y < n ? polarPosition(n, std::max(y, 0.0)) : n - polarPosition(n, std::max(n - y, 0.0)); }
-
-/// A latlong's image positions of four directions at x, y, z, in the lune about the column `middle`.
-[[gnu::always_inline]] inline void fourPositions(int n, double middle, const double* x, const double* y, const double* z, double* px,
-                                                 double* py)
-{
-    const double scale = n / pi, whole = 2.0 * n;
-    const Lanes dx = *reinterpret_cast<const Lanes*>(x), dy = *reinterpret_cast<const Lanes*>(y), dz = *reinterpret_cast<const Lanes*>(z);
-    Lanes longitude, latitude, sine;
-    atan2Of(dx, dz, longitude);
-    Lanes column = (pi - longitude) * scale;
-    column = column - middle > n ? column - whole : column;
-    *reinterpret_cast<Lanes*>(px) = column - middle < -n ? column + whole : column;
-    const Lanes square = dx * dx + dz * dz;
-    for (int i = 0; i < 4; ++i)
-        sine[i] = std::sqrt(square[i]);
-    atan2Of(dy, sine, latitude);
-    const Lanes row = (0.5 * pi - latitude) * scale;
-    const Lanes part = row - __builtin_convertvector(__builtin_convertvector(row, Wholes), Lanes);
-    // The share of the row's solid angle, to the first order in its height: d omega grows along it as the sine.
-    *reinterpret_cast<Lanes*>(py) = row - part * (1.0 - part) * 0.5 * dy / (sine * scale);
-}
-
-MIRRORBALL_CLONES
-void latlongPositions(int n, double middle, size_t count, const double* x, const double* y, const double* z, double* px, double* py)
-{
-    size_t i = 0;
-    for (; i + 4 <= count; i += 4)
-        fourPositions(n, middle, x + i, y + i, z + i, px + i, py + i);
-    if (i == count)
-        return;
-    double d[3][4], p[2][4]; // the last few, filled up by the last one
-    for (size_t k = 0; k < 4; ++k) {
-        const size_t from = std::min(i + k, count - 1);
-        d[0][k] = x[from];
-        d[1][k] = y[from];
-        d[2][k] = z[from];
-    }
-    fourPositions(n, middle, d[0], d[1], d[2], p[0], p[1]);
-    std::copy_n(p[0], count - i, px + i);
-    std::copy_n(p[1], count - i, py + i);
-}
 
 } // namespace
 
@@ -224,7 +156,7 @@ void MapCharts::positions(int chart, size_t count, const double* x, const double
     // The lune's middle: columns grow against the longitude.
     const int n = m_layout.size;
     const double lon = ((chart & 2) != 0 ? 0.25 : 0.75) * ((chart & 1) != 0 ? pi : -pi);
-    latlongPositions(n, (pi - lon) * n / pi, count, x, y, z, px, py);
+    latlongSharePositions(n, (pi - lon) * n / pi, count, x, y, z, px, py);
     for (size_t i = 0; i < count; ++i)
         if (!(py[i] >= polarRows && py[i] <= n - polarRows)) // beside a pole, where the first order will not do
             py[i] = byPolarRow(n, (0.5 * pi - std::atan2(y[i], std::sqrt(x[i] * x[i] + z[i] * z[i]))) * n / pi);

@@ -2,9 +2,11 @@
 
 #include "core/base/error.h"
 #include "remap.h"
+#include "texel_outline.h"
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace mirrorball {
 
@@ -34,12 +36,16 @@ EnvironmentMap reproject(const EnvironmentMap& source, const ReprojectOptions& o
     if (magnification(source.layout, options).largest >= magnifiedBelow)
         return remap(source, options, job);
     EnvironmentMap result(options.target);
+    const TexelOutlines places(options.target, options.yaw, MapCharts(source.layout));
+    const int width = result.image.width, chart = options.target.kind == Parameterization::Latlong ? width : options.target.size;
     parallelRows(result.image.height, job, [&](int first, int last) {
-        for (int y = first; y < last; ++y)
-            for (int x = 0; x < result.image.width; ++x) {
-                const glm::dvec3 d = texelDirection(options.target, x, y);
-                const glm::vec3 value = lookUp(source, options.yaw == 0.0 ? d : yawed(d, -options.yaw), options.resample);
-                std::copy_n(&value.x, 3, result.image.texel(x, y));
+        const size_t count = static_cast<size_t>(chart);
+        std::vector<double> x(count), y(count), z(count);
+        for (int row = first; row < last; ++row)
+            for (int left = 0; left < width; left += chart) {
+                places.directions(left, row, {.first = {left + 0.5, row + 0.5}, .step = {1.0, 1.0}, .columns = chart, .rows = 1}, x.data(),
+                                  y.data(), z.data());
+                lookUp(source, count, x.data(), y.data(), z.data(), options.resample, result.image.texel(left, row));
             }
     });
     return result;

@@ -86,78 +86,93 @@ void addPolygonTo(const Sums& sums, const glm::dvec2* corners, size_t count, dou
         out[c] += sum[c];
 }
 
+/// The integral of W dy along one of the lines' edges.
+[[gnu::always_inline]] inline void addAlong(const Sums& sums, const RowSums::Lines& lines, size_t edge, double sign, Lanes& sum)
+{
+    const size_t last = static_cast<size_t>(lines.starts[edge + 1]);
+    for (size_t i = static_cast<size_t>(lines.starts[edge]); i < last; ++i)
+        addEdge(sums, lines.x[i], lines.y[i], lines.x[i + 1], lines.y[i + 1], sign, sum);
+}
+
 /// Every edge once: what lies right of a left edge and below an upper one is the cell's, what lies beyond its right and lower edge is not.
 MIRRORBALL_CLONES
 void addGridTo(const Sums& sums, const RowSums::Grid& grid, double* out)
 {
-    const int columns = grid.columns, groups = columns / grid.side;
-    const size_t stride = static_cast<size_t>(columns) + 1;
-    for (int j = 0; j <= grid.rows; ++j) {
-        const double* x = grid.x + static_cast<size_t>(j) * stride;
-        const double* y = grid.y + static_cast<size_t>(j) * stride;
-        double* above = j > 0 ? out + static_cast<size_t>((j - 1) / grid.side) * static_cast<size_t>(groups) * 4 : nullptr;
-        double* here = j < grid.rows ? out + static_cast<size_t>(j / grid.side) * static_cast<size_t>(groups) * 4 : nullptr;
-        if (above != here) // else inside a group
-            for (int i = 0; i < columns; ++i) {
-                Lanes sum{};
-                addEdge(sums, x[i], y[i], x[i + 1], y[i + 1], grid.sign, sum);
-                const size_t group = static_cast<size_t>(i / grid.side) * 4;
-                for (size_t c = 0; c < 4; ++c) {
-                    if (here)
-                        here[group + c] += sum[c];
-                    if (above)
-                        above[group + c] -= sum[c];
-                }
-            }
-        if (!here)
-            continue;
-        for (int i = 0; i <= columns; i += grid.side) {
+    const size_t columns = static_cast<size_t>(grid.columns), rows = static_cast<size_t>(grid.rows);
+    Lanes* cells = reinterpret_cast<Lanes*>(out);
+    for (size_t j = 0; j <= rows; ++j)
+        for (size_t i = 0; i < columns; ++i) {
             Lanes sum{};
-            addEdge(sums, x[i], y[i], x[static_cast<size_t>(i) + stride], y[static_cast<size_t>(i) + stride], grid.sign, sum);
-            const size_t group = static_cast<size_t>(i / grid.side) * 4;
-            for (size_t c = 0; c < 4; ++c) {
-                if (i > 0)
-                    here[group - 4 + c] += sum[c];
-                if (i < columns)
-                    here[group + c] -= sum[c];
-            }
+            addAlong(sums, grid.across, j * (columns + 1) + i, grid.sign, sum);
+            if (j < rows)
+                cells[j * columns + i] += sum;
+            if (j > 0)
+                cells[(j - 1) * columns + i] -= sum;
         }
-    }
+    for (size_t i = 0; i <= columns; ++i)
+        for (size_t j = 0; j < rows; ++j) {
+            Lanes sum{};
+            addAlong(sums, grid.down, i * (rows + 1) + j, grid.sign, sum);
+            if (i > 0)
+                cells[j * columns + i - 1] += sum;
+            if (i < columns)
+                cells[j * columns + i] -= sum;
+        }
 }
 
-/// Running sums of `count` texels, each of `weights`[i] or all of weights[0], and the least value among them and *least.
-template <bool each>
-[[gnu::always_inline]] inline void runningSums(const float* rgb, int count, const double* weights, double* sums, float* least)
-{
+/// A row of running sums as it grows: weight times texel, and the least value met.
+struct Running {
+    const float* rgb;
+    const double* weights;
+    Lanes* out;
     Lanes sum{};
-    Lanes* out = reinterpret_cast<Lanes*>(sums);
-    Texel4 low{least[0], least[0], least[0], 0.0f};
-    const auto add = [&](const Texel4& texel, int x) {
+    Texel4 least{};
+
+    template <bool each>
+    [[gnu::always_inline]] void add(const Texel4& texel, size_t x)
+    {
         out[x] = sum;
-        low = texel < low ? texel : low;
+        least = texel < least ? texel : least;
         Lanes values = __builtin_convertvector(texel, Lanes);
         values[3] = 1.0;
         sum += weights[each ? x : 0] * values;
+    }
+    [[gnu::always_inline]] const Texel4& at(size_t x) const { return *reinterpret_cast<const Texel4*>(rgb + 3 * x); }
+    [[gnu::always_inline]] Texel4 last(size_t x) const { return Texel4{rgb[3 * x], rgb[3 * x + 1], rgb[3 * x + 2], 0.0f}; }
+};
+
+/// Sums of rows, each weight a texel's own or a whole row's; two rows at once, since each sum waits for the one before.
+/// @return the least value, or 0
+template <bool each>
+[[gnu::always_inline]] inline float sumRowsOf(const float* rgb, size_t floatsPerRow, size_t count, size_t rows, const double* weights,
+                                              size_t weightsPerRow, double* sums)
+{
+    const size_t last = count - 1;
+    Texel4 least{};
+    const auto row = [&](size_t y) {
+        return Running{rgb + y * floatsPerRow, weights + y * weightsPerRow, reinterpret_cast<Lanes*>(sums) + y * (count + 1)};
     };
-    for (int x = 0; x + 1 < count; ++x)
-        add(*reinterpret_cast<const Texel4*>(rgb + 3 * static_cast<size_t>(x)), x);
-    const float* last = rgb + 3 * (static_cast<size_t>(count) - 1);
-    add(Texel4{last[0], last[1], last[2], 0.0f}, count - 1);
-    out[count] = sum;
-    *least = std::min({low[0], low[1], low[2]});
+    for (size_t y = 0; y < rows; y += 2) {
+        Running a = row(y), b = row(y + 1 < rows ? y + 1 : y);
+        for (size_t x = 0; x < last; ++x) { // the last texel has none after it to read
+            a.add<each>(a.at(x), x);
+            b.add<each>(b.at(x), x);
+        }
+        a.add<each>(a.last(last), last);
+        b.add<each>(b.last(last), last);
+        a.out[count] = a.sum;
+        b.out[count] = b.sum;
+        least = a.least < least ? a.least : least;
+        least = b.least < least ? b.least : least;
+    }
+    return std::min({least[0], least[1], least[2]});
 }
 
 MIRRORBALL_CLONES
-float sumRows(const float* rgb, size_t floatsPerRow, int count, int rows, const double* weights, size_t weightsPerRow, double* sums)
+float sumRows(const float* rgb, size_t floatsPerRow, size_t count, size_t rows, const double* weights, size_t weightsPerRow, double* sums)
 {
-    float least = 0.0f;
-    for (int y = 0; y < rows; ++y, rgb += floatsPerRow, weights += weightsPerRow, sums += 4 * (static_cast<size_t>(count) + 1)) {
-        if (weightsPerRow > 1)
-            runningSums<true>(rgb, count, weights, sums, &least);
-        else
-            runningSums<false>(rgb, count, weights, sums, &least);
-    }
-    return least;
+    return weightsPerRow > 1 ? sumRowsOf<true>(rgb, floatsPerRow, count, rows, weights, weightsPerRow, sums)
+                             : sumRowsOf<false>(rgb, floatsPerRow, count, rows, weights, weightsPerRow, sums);
 }
 
 } // namespace
@@ -168,12 +183,12 @@ struct RowSums::Window {
 };
 
 /// Sums of the texels about a region, as far as they lie in the band. They stay valid until this thread asks for the next.
-RowSums::Window RowSums::window(double left, double right, double top, double bottom) const
+RowSums::Window RowSums::window(const Bounds& bounds) const
 {
     const int width = m_charts.layout().width();
-    const int firstColumn = std::clamp(static_cast<int>(left), 0, width - 1),
-              lastColumn = std::clamp(static_cast<int>(right), 0, width - 1);
-    const int firstRow = std::max(m_first, static_cast<int>(top)), endRow = std::min(end(), static_cast<int>(bottom) + 1);
+    const int firstColumn = std::clamp(static_cast<int>(bounds.least.x), 0, width - 1),
+              lastColumn = std::clamp(static_cast<int>(bounds.most.x), 0, width - 1);
+    const int firstRow = std::max(m_first, static_cast<int>(bounds.least.y)), endRow = std::min(end(), static_cast<int>(bounds.most.y) + 1);
     Window result;
     result.sums = {firstColumn, lastColumn - firstColumn + 1, firstRow, std::max(0, endRow - firstRow), nullptr};
     if (result.sums.rows == 0)
@@ -211,12 +226,10 @@ bool RowSums::addPolygon(std::span<const glm::dvec2> corners, double* sum) const
 {
     if (corners.empty())
         return true;
-    glm::dvec2 least = corners[0], most = corners[0];
-    for (const glm::dvec2& p : corners) {
-        least = glm::min(least, p);
-        most = glm::max(most, p);
-    }
-    const Window about = window(least.x, most.x, least.y, most.y);
+    Bounds bounds{corners[0], corners[0]};
+    for (const glm::dvec2& p : corners)
+        bounds.take(p);
+    const Window about = window(bounds);
     if (about.sums.rows > 0)
         addPolygonTo(about.sums, corners.data(), corners.size(), sum);
     return about.isPositive;
@@ -224,10 +237,7 @@ bool RowSums::addPolygon(std::span<const glm::dvec2> corners, double* sum) const
 
 bool RowSums::addGrid(const Grid& grid, double* sums) const
 {
-    const size_t count = (static_cast<size_t>(grid.columns) + 1) * (static_cast<size_t>(grid.rows) + 1);
-    const auto [left, right] = std::minmax_element(grid.x, grid.x + count);
-    const auto [top, bottom] = std::minmax_element(grid.y, grid.y + count);
-    const Window about = window(*left, *right, *top, *bottom);
+    const Window about = window(grid.bounds);
     if (about.sums.rows > 0)
         addGridTo(about.sums, grid, sums);
     return about.isPositive;

@@ -30,15 +30,30 @@ public:
     /// @return whether no texel about it has a negative value
     bool addPolygon(std::span<const glm::dvec2> corners, double* sum) const;
 
-    /// A grid of quadrilaterals, by the image positions of its (columns + 1) x (rows + 1) corners. Cells are gathered in groups of
-    /// `side` x `side`, which must divide both.
-    struct Grid {
-        int columns = 0, rows = 0, side = 1;
-        const double* x = nullptr;
-        const double* y = nullptr;
-        double sign = 1.0; ///< -1 where corners that run right and down make negative areas
+    /// Parallel lines of edges, one line after the other, each edge a row of points: edge e of line l goes from point
+    /// starts[l (edges + 1) + e] to the next start.
+    struct Lines {
+        std::vector<double> x{}, y{};
+        std::vector<int> starts{};
     };
-    /// Adds the integrals over the parts of the cells that lie in the band to sums, 4 a group, row by row.
+    /// An upright rectangle of the image.
+    struct Bounds {
+        glm::dvec2 least{}, most{};
+        void take(const glm::dvec2& p)
+        {
+            least = glm::min(least, p);
+            most = glm::max(most, p);
+        }
+    };
+    /// A grid of cells between rows + 1 lines across, of `columns` edges each, and columns + 1 lines down, of `rows`.
+    struct Grid {
+        int columns = 0, rows = 0;
+        const Lines& across;
+        const Lines& down;
+        const Bounds& bounds; ///< of its border
+        double sign = 1.0;    ///< -1 where edges that run right and down make negative areas
+    };
+    /// Adds the integrals over the parts of the cells that lie in the band to sums, 4 a cell, row by row.
     /// @return whether no texel about them has a negative value
     bool addGrid(const Grid& grid, double* sums) const;
 
@@ -47,7 +62,7 @@ public:
 
 private:
     struct Window;
-    Window window(double left, double right, double top, double bottom) const;
+    Window window(const Bounds& bounds) const;
 
     MapCharts m_charts;
     int m_first = 0, m_rows = 0;

@@ -13,7 +13,6 @@ namespace mirrorball {
 namespace {
 
 constexpr double offChart = 1e9; ///< a bend larger than any tolerance
-constexpr int deepest = 10;      ///< halvings of an edge that bends
 constexpr double samePoint = 1e-13;
 constexpr double least = 1e-9; ///< texels: what is smaller is rounding
 
@@ -66,9 +65,10 @@ glm::dvec3 TexelOutlines::directionIn(int x, int y, const glm::dvec2& p) const
     return m_yaw == 0.0 ? d : yawed(d, -m_yaw);
 }
 
-void TexelOutlines::directionsOfGrid(int x, int y, double step, int columns, int rows, double* dx, double* dy, double* dz) const
+void TexelOutlines::directions(int x, int y, const Places& places, double* dx, double* dy, double* dz) const
 {
     const int n = m_target.size;
+    const glm::dvec2 &first = places.first, &step = places.step;
     const auto put = [&](const glm::dvec3& d) {
         *dx++ = d.x;
         *dy++ = d.y;
@@ -81,31 +81,30 @@ void TexelOutlines::directionsOfGrid(int x, int y, double step, int columns, int
             return m_yaw == 0.0 ? d : yawed(d, -m_yaw);
         };
         const glm::dvec3 middle = at(0.0, 0.0), alongS = at(1.0, 0.0) - middle, alongT = at(0.0, 1.0) - middle;
-        for (int j = 0; j < rows; ++j) {
-            const glm::dvec3 left = middle + (2.0 * (y - face * n + step * j) / n - 1.0) * alongT;
-            for (int i = 0; i < columns; ++i)
-                put(left + (2.0 * (x + step * i) / n - 1.0) * alongS);
+        for (int j = 0; j < places.rows; ++j) {
+            const glm::dvec3 left = middle + (2.0 * (first.y + step.y * j - static_cast<double>(face) * n) / n - 1.0) * alongT;
+            for (int i = 0; i < places.columns; ++i)
+                put(left + (2.0 * (first.x + step.x * i) / n - 1.0) * alongS);
         }
         return;
     }
     if (m_target.kind == Parameterization::Latlong) { // separable
         std::vector<glm::dvec2> meridians;
-        for (int i = 0; i < columns; ++i) {
-            const glm::dvec3 d = directionIn(x, y, {x + step * i, 0.5 * n});
+        for (int i = 0; i < places.columns; ++i) {
+            const glm::dvec3 d = directionIn(x, y, {first.x + step.x * i, 0.5 * n});
             meridians.emplace_back(d.x, d.z);
         }
-        for (int j = 0; j < rows; ++j) {
-            const double latitude = 0.5 * pi - (y + step * j) * pi / n;
-            const bool pole = y + step * j == 0.0 || y + step * j == n;
-            const double sine = std::sin(latitude), cosine = pole ? 0.0 : std::cos(latitude);
+        for (int j = 0; j < places.rows; ++j) {
+            const double row = first.y + step.y * j, latitude = 0.5 * pi - row * pi / n;
+            const double sine = std::sin(latitude), cosine = row == 0.0 || row == n ? 0.0 : std::cos(latitude);
             for (const glm::dvec2& m : meridians)
                 put({cosine * m.x, sine, cosine * m.y});
         }
         return;
     }
-    for (int j = 0; j < rows; ++j)
-        for (int i = 0; i < columns; ++i)
-            put(directionIn(x, y, {x + step * i, y + step * j}));
+    for (int j = 0; j < places.rows; ++j)
+        for (int i = 0; i < places.columns; ++i)
+            put(directionIn(x, y, {first.x + step.x * i, first.y + step.y * j}));
 }
 
 bool TexelOutlines::endsAtRim(int x, int y) const
@@ -134,7 +133,15 @@ double TexelOutlines::bend(int x, int y, const glm::dvec2& from, const glm::dvec
     return bendBetween(directionIn(x, y, from), directionIn(x, y, 0.5 * (from + to)), directionIn(x, y, to));
 }
 
-/// Appends the points after d0 up to and with d1.
+int TexelOutlines::halvings(double bend)
+{
+    int count = 0;
+    for (; bend > outlineTolerance && count < mostHalvings; bend *= 0.25)
+        ++count;
+    return count;
+}
+
+/// Appends the points after d0 up to and with d1. An edge that leaves its chart is halved until its parts do not.
 template <class At>
 void TexelOutlines::follow(const At& at, double t0, const glm::dvec3& d0, double t1, const glm::dvec3& d1, int depth,
                            std::vector<glm::dvec3>& out) const
@@ -142,11 +149,14 @@ void TexelOutlines::follow(const At& at, double t0, const glm::dvec3& d0, double
     const double t = 0.5 * (t0 + t1);
     const glm::dvec3 middle = at(t);
     const double bend = bendBetween(d0, middle, d1);
-    if (bend > outlineTolerance && depth < deepest) {
+    if (bend == offChart && depth < mostHalvings) {
         follow(at, t0, d0, t, middle, depth + 1, out);
         follow(at, t, middle, t1, d1, depth + 1, out);
         return;
     }
+    const int parts = bend == offChart ? 1 : 1 << halvings(bend);
+    for (int i = 1; i < parts; ++i)
+        out.push_back(at(t0 + (t1 - t0) * i / parts));
     out.push_back(d1);
 }
 
@@ -262,7 +272,7 @@ void TexelOutlines::split(std::vector<glm::dvec3> polygon, size_t plane, std::ve
 void TexelOutlines::layOutRim(int chart, const glm::dvec3& d0, const glm::dvec2& p0, const glm::dvec3& d1, const glm::dvec2& p1, int depth,
                               std::vector<glm::dvec2>& out) const
 {
-    if (depth < deepest) {
+    if (depth < mostHalvings) {
         const glm::dvec3 middle = glm::normalize(d0 + d1);
         const glm::dvec2 p = m_source.position(chart, middle, d0), off = 0.5 * (p0 + p1) - p;
         if (std::max(std::abs(off.x), std::abs(off.y)) > outlineTolerance) {

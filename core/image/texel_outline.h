@@ -17,10 +17,10 @@ struct OutlinePiece {
 
 /// Outlines of a target's texels in a source's image.
 ///
-/// A texel's boundary is followed as directions, halved until straight lines between their image positions are within outlineTolerance of
-/// it, cut by the planes between the source's charts and laid out in each. Neighbours walk a common edge through the same points, so the
-/// pieces of all texels cover the source's image once, without gaps, whatever the tolerance.
-/// Texels at a disc's rim end there; those outside, and all of a paraboloid with a border, are taken as the map continues.
+/// A texel's boundary is followed as directions, each edge in equal parts so many that straight lines between their image positions are
+/// within outlineTolerance of it, cut by the planes between the source's charts and laid out in each. Neighbours walk a common edge through
+/// the same points, so the pieces of all texels cover the source's image once, without gaps, whatever the tolerance. Texels at a disc's rim
+/// end there; those outside, and all of a paraboloid with a border, are taken as the map continues.
 class TexelOutlines {
 public:
     /// @param yaw  as ReprojectOptions::yaw
@@ -29,9 +29,14 @@ public:
     /// Direction in the source of an image position that belongs to texel (x, y), its edges included: unlike mirrorball::direction(), which
     /// takes a position on the edge between two faces or halves for the second one's.
     glm::dvec3 directionIn(int x, int y, const glm::dvec2& p) const;
-    /// The same of the corners of a grid in texel (x, y)'s chart, from its upper left corner on, `step` texels apart, row by row; not
-    /// normalised. Places that differ by less than rounding in neighbouring charts.
-    void directionsOfGrid(int x, int y, double step, int columns, int rows, double* dx, double* dy, double* dz) const;
+    /// A grid of places of the image, row by row.
+    struct Places {
+        glm::dvec2 first{}, step{};
+        int columns = 0, rows = 0;
+        size_t count() const { return static_cast<size_t>(columns) * static_cast<size_t>(rows); }
+    };
+    /// directionIn() of many places that belong to texel (x, y)'s chart, not normalised. Within rounding what directionIn() is.
+    void directions(int x, int y, const Places& places, double* dx, double* dy, double* dz) const;
     /// Whether the rim of a disc cuts the texel and ends it.
     bool endsAtRim(int x, int y) const;
     /// The texel in the source's image. One that a disc only touches, in a sliver of no area, is taken whole.
@@ -39,6 +44,10 @@ public:
     /// How far the middle of a straight edge between image positions of texel (x, y) lies from where it should, in texels of the source.
     /// Larger than any tolerance when the edge leaves its chart.
     double bend(int x, int y, const glm::dvec2& from, const glm::dvec2& to) const;
+    /// How often an edge of that bend is halved till straight lines do for it: each halving leaves a quarter of the bend. At most
+    /// mostHalvings.
+    static int halvings(double bend);
+    static constexpr int mostHalvings = 10;
 
 private:
     enum class Rim { Ends, Continues };
