@@ -11,6 +11,7 @@
 #include <cassert>
 #include <cmath>
 #include <mutex>
+#include <span>
 #include <utility>
 
 namespace mirrorball {
@@ -28,19 +29,35 @@ struct CoefficientsDeleter {
 using Geometry = std::unique_ptr<sharp_geom_info, GeometryDeleter>;
 using Coefficients = std::unique_ptr<sharp_alm_info, CoefficientsDeleter>;
 
-/// Rings of one length, stored one after the other.
-Geometry ringGeometry(const std::vector<double>& theta, const std::vector<double>& weight, int ringLength, double phi0)
+/// Rings of one length, stored one after the other, in blocks that are transformed each by itself: a ring and its mirror image beyond the
+/// equator share one, as they share their Legendre functions.
+std::vector<Geometry> ringBlocks(const std::vector<double>& theta, const std::vector<double>& weight, int ringLength, double phi0,
+                                 size_t mostBlocks = 16)
 {
-    const size_t n = theta.size();
-    const std::vector<int> lengths(n, ringLength), strides(n, 1);
-    const std::vector<double> starts(n, phi0);
-    std::vector<ptrdiff_t> offsets(n);
-    for (size_t i = 0; i < n; ++i)
-        offsets[i] = static_cast<ptrdiff_t>(i) * ringLength;
-    sharp_geom_info* info = nullptr;
-    sharp_make_geom_info(static_cast<int>(n), lengths.data(), offsets.data(), strides.data(), starts.data(), theta.data(),
-                         weight.empty() ? nullptr : weight.data(), &info);
-    return Geometry(info);
+    constexpr size_t pairsInBlock = 32;
+    const size_t n = theta.size(), pairs = (n + 1) / 2, count = std::clamp(pairs / pairsInBlock, size_t{1}, mostBlocks);
+    std::vector<Geometry> blocks;
+    for (size_t block = 0; block < count; ++block) {
+        std::vector<double> thetas, weights;
+        std::vector<ptrdiff_t> offsets;
+        const auto add = [&](size_t ring) {
+            thetas.push_back(theta[ring]);
+            weights.push_back(weight.empty() ? 1.0 : weight[ring]);
+            offsets.push_back(static_cast<ptrdiff_t>(ring) * ringLength);
+        };
+        for (size_t ring = block * pairs / count; ring < (block + 1) * pairs / count; ++ring) {
+            add(ring);
+            if (ring != n - 1 - ring)
+                add(n - 1 - ring);
+        }
+        const std::vector<int> lengths(thetas.size(), ringLength), strides(thetas.size(), 1);
+        const std::vector<double> starts(thetas.size(), phi0);
+        sharp_geom_info* info = nullptr;
+        sharp_make_geom_info(static_cast<int>(thetas.size()), lengths.data(), offsets.data(), strides.data(), starts.data(), thetas.data(),
+                             weights.data(), &info);
+        blocks.emplace_back(info);
+    }
+    return blocks;
 }
 
 Coefficients triangle(int bandLimit)
@@ -50,14 +67,56 @@ Coefficients triangle(int bandLimit)
     return Coefficients(info);
 }
 
-void transform(sharp_jobtype type, std::vector<Complex>& coefficients, std::vector<double>& map, const Geometry& geometry,
+/// The rings of a map from coefficients.
+void toRings(std::vector<Complex>& coefficients, std::vector<double>& map, const std::vector<Geometry>& blocks,
+             const Coefficients& triangle, const JobControl& job)
+{
+    parallelRows(
+        static_cast<int>(blocks.size()), {.stop = job.stop, .progress = {}, .threads = job.threads},
+        [&](int first, int last) {
+            const OpenMpThreads alone(1);
+            Complex* alm = coefficients.data();
+            double* texels = map.data();
+            for (int i = first; i < last; ++i)
+                sharp_execute(SHARP_ALM2MAP, 0, &alm, &texels, blocks[static_cast<size_t>(i)].get(), triangle.get(), SHARP_DP, nullptr,
+                              nullptr);
+        },
+        1);
+}
+
+/// Coefficients from the rings of maps. Small ones are shared out among threads by map and by two lots of blocks, which are added in
+/// order, so that nothing depends on who was first; large ones, which would take that much more memory, by libsharp itself.
+void fromRings(std::span<std::vector<Complex>> coefficients, std::span<std::vector<double>> maps, const std::vector<Geometry>& blocks,
                const Coefficients& triangle, const JobControl& job)
 {
-    job.checkStop();
-    const OpenMpThreads threads(job.threadCount());
-    Complex* alm = coefficients.data();
-    double* texels = map.data();
-    sharp_execute(type, 0, &alm, &texels, geometry.get(), triangle.get(), SHARP_DP, nullptr, nullptr);
+    const auto add = [&](std::vector<Complex>& to, std::vector<double>& map, size_t block, int flags) {
+        job.checkStop();
+        Complex* alm = to.data();
+        double* texels = map.data();
+        sharp_execute(SHARP_MAP2ALM, 0, &alm, &texels, blocks[block].get(), triangle.get(), SHARP_DP | flags, nullptr, nullptr);
+    };
+    if (blocks.size() == 1) {
+        const OpenMpThreads threads(job.threadCount());
+        for (size_t c = 0; c < maps.size(); ++c)
+            add(coefficients[c], maps[c], 0, 0);
+        return;
+    }
+    constexpr size_t lots = 2;
+    std::vector<std::vector<Complex>> sums(maps.size() * lots);
+    parallelRows(
+        static_cast<int>(sums.size()), {.stop = job.stop, .progress = {}, .threads = job.threads},
+        [&](int first, int last) {
+            const OpenMpThreads alone(1);
+            for (size_t i = static_cast<size_t>(first); i < static_cast<size_t>(last); ++i) {
+                sums[i].resize(coefficients[i / lots].size());
+                for (size_t block = i % lots; block < blocks.size(); block += lots)
+                    add(sums[i], maps[i / lots], block, SHARP_ADD);
+            }
+        },
+        1);
+    for (size_t c = 0; c < maps.size(); ++c)
+        for (size_t i = 0; i < coefficients[c].size(); ++i)
+            coefficients[c][i] = sums[c * lots][i] + sums[c * lots + 1][i];
 }
 
 /// Smallest number >= n whose only prime factors are 2, 3 and 5, and that is even: lengths FFTs like.
@@ -198,19 +257,19 @@ Spectrum SpectrumBuilder::finish(const JobControl& job)
     spectrum.peak = m_peak;
     const size_t count = spectrum.index(m_bandLimit, m_bandLimit) + 1;
     // The first sample of a truncated row keeps its texel's azimuth, half a texel of the full row.
-    const Geometry geometry = ringGeometry(theta, weight, m_keptLength, pi / m_width);
+    constexpr size_t largeCount = size_t{1} << 19;
+    const std::vector<Geometry> blocks = ringBlocks(theta, weight, m_keptLength, pi / m_width, count > largeCount ? 1 : 16);
     const Coefficients layout = triangle(m_bandLimit);
-    for (size_t c = 0; c < 3; ++c) {
-        spectrum.coefficients[c].resize(count);
-        transform(SHARP_MAP2ALM, spectrum.coefficients[c], m_rows[c], geometry, layout, job);
-    }
+    for (auto& channel : spectrum.coefficients)
+        channel.resize(count);
+    fromRings(spectrum.coefficients, m_rows, blocks, layout, job);
 
     // A constant 1 on these rings holds orders that are multiples of the row's length only. Below the first of those it is zonal, and
     // its coefficients are a sum over the rows.
     spectrum.unit.resize(count);
     if (m_bandLimit >= m_width) {
         std::fill(m_rows[0].begin(), m_rows[0].end(), 1.0);
-        transform(SHARP_MAP2ALM, spectrum.unit, m_rows[0], geometry, layout, job);
+        fromRings({&spectrum.unit, 1}, {m_rows.data(), 1}, blocks, layout, job);
         return spectrum;
     }
     std::vector<double> sums(static_cast<size_t>(m_bandLimit) + 1); // of w_j P_l(cos theta_j)
@@ -241,7 +300,7 @@ FilteredRings synthesise(const Spectrum& spectrum, const std::vector<double>& k,
 {
     const int bandLimit = static_cast<int>(k.size()) - 1;
     assert(bandLimit <= spectrum.bandLimit && azimuthFactors.size() > static_cast<size_t>(bandLimit));
-    const Geometry geometry = ringGeometry(theta, {}, ringLength, phi0);
+    const std::vector<Geometry> blocks = ringBlocks(theta, {}, ringLength, phi0);
     const Coefficients layout = triangle(bandLimit);
     Spectrum filtered; // only for its index
     filtered.bandLimit = bandLimit;
@@ -255,7 +314,7 @@ FilteredRings synthesise(const Spectrum& spectrum, const std::vector<double>& k,
                 to[l] = from[l] * (factor * k[static_cast<size_t>(l)]);
         }
         std::vector<double> map(theta.size() * static_cast<size_t>(ringLength));
-        transform(SHARP_ALM2MAP, product, map, geometry, layout, job);
+        toRings(product, map, blocks, layout, job);
         return map;
     };
 
