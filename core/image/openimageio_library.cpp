@@ -18,8 +18,12 @@ constexpr const char* moduleFile = "libmirrorball_openimageio.so";
 std::vector<std::filesystem::path> moduleFolders()
 {
     const auto program = folderOfThisCode();
-    return {program / MIRRORBALL_MODULE_FROM_BIN, program / ".." / MIRRORBALL_MODULE_FROM_BIN, program / "../lib/mirrorball",
-            program / "../lib", program / "../../lib", MIRRORBALL_MODULE_INSTALLED};
+    return {program / MIRRORBALL_MODULE_FROM_BIN,
+            program / ".." / MIRRORBALL_MODULE_FROM_BIN,
+            program / "../lib/mirrorball",
+            program / "../lib",
+            program / "../../lib",
+            MIRRORBALL_MODULE_INSTALLED};
 }
 
 const Module& loadModule()
