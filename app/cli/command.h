@@ -29,6 +29,13 @@ void addReportCommand(CLI::App& program, int argc, const char* const* argv);
 
 /// Parses a KIND word. @throws InvalidArgument naming the option and the known words
 Parameterization parseKind(const std::string& option, const std::string& word);
+/// The map that --to, --size and --border ask for; a cube's border lies around its faces in the file, not in the map.
+struct MapTarget {
+    MapLayout layout{};
+    int faceBorder = 0;
+};
+/// @throws InvalidArgument
+MapTarget parseTarget(const std::string& to, int size, int border);
 inline double radians(double degrees) { return degrees * pi / 180.0; }
 
 /// Writes what `--stats FILE` asks for as JSON, whole or not at all: {"stages":[{"name","seconds","left_out","why"}], "method",

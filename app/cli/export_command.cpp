@@ -1,4 +1,5 @@
 #include "command.h"
+#include "reading_options.h"
 
 #include "core/base/error.h"
 #include "core/scene/engine_scene_export.h"
@@ -109,6 +110,7 @@ void run(const Options& o)
     if (o.explain)
         printStages(plan);
     const ExportOutcome outcome = exportPlanned(std::move(planned), o.folder, job);
+    printNotes(scene.probe.source, outcome.record.notes);
     for (const std::filesystem::path& file : outcome.files)
         std::printf("%s\n", file.string().c_str());
     if (!o.stats.empty())

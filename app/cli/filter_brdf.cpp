@@ -132,9 +132,7 @@ void filterByBrdf(const BrdfFilterOptions& o)
     const MapLayout target{.kind = parseKind("--to", o.to), .size = o.size, .border = o.border};
     validate(target);
     checkMapFile(o.out, target);
-    ReadProbeOptions read;
-    if (!o.from.empty())
-        read.from = parseKind("--from", o.from);
+    const ReadProbeOptions read{.reading = o.reading};
     const Brdf brdf = brdfFromText(o.brdf);
 
     const JobControl job = jobWithProgress("filter", o.threads);

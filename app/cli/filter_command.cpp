@@ -1,4 +1,5 @@
 #include "command.h"
+#include "reading_options.h"
 #include "filter_brdf.h"
 
 #include "core/base/error.h"
@@ -14,13 +15,15 @@
 #include <memory>
 #include <sstream>
 #include <type_traits>
+#include <utility>
 
 namespace mirrorball::cli {
 
 namespace {
 
 struct Options {
-    std::string probe, out, lobe, to, from, method = "auto", stats;
+    std::string probe, out, lobe, to, method = "auto", stats;
+    ReadingOptions reading;
     std::optional<double> exponent, roughness, alpha, lambda;
     std::optional<int> samples;
     std::optional<std::string> mipFiltering;
@@ -85,13 +88,6 @@ MipFiltering parseMipFiltering(const std::string& word)
     throw InvalidArgument("--mip-filtering: '" + word + "' is none; choose across-seams or per-face");
 }
 
-std::string optionOf(const Field& field)
-{
-    std::string option = "--" + std::string(field.name);
-    std::replace(option.begin(), option.end(), '_', '-');
-    return option;
-}
-
 /// Puts what was typed into a knob.
 struct KnobParser {
     const std::map<std::string, std::string>& typed;
@@ -129,7 +125,7 @@ struct KnobParser {
 };
 
 /// One filter job a level.
-std::vector<PrefilterOptions> parseJobs(const Options& o)
+std::vector<PrefilterOptions> parseJobs(const Options& o, double yaw)
 {
     const auto method = methodFromName(o.method);
     if (!method) {
@@ -152,8 +148,7 @@ std::vector<PrefilterOptions> parseJobs(const Options& o)
     const double tolerance = o.tolerance.value_or(1e-5);
     if (!(tolerance > 0.0 && tolerance <= 1.0))
         throw InvalidArgument("--tolerance: must lie in (0, 1]");
-    const MapLayout base{.kind = parseKind("--to", o.to), .size = o.size, .border = o.border};
-    validate(base);
+    const MapLayout base = parseTarget(o.to, o.size, o.border).layout;
     const std::optional<Lobe> lobe = parseLobe(o);
     const int levels = o.mips ? levelCount(base) : 1;
     std::vector<PrefilterOptions> jobs;
@@ -163,7 +158,7 @@ std::vector<PrefilterOptions> parseJobs(const Options& o)
                         .target = levelLayout(base, i),
                         .method = *method,
                         .tolerance = tolerance,
-                        .yaw = radians(o.yawDeg),
+                        .yaw = yaw,
                         .knobs = knobs});
     }
     return jobs;
@@ -180,8 +175,8 @@ void runBrdf(const Options& o)
                   .out = o.out,
                   .brdf = o.brdf,
                   .to = o.to,
-                  .from = o.from,
                   .stats = o.stats,
+                  .reading = o.reading.parse(),
                   .method = o.method,
                   .viewDeg = o.viewDeg,
                   .tolerance = o.tolerance,
@@ -202,11 +197,11 @@ void run(const Options& o)
     }
     refuse(o.lobe.empty(), "--lobe", "is missing; give phong, diffuse or ggx, or a BRDF by --brdf");
     refuse(o.viewDeg.has_value(), "--view", "belongs to --brdf");
-    const std::vector<PrefilterOptions> levels = parseJobs(o);
+    ReadProbeOptions read{.reading = o.reading.parse()};
+    // A turn about Y comes last: it is left to the filter, which does it exactly.
+    const double yaw = radians(o.yawDeg + std::exchange(read.reading.rotateDeg[0], 0.0));
+    const std::vector<PrefilterOptions> levels = parseJobs(o, yaw);
     checkMapFile(o.out, levels.front().target);
-    ReadProbeOptions read;
-    if (!o.from.empty())
-        read.from = parseKind("--from", o.from);
     const JobControl job = jobWithProgress("filter", o.threads);
     WorkRecord record;
     ProbeFile file(o.probe, read);
@@ -215,6 +210,7 @@ void run(const Options& o)
         printStages(plan.stages);
 
     OpenedSource opened = openFilterSource(file, levels, job);
+    printNotes(o.probe, opened.notes);
     opened.source.useParaboloidDevice(std::make_shared<preview::ParaboloidBlur>()); // starts no GPU before it is asked
     record += {.stages = std::move(opened.stages)};
     SceneProbe probe{.source = std::move(opened.source)};
@@ -227,7 +223,8 @@ void run(const Options& o)
     const WriteOptions write{
         .sampleType = o.half ? SampleType::Half : SampleType::Float,
         .attributes = {{"mirrorball:lobes", lobes},
-                       {"mirrorball:indexed_by", levels.front().lobe.kind == LobeKind::Diffuse ? "normal" : "reflection"}}};
+                       {"mirrorball:indexed_by", levels.front().lobe.kind == LobeKind::Diffuse ? "normal" : "reflection"}},
+        .faceBorder = parseTarget(o.to, o.size, o.border).faceBorder};
     timedStage(record.stages, "save map", [&] { writeMap(o.out, built.levels, write); });
     if (!o.stats.empty())
         writeStats(o.stats, plan.stages, record, job.threadCount());
@@ -240,7 +237,7 @@ void addFilterCommand(CLI::App& program)
     const auto o = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand("filter", "Prefilter a probe with a lobe");
     command->add_option("PROBE", o->probe, "file or builtin:NAME")->required();
-    command->add_option("-o,--output", o->out, "output file; %s in the name of a cube makes six files, %d one file a level")->required();
+    command->add_option("-o,--output", o->out, "output file; %s in the name of a cube makes six files, of a paraboloid two, %d one file a level")->required();
     command->add_option("--lobe", o->lobe, "phong, diffuse or ggx");
     command->add_option("--brdf", o->brdf, "in place of a lobe: MODEL[:key=value,...] or a measured file, as `mirrorball brdf` takes it");
     command->add_option("--view", o->viewDeg, "brdf: the angle between normal and view, in degrees");
@@ -250,9 +247,9 @@ void addFilterCommand(CLI::App& program)
     command->add_option("--alpha", o->alpha, "ggx: width in [0, 1]; 0 is a mirror");
     command->add_option("--to", o->to, "parameterization of the output (KIND)")->required();
     command->add_option("--size", o->size, "face edge, disc edge, latlong height or octahedral edge, in texels")->required();
-    command->add_option("--from", o->from, "parameterization of the input, where it is not to be found out (KIND)");
+    o->reading.addTo(*command);
     command->add_option("--yaw", o->yawDeg, "turn the environment about +Y, counterclockwise from above, in degrees");
-    command->add_option("--border", o->border, "texels kept free outside each disc of a paraboloid map");
+    command->add_option("--border", o->border, "texels kept free outside each disc of a paraboloid map; around each cube face, its neighbors' texels");
     command->add_flag("--mips", o->mips,
                       "every mip level, down to one texel; ggx without a roughness makes the chain of roughness 0 to 1 from base to top");
     command->add_option("--method", o->method,

@@ -1,8 +1,12 @@
 #include "map_file.h"
 
 #include "color.h"
+#include "cube_sheet.h"
 #include "image_format.h"
 #include "opacity.h"
+#include "paraboloid_halves.h"
+#include "probe_picture.h"
+#include "reproject.h"
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
@@ -15,7 +19,6 @@ namespace mirrorball {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> faceNames{"px", "nx", "py", "ny", "pz", "nz"};
 constexpr std::string_view faceMark = "%s", levelMark = "%d";
 
 /// The file with the first `mark` of its name replaced; nothing when it has none.
@@ -80,27 +83,50 @@ std::vector<std::filesystem::path> writeLevels(const std::filesystem::path& out,
     return files;
 }
 
-/// NAME with its `%s` replaced by the word of each face; empty when it has none.
+/// NAME with its `%s` replaced by the word of each face or half; empty when it has none.
 std::vector<std::filesystem::path> faceFiles(const std::filesystem::path& out, Parameterization kind)
 {
     if (!namesFaces(out))
         return {};
-    if (kind != Parameterization::Cube)
-        throw InvalidArgument("output: '%s' stands for the six faces of a cube, but this map is a " + std::string(name(kind)) +
-                              " map; give a plain name, or '%d' for one file a level");
+    if (kind != Parameterization::Cube && kind != Parameterization::Paraboloid)
+        throw InvalidArgument("output: '%s' stands for the six faces of a cube or the halves of a paraboloid, but this map is a " +
+                              std::string(name(kind)) + " map; give a plain name, or '%d' for one file a level");
     std::vector<std::filesystem::path> files;
-    for (const std::string_view word : faceNames)
-        files.push_back(*withMarkReplaced(out, faceMark, word));
+    const auto add = [&](const auto& words) {
+        for (const std::string_view word : words)
+            files.push_back(*withMarkReplaced(out, faceMark, word));
+    };
+    if (kind == Parameterization::Cube)
+        add(faceNames);
+    else
+        add(halfNames);
     return files;
 }
 
 bool keepsFaces(const ImageFormat& format, const MapLayout& layout) { return format.faces && layout.kind == Parameterization::Cube; }
 
-Image face(const Image& cube, int index)
+/// A face of six squares on top of each other.
+Image face(const Image& stack, int index)
 {
-    Image result(cube.width, cube.width, cube.channels);
-    std::copy_n(cube.row(index * cube.width), result.texels.size(), result.texels.begin());
+    Image result(stack.width, stack.width, stack.channels);
+    std::copy_n(stack.row(index * stack.width), result.texels.size(), result.texels.begin());
     return result;
+}
+
+/// The images that go into the files of one level: the whole map, its faces or its halves.
+std::vector<Image> pieces(const EnvironmentMap& level, size_t count, int faceBorder)
+{
+    if (level.layout.kind == Parameterization::Paraboloid && count == halfNames.size()) {
+        std::array<Image, 2> halves = splitHalves(level);
+        return {std::move(halves[0]), std::move(halves[1])};
+    }
+    Image whole = faceBorder > 0 ? withBorders(level, std::min(faceBorder, level.layout.size)) : level.image;
+    if (count == 1)
+        return {std::move(whole)};
+    std::vector<Image> faces;
+    for (int i = 0; i < static_cast<int>(count); ++i)
+        faces.push_back(face(whole, i));
+    return faces;
 }
 
 } // namespace
@@ -116,7 +142,7 @@ std::vector<std::filesystem::path> mapFiles(const std::filesystem::path& out, co
     const std::vector<std::filesystem::path> faces = faceFiles(out, levels.front().kind);
     const bool areFaces = !faces.empty() || keepsFaces(format, levels.front());
     for (const MapLayout& level : levels)
-        edges.push_back({level.width(), areFaces ? level.width() : level.height()});
+        edges.push_back({faces.size() == halfNames.size() ? level.size : level.width(), areFaces ? level.size : level.height()});
     if (faces.empty())
         return levelFiles(out, edges);
     std::vector<std::filesystem::path> files;
@@ -130,26 +156,32 @@ std::vector<std::filesystem::path> writeMap(const std::filesystem::path& out, co
                                             const WriteOptions& options)
 {
     const MapLayout& layout = levels.front().layout;
+    const bool isCube = layout.kind == Parameterization::Cube;
+    if (options.faceBorder < 0 || (options.faceBorder > 0 && (!isCube || options.faceBorder > layout.size)))
+        throw InvalidArgument("border: must be 0 for this map, or for a cube at most the size of a face; it is " +
+                              std::to_string(options.faceBorder));
     WriteOptions described = options;
     described.attributes["mirrorball:parameterization"] = name(layout.kind);
-    if (layout.border > 0)
-        described.attributes["mirrorball:border"] = std::to_string(layout.border);
+    if (const int border = isCube ? options.faceBorder : layout.border; border > 0)
+        described.attributes["mirrorball:border"] = std::to_string(border);
 
-    const std::vector<std::filesystem::path> faces = faceFiles(out, layout.kind);
-    std::vector<Image> images;
-    if (faces.empty()) {
+    const std::vector<std::filesystem::path> parts = faceFiles(out, layout.kind);
+    if (parts.empty())
         described.faces = keepsFaces(writableFormat(out), layout) ? 6 : 1;
-        for (const EnvironmentMap& level : levels)
-            images.push_back(level.image);
-        return writeLevels(out, images, described);
+    const size_t count = std::max<size_t>(1, parts.size());
+    std::vector<std::vector<Image>> images(count); // by file, then by level
+    for (const EnvironmentMap& level : levels) {
+        std::vector<Image> own = pieces(level, count, options.faceBorder);
+        for (size_t i = 0; i < count; ++i)
+            images[i].push_back(std::move(own[i]));
     }
+    if (parts.empty())
+        return writeLevels(out, images.front(), described);
     std::vector<std::filesystem::path> files;
-    for (size_t i = 0; i < faces.size(); ++i) {
-        images.clear();
-        for (const EnvironmentMap& level : levels)
-            images.push_back(face(level.image, static_cast<int>(i)));
-        described.attributes["mirrorball:parameterization"] = "cube face " + std::string(faceNames[i]);
-        for (auto& written : writeLevels(faces[i], images, described))
+    for (size_t i = 0; i < count; ++i) {
+        described.attributes["mirrorball:parameterization"] =
+            isCube ? "cube face " + std::string(faceNames[i]) : "paraboloid half " + std::string(halfNames[i]);
+        for (auto& written : writeLevels(parts[i], images[i], described))
             files.push_back(std::move(written));
     }
     return files;

@@ -26,9 +26,10 @@ void checkMapFile(const std::filesystem::path& out, const MapLayout& base);
 
 /// Writes a map, or a chain of levels (each its own map, largest first), to `out`: one file; the levels inside it where the format
 /// holds them (.exr, .tif), else one file a level, NAME.0.EXT, NAME.1.EXT, ... A `%d` in the name stands for the level's number and makes
-/// one file a level of any format; a `%s` in the name of a cube makes six files, px nx py ny pz nz. The parameterization and border are
-/// stored in the file's attributes where it can hold them, beside those in `options`. Each file appears whole or not at all. @return the
-/// files written, in order
+/// one file a level of any format; a `%s` in the name of a cube makes six files, px nx py ny pz nz, and in that of a paraboloid two, front
+/// and back, whose alpha is 1 inside the circle and 0 outside (paraboloid_halves.h). The parameterization and border are stored in the
+/// file's attributes where it can hold them, beside those in `options`. Each file appears whole or not at all. @return the files written,
+/// in order
 std::vector<std::filesystem::path> writeMap(const std::filesystem::path& out, const std::vector<EnvironmentMap>& levels,
                                             const WriteOptions& options = {});
 

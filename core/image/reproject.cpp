@@ -37,7 +37,8 @@ glm::dvec2 texelExtent(const MapLayout& layout, const glm::dvec2& p)
 class Resampler {
 public:
     Resampler(const EnvironmentMap& source, const ReprojectOptions& options, const JobControl& job)
-        : m_source(source), m_target(options.target), m_yaw(options.yaw)
+        : m_source(source), m_target(options.target), m_yaw(options.yaw), m_turns(options.turn != glm::dmat3(1.0)),
+          m_back(glm::transpose(options.turn))
     {
         // A coarse look at the target: its smallest texel, and where one is largest against the source's.
         double smallest = 1e9, largestSource = 0.0;
@@ -93,6 +94,8 @@ private:
     const EnvironmentMap& m_source;
     MapLayout m_target;
     double m_yaw;
+    bool m_turns;
+    glm::dmat3 m_back;       ///< from the turned environment to the source
     bool m_magnifies = true; ///< no target texel is larger than the source's
     int m_level = 0;
     std::optional<EnvironmentMap> m_smooth{}; ///< the source without slivers, when only some target texels are larger than its
@@ -109,7 +112,8 @@ private:
     glm::dvec3 sourceDirection(const glm::dvec2& p) const
     {
         const glm::dvec3 d = direction(m_target, p);
-        return m_yaw == 0.0 ? d : yawed(d, -m_yaw);
+        const glm::dvec3 yawedBack = m_yaw == 0.0 ? d : yawed(d, -m_yaw);
+        return m_turns ? m_back * yawedBack : yawedBack;
     }
     double sourceAngle(const glm::dvec3& d) const
     {
@@ -164,7 +168,7 @@ EnvironmentMap reproject(const EnvironmentMap& source, const ReprojectOptions& o
 {
     validate(source.layout);
     validate(options.target);
-    if (source.layout == options.target && options.yaw == 0.0)
+    if (source.layout == options.target && options.yaw == 0.0 && options.turn == glm::dmat3(1.0))
         return source;
     const Resampler resampler(source, options, {.stop = job.stop, .progress = {}, .threads = job.threads});
     EnvironmentMap result(options.target);

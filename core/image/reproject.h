@@ -8,7 +8,8 @@ namespace mirrorball {
 
 struct ReprojectOptions {
     MapLayout target{};
-    double yaw = 0.0; ///< radians; turns the environment about +Y, from +Z towards +X: L'(d) = L(yawed(d, -yaw))
+    double yaw = 0.0;     ///< radians; turns the environment about +Y, from +Z towards +X: L'(d) = L(yawed(d, -yaw))
+    glm::dmat3 turn{1.0}; ///< rotation or mirroring of the environment before that: L'(d) = L(turn^-1 d)
 };
 
 /// Resamples a map to another parameterization, size or yaw.
@@ -16,8 +17,8 @@ struct ReprojectOptions {
 /// Where a target texel is no larger than the source's, the value is the bilinear lookup at its centre. Where it is larger, it is the mean
 /// over the texel, weighted by solid angle, of sub-samples. When all are larger, those read a level of the source's mip pyramid whose
 /// texels are at most three quarters of the target's smallest, smoothed by a cubic B-spline and spaced by half a texel of that level.
-/// Texels outside a disc continue it. The same layout without yaw returns the source as it is. A constant map stays constant; the mean
-/// radiance is kept to about 1e-3 when minifying, even of a single bright texel.
+/// Texels outside a disc continue it. The same layout without yaw or turn returns the source as it is. A constant map stays constant; the
+/// mean radiance is kept to about 1e-3 when minifying, even of a single bright texel.
 /// @throws InvalidArgument for a layout out of range; Cancelled
 EnvironmentMap reproject(const EnvironmentMap& source, const ReprojectOptions& options, const JobControl& job = {});
 

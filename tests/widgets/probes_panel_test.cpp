@@ -184,13 +184,13 @@ void ProbesPanelTest::offersAPictureOfEachGuess()
     }
     keepScreenshot(*shown.panel, QStringLiteral("probes-guess"));
     shown.panel->findChild<QToolButton*>(QStringLiteral("probes.guess.sphere"))->click();
-    QCOMPARE(shown.probe().parameterization, std::optional(Parameterization::Sphere));
+    QCOMPARE(shown.probe().reading.parameterization, std::optional(Parameterization::Sphere));
     QVERIFY(shown.settle());
     QCOMPARE(shown.panel->guesses().size(), 3); // the choice stays open
     QVERIFY(shown.panel->findChild<QToolButton*>(QStringLiteral("probes.guess.sphere"))->isChecked());
     QCOMPARE(shown.panel->findChild<QComboBox*>(QStringLiteral("probes.read_as"))->currentText(), QStringLiteral("Sphere"));
     shown.workspace.document.undoStack().undo();
-    QVERIFY(!shown.probe().parameterization);
+    QVERIFY(!shown.probe().reading.parameterization);
 }
 
 void ProbesPanelTest::namesWhatIsBroken()

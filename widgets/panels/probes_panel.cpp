@@ -7,6 +7,8 @@
 
 #include "core/base/error.h"
 #include "core/image/color.h"
+#include "core/image/color_space.h"
+#include "core/image/map_file.h"
 
 #include <QDir>
 #include <QFileDialog>
@@ -96,6 +98,14 @@ public:
 private:
     const ProbeWatcher& m_watcher;
 };
+
+/// What of a reading the facts of a file depend on.
+ProbeReading withoutTurn(ProbeReading reading)
+{
+    reading.mirror = MirrorAxis::None;
+    reading.rotateDeg = glm::dvec3(0.0);
+    return reading;
+}
 
 QString rangeText(const ProbeStatistics& s)
 {
@@ -196,7 +206,11 @@ ProbesPanel::ProbesPanel(Workspace& workspace, QWidget* parent)
     });
     connect(&m_watcher, &ProbeWatcher::fileChanged, this, &ProbesPanel::survey);
     connect(&workspace.document, &Document::changed, this, [this](Parts parts) {
-        if (parts.testFlag(Part::Probe))
+        if (!parts.testFlag(Part::Probe))
+            return;
+        if (withoutTurn(m_workspace.document.scene().probe.reading) != m_reading)
+            survey();
+        else
             readScene();
     });
     connect(&m_survey, &JobRunner::failed, this, &ProbesPanel::showProblem);
@@ -303,11 +317,20 @@ QWidget* ProbesPanel::makeDetails()
     layout->addWidget(m_progress);
     auto* form = new OptionsForm(m_workspace.document);
     form->layout()->addRow(tr("Read as"), m_readAs);
+    QStringList colorSpaces;
+    for (const std::string& name : colorSpaceNames())
+        colorSpaces << QString::fromStdString(name);
     form->addFields("probe", [](auto& scene) -> auto& { return scene.probe; },
                     {{"source", {.isHidden = true}},
                      {"parameterization", {.isHidden = true}},
                      {"yaw", {.sliderLow = -180.0, .sliderHigh = 180.0, .step = 1.0}},
-                     {"exposure", {.sliderLow = -10.0, .sliderHigh = 10.0, .step = 0.25}}});
+                     {"exposure", {.sliderLow = -10.0, .sliderHigh = 10.0, .step = 0.25}},
+                     {"part", {.isText = true}},
+                     {"layer", {.isText = true}},
+                     {"color_space", {.isText = true, .suggestions = colorSpaces}},
+                     {"faces", {.isText = true}},
+                     {"horizontal_angle", {.step = 1.0}},
+                     {"vertical_angle", {.step = 1.0}}});
     layout->addWidget(form);
     layout->addStretch(1);
     return box;
@@ -359,7 +382,7 @@ void ProbesPanel::choose(const QModelIndex& index)
         return;
     m_workspace.document.edit(tr("Probe"), {}, [&](Scene& scene) {
         scene.probe.source = source.toStdString();
-        scene.probe.parameterization.reset();
+        scene.probe.reading = {};
     });
 }
 
@@ -380,16 +403,18 @@ void ProbesPanel::markChosen()
 
 void ProbesPanel::survey()
 {
+    m_reading = withoutTurn(m_workspace.document.scene().probe.reading);
     readScene();
     m_facts->setText(tr("Reading ..."));
     m_survey.start(
-        [source = m_watcher.source(), from = m_workspace.document.scene().probe.parameterization](const JobControl& job) {
+        [source = m_watcher.source(), reading = m_workspace.document.scene().probe.reading](const JobControl& job) {
             const bool isBuiltin = source.startsWith(QStringLiteral("builtin:"));
-            ProbeSurvey survey = surveyProbe(isBuiltin ? source.toStdString() : toPath(source).string(), {.height = 96, .from = from}, job);
+            ProbeSurvey survey =
+                surveyProbe(isBuiltin ? source.toStdString() : toPath(source).string(), {.height = 96, .reading = reading}, job);
             std::vector<std::pair<Parameterization, QImage>> pictures;
             ReducedProbe& reduced = survey.reduced;
             // Whether the file alone says what it is: a choice that was made must stay open.
-            if (from && !isBuiltin)
+            if (reading.parameterization && !isBuiltin)
                 try {
                     reduced.detection.certain = detectLayout(reduced.info).certain;
                 } catch (const Error&) {
@@ -421,6 +446,11 @@ void ProbesPanel::showSurvey(const ProbeSurvey& survey, const std::vector<std::p
         {tr("mean"), shortNumberText(s.meanLuminance)},
         {tr("sun"), tr("the brightest 0.01 % hold %1 % of the energy").arg(100.0 * s.sunShare, 0, 'f', 1)},
         {tr("texels"), toQString(describe(probe.repaired))}};
+    for (const Assumption& a : allAssumed(probe.info, probe.detection))
+        if (a.topic != "parameterization" && (a.certainty != Certainty::Certain || !a.others.empty()))
+            rows.push_back({toQString(a.topic), toQString(a.value)});
+    for (const std::string& note : allNotes(probe.info, probe.detection))
+        rows.push_back({tr("note"), toQString(note)});
     if (s.beyondHalf > 0)
         rows.push_back({tr("half float"), s.beyondHalf == 1 ? tr("1 value beyond 65504") : tr("%1 values beyond 65504").arg(s.beyondHalf)});
     m_facts->setText(table(rows));
@@ -462,8 +492,7 @@ QList<QToolButton*> ProbesPanel::guesses() const { return m_guesses->findChildre
 
 void ProbesPanel::readAs(std::optional<Parameterization> kind)
 {
-    m_workspace.document.edit(tr("Read probe as"), {}, [&](Scene& scene) { scene.probe.parameterization = kind; });
-    survey();
+    m_workspace.document.edit(tr("Read probe as"), {}, [&](Scene& scene) { scene.probe.reading.parameterization = kind; });
 }
 
 void ProbesPanel::readScene()
@@ -472,7 +501,7 @@ void ProbesPanel::readScene()
     const bool isBuiltin = source.startsWith(QStringLiteral("builtin:"));
     m_name->setText(isBuiltin ? tr("%1 (built in)").arg(source.mid(8)) : QFileInfo(source).fileName());
     m_name->setToolTip(isBuiltin ? QString() : QDir::toNativeSeparators(source));
-    const auto& chosen = m_workspace.document.scene().probe.parameterization;
+    const auto& chosen = m_workspace.document.scene().probe.reading.parameterization;
     const QSignalBlocker blocker(m_readAs);
     m_readAs->clear();
     m_readAs->addItem(tr("Automatic"), -1);

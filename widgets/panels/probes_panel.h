@@ -77,6 +77,7 @@ private:
     QProgressBar* m_progress;
     std::vector<Parameterization> m_kinds;
     bool m_isCertain = true;
+    ProbeReading m_reading{}; ///< what was surveyed, but for its turn
 };
 
 } // namespace mirrorball::studio
