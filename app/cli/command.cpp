@@ -11,6 +11,8 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <functional>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -38,6 +40,66 @@ MapTarget parseTarget(const std::string& to, int size, int border)
     if (target.faceBorder < 0 || target.faceBorder > size)
         throw InvalidArgument("--border: must lie between 0 and --size for a cube; it is " + std::to_string(border));
     return target;
+}
+
+namespace {
+
+std::string shown(double number)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.9g", number);
+    return text.data();
+}
+
+/// What `isRight` refuses is answered with what the number must be.
+CLI::Validator numbers(std::function<bool(double)> isRight, const std::string& must)
+{
+    return CLI::Validator(
+        [isRight = std::move(isRight), must](std::string& typed) {
+            double number = 0.0;
+            const bool isNumber = CLI::detail::lexical_cast(typed, number);
+            return isNumber && isRight(number) ? std::string() : "must be " + must + "; it is " + typed;
+        },
+        "");
+}
+
+} // namespace
+
+CLI::Validator within(double low, double high)
+{
+    return numbers([=](double n) { return n >= low && n <= high; }, "a number from " + shown(low) + " to " + shown(high));
+}
+
+CLI::Validator above(double low, double high)
+{
+    return numbers([=](double n) { return n > low && n <= high; }, "a number above " + shown(low) + " and up to " + shown(high));
+}
+
+CLI::Validator anAngle() { return within(-360000.0, 360000.0); }
+CLI::Validator aThreadCount() { return within(0, 1024); }
+CLI::Validator anEdge() { return within(1, 65536); }
+
+void refuseInfinities(CLI::App& program)
+{
+    for (CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
+        for (CLI::Option* option : command->get_options())
+            if (option->get_type_name().find("FLOAT") != std::string::npos)
+                option->check(numbers([](double n) { return std::isfinite(n); }, "a finite number"));
+}
+
+void checkOutputsDiffer(const std::vector<NamedOutput>& outputs)
+{
+    std::map<std::filesystem::path, std::string> seen;
+    for (const NamedOutput& output : outputs)
+        for (const std::filesystem::path& file : output.files) {
+            std::error_code ignored;
+            const auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(file), ignored);
+            const auto [first, isNew] = seen.emplace(place, output.option);
+            if (!isNew)
+                throw InvalidArgument(output.option + ": " + file.string() + " is " +
+                                      (first->second == output.option ? "named twice" : "what " + first->second + " writes, too") +
+                                      "; give each output a name of its own");
+        }
 }
 
 void writeStats(const std::filesystem::path& path, const std::vector<Stage>& plan, const WorkRecord& work, int threads)

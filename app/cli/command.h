@@ -36,7 +36,39 @@ struct MapTarget {
 };
 /// @throws InvalidArgument
 MapTarget parseTarget(const std::string& to, int size, int border);
+/// The help of --output and --border, which the commands that write maps share.
+inline constexpr const char* outputHelp =
+    "output file; %s in the name of a cube makes six files, of a paraboloid two, %d one file a level";
+inline constexpr const char* borderHelp =
+    "texels kept free outside each disc of a paraboloid map; of a cube, texels of its neighbors around each face";
 inline double radians(double degrees) { return degrees * pi / 180.0; }
+
+/// The numbers that an option takes; NaN is in no range. For `->check(...)` where the option is declared. (CLI::Range lets NaN pass.)
+CLI::Validator within(double low, double high);
+/// The same without `low` itself.
+CLI::Validator above(double low, double high);
+/// An angle in degrees: a thousand turns are nobody's wish.
+CLI::Validator anAngle();
+/// Threads to work on; 0: one per core.
+CLI::Validator aThreadCount();
+/// A map's edge in texels.
+CLI::Validator anEdge();
+
+/// Refuses numbers that are not finite, in every option of every command: a last line behind the ranges of the options themselves.
+void refuseInfinities(CLI::App& program);
+
+/// An output that an option names, and the option, for messages.
+struct NamedOutput {
+    std::string option;
+    std::vector<std::filesystem::path> files;
+};
+/// The file of an option that may be left out.
+inline std::vector<std::filesystem::path> filesOf(const std::string& file)
+{
+    return file.empty() ? std::vector<std::filesystem::path>{} : std::vector<std::filesystem::path>{file};
+}
+/// Before any work. @throws InvalidArgument when two outputs are one file, naming both options
+void checkOutputsDiffer(const std::vector<NamedOutput>& outputs);
 
 /// Writes what `--stats FILE` asks for as JSON, whole or not at all: {"stages":[{"name","seconds","left_out","why"}], "method",
 /// "band_limit", "predicted_error", "threads", "peak_bytes"}. The stages are those that were done, with their times, and those that the

@@ -1,4 +1,5 @@
 #include "command.h"
+#include "engine_words.h"
 #include "reading_options.h"
 
 #include "core/image/map_file.h"
@@ -13,7 +14,7 @@ namespace mirrorball::cli {
 namespace {
 
 struct Options {
-    std::string probe, out, to;
+    std::string probe, out, to, engine, encode;
     ReadingOptions reading;
     int size = 0, border = 0, threads = 0;
     double yawDeg = 0.0;
@@ -24,20 +25,30 @@ void run(const Options& o)
 {
     const MapTarget target = parseTarget(o.to, o.size, o.border);
     checkMapFile(o.out, target.layout);
+    const EngineTurn turn = engineTurn(o.engine, target.layout.kind);
+    const WriteOptions write{.sampleType = o.half ? SampleType::Half : SampleType::Float,
+                             .bytes = parseEncode(o.encode, o.out),
+                             .faceBorder = target.faceBorder};
     ReadProbeOptions read{.reading = o.reading.parse()};
-    const glm::dmat3 turn = orientation(read.reading); // left to the resampling, which happens only once then
+    const glm::dmat3 orient = orientation(read.reading); // left to the resampling, which happens only once then
     read.reading.mirror = MirrorAxis::None;
     read.reading.rotateDeg = glm::dvec3(0.0);
+    std::vector<MapLayout> layouts;
+    for (int i = 0; i < (o.mips ? levelCount(target.layout) : 1); ++i)
+        layouts.push_back(levelLayout(target.layout, i));
+    checkOutputsDiffer({{"--output", mapFiles(o.out, layouts, target.faceBorder)}});
     const JobControl job = jobWithProgress("convert", o.threads);
     const Probe probe = readProbe(o.probe, read, job);
     printNotes(o.probe, probe.notes);
-    EnvironmentMap map = reproject(probe.map, {.target = target.layout, .yaw = radians(o.yawDeg), .turn = turn}, job);
+    EnvironmentMap map =
+        reproject(probe.map, {.target = target.layout, .yaw = radians(o.yawDeg + turn.yawDeg), .turn = orient}, job);
     std::vector<EnvironmentMap> levels;
     if (o.mips)
         levels = buildMipPyramid(map, job).levels;
     else
         levels.push_back(std::move(map));
-    writeMap(o.out, levels, {.sampleType = o.half ? SampleType::Half : SampleType::Float, .faceBorder = target.faceBorder});
+    store(levels, turn.orientation);
+    writeMap(o.out, levels, write);
 }
 
 } // namespace
@@ -47,15 +58,19 @@ void addConvertCommand(CLI::App& program)
     const auto o = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand("convert", "Resample a probe to another parameterization, size or yaw");
     command->add_option("PROBE", o->probe, "file or builtin:NAME")->required();
-    command->add_option("-o,--output", o->out, "output file; %s in the name of a cube makes six files, of a paraboloid two, %d one file a level")->required();
+    command->add_option("-o,--output", o->out, outputHelp)->required();
     command->add_option("--to", o->to, "parameterization of the output (KIND)")->required();
-    command->add_option("--size", o->size, "face edge, disc edge, latlong height or octahedral edge, in texels")->required();
+    command->add_option("--size", o->size, "face edge, disc edge, latlong height or octahedral edge, in texels")
+        ->check(anEdge())
+        ->required();
     o->reading.addTo(*command);
-    command->add_option("--yaw", o->yawDeg, "turn the environment about +Y, counterclockwise from above, in degrees");
-    command->add_option("--border", o->border, "texels kept free outside each disc of a paraboloid map; around each cube face, its neighbors' texels");
+    command->add_option("--yaw", o->yawDeg, "turn the environment about +Y, counterclockwise from above, in degrees")->check(anAngle());
+    command->add_option("--border", o->border, borderHelp)->check(within(0, 4096));
     command->add_flag("--mips", o->mips, "add the mip levels, filtered across seams");
-    command->add_flag("--half", o->half, "16-bit floats (.exr, .tif)");
-    command->add_option("--threads", o->threads, "threads; 0: one per core")->check(CLI::Range(0, 1024));
+    command->add_flag("--half", o->half, "16-bit floats, where the format has them");
+    command->add_option("--for", o->engine, "turn and mirror the map as this engine looks it up (latlong or cube)");
+    command->add_option("--encode", o->encode, "of 8-bit formats: filmic (as without it), srgb, or in a .png rgbe, rgbm, rgbd, rgbp");
+    command->add_option("--threads", o->threads, "threads; 0: one per core")->check(aThreadCount());
     command->callback([o] { run(*o); });
 }
 

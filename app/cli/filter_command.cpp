@@ -1,6 +1,7 @@
 #include "command.h"
-#include "reading_options.h"
+#include "engine_words.h"
 #include "filter_brdf.h"
+#include "reading_options.h"
 
 #include "core/base/error.h"
 #include "core/filter/source_file.h"
@@ -22,8 +23,9 @@ namespace mirrorball::cli {
 namespace {
 
 struct Options {
-    std::string probe, out, lobe, to, method = "auto", stats;
+    std::string probe, out, lobe, to, method = "auto", stats, law, engine, encode;
     ReadingOptions reading;
+    std::optional<int> levels;
     std::optional<double> exponent, roughness, alpha, lambda;
     std::optional<int> samples;
     std::optional<std::string> mipFiltering;
@@ -124,6 +126,23 @@ struct KnobParser {
     }
 };
 
+/// How many levels are made: one, all of them (--mips), or as many as --levels says of a chain by --law.
+int chainLength(const Options& o, const MapLayout& base)
+{
+    refuse(o.levels && o.law.empty(), "--levels", "belongs to --law, whose chain it counts; give one, e.g. --law filament");
+    if (o.law.empty())
+        return o.mips ? levelCount(base) : 1;
+    refuse(!o.lobe.empty() && o.lobe != "ggx", "--lobe", "is ggx for every --law; leave it out");
+    refuse(o.roughness || o.alpha || o.exponent, "--law",
+           "says the roughness of every level; leave --roughness, --alpha and --exponent out");
+    parseLaw(o.law);
+    const int most = levelCount(base);
+    if (o.levels && (*o.levels < 2 || *o.levels > most))
+        throw InvalidArgument("--levels: a chain from " + std::to_string(base.size) + " texels has 2 to " + std::to_string(most) +
+                              " levels; it is " + std::to_string(*o.levels));
+    return o.levels.value_or(most);
+}
+
 /// One filter job a level.
 std::vector<PrefilterOptions> parseJobs(const Options& o, double yaw)
 {
@@ -149,16 +168,16 @@ std::vector<PrefilterOptions> parseJobs(const Options& o, double yaw)
     if (!(tolerance > 0.0 && tolerance <= 1.0))
         throw InvalidArgument("--tolerance: must lie in (0, 1]");
     const MapLayout base = parseTarget(o.to, o.size, o.border).layout;
-    const std::optional<Lobe> lobe = parseLobe(o);
-    const int levels = o.mips ? levelCount(base) : 1;
+    const std::optional<Lobe> lobe = o.law.empty() ? parseLobe(o) : std::nullopt;
+    const int levels = chainLength(o, base);
     std::vector<PrefilterOptions> jobs;
     for (int i = 0; i < levels; ++i) {
-        const double r = chainRoughness(i, levels);
+        const double r = o.law.empty() ? chainRoughness(i, levels) : levelRoughness(parseLaw(o.law), i, levels, base.size);
         jobs.push_back({.lobe = lobe ? *lobe : ggxLobe(r * r),
                         .target = levelLayout(base, i),
                         .method = *method,
                         .tolerance = tolerance,
-                        .yaw = yaw,
+                        .yaw = yaw + radians(engineTurn(o.engine, base.kind).yawDeg),
                         .knobs = knobs});
     }
     return jobs;
@@ -171,6 +190,7 @@ void runBrdf(const Options& o)
     refuse(o.samples || o.lambda || o.mipFiltering, "--brdf",
            "takes none of the lobes' methods; choose sum, stack, lookups:K or split-sum");
     refuse(o.mips, "--mips", "is a chain of lobes; --brdf makes one map");
+    refuse(!o.law.empty() || !o.engine.empty() || !o.encode.empty(), "--brdf", "takes no --law, --for and --encode");
     filterByBrdf({.probe = o.probe,
                   .out = o.out,
                   .brdf = o.brdf,
@@ -195,13 +215,20 @@ void run(const Options& o)
         runBrdf(o);
         return;
     }
-    refuse(o.lobe.empty(), "--lobe", "is missing; give phong, diffuse or ggx, or a BRDF by --brdf");
+    refuse(o.lobe.empty() && o.law.empty(), "--lobe",
+           "is missing; give phong, diffuse or ggx, a BRDF by --brdf, or an engine's chain by --law");
     refuse(o.viewDeg.has_value(), "--view", "belongs to --brdf");
     ReadProbeOptions read{.reading = o.reading.parse()};
     // A turn about Y comes last: it is left to the filter, which does it exactly.
     const double yaw = radians(o.yawDeg + std::exchange(read.reading.rotateDeg[0], 0.0));
     const std::vector<PrefilterOptions> levels = parseJobs(o, yaw);
     checkMapFile(o.out, levels.front().target);
+    const int faceBorder = parseTarget(o.to, o.size, o.border).faceBorder;
+    const ByteEncoding bytes = parseEncode(o.encode, o.out);
+    std::vector<MapLayout> layouts;
+    for (const PrefilterOptions& level : levels)
+        layouts.push_back(level.target);
+    checkOutputsDiffer({{"--output", mapFiles(o.out, layouts, faceBorder)}, {"--stats", filesOf(o.stats)}});
     const JobControl job = jobWithProgress("filter", o.threads);
     WorkRecord record;
     ProbeFile file(o.probe, read);
@@ -217,6 +244,7 @@ void run(const Options& o)
     BuiltMap built = buildMap(plan.exports.front().map, probe, 0.0, job);
     record += std::move(built.record);
 
+    store(built.levels, engineTurn(o.engine, levels.front().target.kind).orientation);
     std::string lobes;
     for (const PrefilterOptions& level : levels)
         lobes += (lobes.empty() ? "" : " ") + describe(level.lobe);
@@ -224,7 +252,8 @@ void run(const Options& o)
         .sampleType = o.half ? SampleType::Half : SampleType::Float,
         .attributes = {{"mirrorball:lobes", lobes},
                        {"mirrorball:indexed_by", levels.front().lobe.kind == LobeKind::Diffuse ? "normal" : "reflection"}},
-        .faceBorder = parseTarget(o.to, o.size, o.border).faceBorder};
+        .bytes = bytes,
+        .faceBorder = faceBorder};
     timedStage(record.stages, "save map", [&] { writeMap(o.out, built.levels, write); });
     if (!o.stats.empty())
         writeStats(o.stats, plan.stages, record, job.threadCount());
@@ -237,34 +266,44 @@ void addFilterCommand(CLI::App& program)
     const auto o = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand("filter", "Prefilter a probe with a lobe");
     command->add_option("PROBE", o->probe, "file or builtin:NAME")->required();
-    command->add_option("-o,--output", o->out, "output file; %s in the name of a cube makes six files, of a paraboloid two, %d one file a level")->required();
-    command->add_option("--lobe", o->lobe, "phong, diffuse or ggx");
+    command->add_option("-o,--output", o->out, outputHelp)->required();
+    command->add_option("--lobe", o->lobe, "phong, diffuse or ggx; ggx with --law");
+    command->add_option("--law", o->law,
+                        "a chain of ggx levels whose roughness follows this engine: three, filament, babylon, playcanvas, "
+                        "bevy, unity, unreal");
+    command->add_option("--levels", o->levels, "of the chain by --law; without it down to one texel");
+    command->add_option("--for", o->engine, "turn and mirror the map as this engine looks it up (latlong or cube)");
+    command->add_option("--encode", o->encode, "of 8-bit formats: filmic (as without it), srgb, or in a .png rgbe, rgbm, rgbd, rgbp");
     command->add_option("--brdf", o->brdf, "in place of a lobe: MODEL[:key=value,...] or a measured file, as `mirrorball brdf` takes it");
-    command->add_option("--view", o->viewDeg, "brdf: the angle between normal and view, in degrees");
-    command->add_option("--azimuth", o->azimuthDeg, "brdf: of the normal about r, 0 where it lies towards +Y of r's meridian, in degrees");
-    command->add_option("--exponent", o->exponent, "phong: exponent, at least 0");
-    command->add_option("--roughness", o->roughness, "ggx: alpha is its square; phong: the exponent is its inverse");
-    command->add_option("--alpha", o->alpha, "ggx: width in [0, 1]; 0 is a mirror");
+    command->add_option("--view", o->viewDeg, "brdf: the angle between normal and view, in degrees")->check(within(0, 90));
+    command->add_option("--azimuth", o->azimuthDeg, "brdf: of the normal about r, 0 where it lies towards +Y of r's meridian, in degrees")
+        ->check(anAngle());
+    command->add_option("--exponent", o->exponent, "phong: exponent, at least 0")->check(within(0, 1e300));
+    command->add_option("--roughness", o->roughness, "ggx: alpha is its square; phong: the exponent is its inverse")->check(within(0, 1));
+    command->add_option("--alpha", o->alpha, "ggx: width in [0, 1]; 0 is a mirror")->check(within(0, 1));
     command->add_option("--to", o->to, "parameterization of the output (KIND)")->required();
-    command->add_option("--size", o->size, "face edge, disc edge, latlong height or octahedral edge, in texels")->required();
+    command->add_option("--size", o->size, "face edge, disc edge, latlong height or octahedral edge, in texels")
+        ->check(anEdge())
+        ->required();
     o->reading.addTo(*command);
-    command->add_option("--yaw", o->yawDeg, "turn the environment about +Y, counterclockwise from above, in degrees");
-    command->add_option("--border", o->border, "texels kept free outside each disc of a paraboloid map; around each cube face, its neighbors' texels");
+    command->add_option("--yaw", o->yawDeg, "turn the environment about +Y, counterclockwise from above, in degrees")->check(anAngle());
+    command->add_option("--border", o->border, borderHelp)->check(within(0, 4096));
     command->add_flag("--mips", o->mips,
                       "every mip level, down to one texel; ggx without a roughness makes the chain of roughness 0 to 1 from base to top");
     command->add_option("--method", o->method,
                         "auto, reference, spectral, direct, hierarchical, importance, paraboloid, mip or sh9; brdf: sum, stack, "
                         "lookups:K, split-sum or round");
-    command->add_option("--tolerance", o->tolerance, "largest rel_rms error against the reference sum, in (0, 1]");
-    command->add_option("--samples", o->samples, "importance: samples of the lobe a texel (1024)");
-    command->add_option("--lambda", o->lambda, "mip: least level of detail of the environment; without it matched to the lobe by width");
+    command->add_option("--tolerance", o->tolerance, "largest rel_rms error against the reference sum, in (0, 1]")->check(above(0, 1));
+    command->add_option("--samples", o->samples, "importance: samples of the lobe a texel (1024)")->check(within(1, 1 << 20));
+    command->add_option("--lambda", o->lambda, "mip: least level of detail of the environment; without it matched to the lobe by width")
+        ->check(within(0, 32));
     command->add_option("--mip-filtering", o->mipFiltering, "mip: across-seams, or per-face as the hardware of 2002 did");
     ParaboloidKnobs knobs;
     ParaboloidKnobs::visitFields(knobs, [&](const Field& field, auto&) {
         command->add_option(optionOf(field), o->paraboloid[optionOf(field)], std::string(field.help));
     });
-    command->add_option("--threads", o->threads, "threads; 0: one per core")->check(CLI::Range(0, 1024));
-    command->add_flag("--half", o->half, "16-bit floats (.exr, .tif)");
+    command->add_option("--threads", o->threads, "threads; 0: one per core")->check(aThreadCount());
+    command->add_flag("--half", o->half, "16-bit floats, where the format has them");
     command->add_flag("--explain", o->explain, "print what is done, what is left out, and why; then do it");
     command->add_option("--stats", o->stats, "write times, method and predicted error to this JSON file");
     command->callback([o] { run(*o); });

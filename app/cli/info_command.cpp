@@ -3,6 +3,7 @@
 
 #include "core/image/probe_file.h"
 #include "core/image/probe_statistics.h"
+#include "core/preview/mesh_file.h"
 
 #include <nlohmann/json.hpp>
 
@@ -38,8 +39,25 @@ std::string textOf(const Assumption& a)
     return line;
 }
 
+void tellMesh(const Options& o)
+{
+    const preview::MeshFacts facts = preview::readMeshFile(o.probe, jobWithProgress("info", o.threads)).facts;
+    if (o.json)
+        std::printf("%s\n", nlohmann::json{{"mesh", o.probe},
+                                           {"triangles", facts.triangles},
+                                           {"dropped", facts.dropped},
+                                           {"extent", facts.extent},
+                                           {"description", describe(facts)}}
+                                .dump(2, ' ', false, nlohmann::json::error_handler_t::replace)
+                                .c_str());
+    else
+        std::printf("mesh              %s\n", describe(facts).c_str());
+}
+
 void run(const Options& o)
 {
+    if (preview::isMeshFile(o.probe))
+        return tellMesh(o);
     const ReadProbeOptions read{.reading = o.reading.parse()};
     const Probe probe = readProbe(o.probe, read, jobWithProgress("info", o.threads));
     const ProbeStatistics s = statistics(probe.map);
@@ -91,8 +109,9 @@ void run(const Options& o)
 void addInfoCommand(CLI::App& program)
 {
     const auto o = std::make_shared<Options>();
-    CLI::App* command = program.add_subcommand("info", "Tell what a probe holds: size, parameterization, range, sun, broken texels");
-    command->add_option("PROBE", o->probe, "file or builtin:NAME")->required();
+    CLI::App* command = program.add_subcommand(
+        "info", "Tell what a probe holds: size, parameterization, range, sun, broken texels; of a mesh its triangles and size");
+    command->add_option("PROBE", o->probe, "file, builtin:NAME or a mesh file")->required();
     o->reading.addTo(*command);
     command->add_flag("--json", o->json, "as JSON");
     command->callback([o] { run(*o); });

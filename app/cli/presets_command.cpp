@@ -135,7 +135,7 @@ void addPresetsCommand(CLI::App& program)
                         "instead of the list, write a picture of each sphere map into this folder: NAME.png");
     command->add_option("--geometry", o->geometry, "sheet: show them on a teapot, torus, sphere or box in place of balls")
         ->check(CLI::IsMember({"teapot", "torus", "sphere", "box"}));
-    command->add_option("--size", o->size, "sheet, thumbnails: width of one picture, in pixels")->check(CLI::Range(16, 2048));
+    command->add_option("--size", o->size, "sheet, thumbnails: width of one picture, in pixels")->check(within(16, 2048));
     command->callback([o] { run(*o); });
 }
 

@@ -173,6 +173,7 @@ void run(const Options& o)
 {
     writableFormat(o.out);
     checkTarget(o.out);
+    checkOutputsDiffer({{"--output", {o.out}}, {"--save-scene", filesOf(o.saved)}, {"--stats", filesOf(o.stats)}});
     const Scene scene = makeScene(o);
     const JobControl job = jobWithProgress("render", o.threads);
     PlannedScene planned = planScene(scene);
@@ -222,7 +223,7 @@ void addRenderCommand(CLI::App& program)
     command->add_option("--set", o->set, "FIELD=VALUE: any field of the scene file, such as view.background.blur=0.5")
         ->allow_extra_args(false);
     command->add_option("--save-scene", o->saved, "write the scene that was drawn, options and all, to this .mirrorball file");
-    command->add_option("--threads", o->threads, "threads; 0: one per core")->check(CLI::Range(0, 1024));
+    command->add_option("--threads", o->threads, "threads; 0: one per core")->check(aThreadCount());
     command->add_flag("--explain", o->explain, "print what is done, what is left out, and why; then do it");
     command->add_option("--stats", o->stats, "write times, method and predicted error to this JSON file");
     command->callback([o] { run(*o); });

@@ -201,6 +201,11 @@ void findClipping(Work& work, const EnvironmentMap& probe)
         isFormatLimit(clipping.value) || d.levels.front().repaired.positiveInfinity > 0 || (same >= 4 && clipping.texels >= 4);
     if (!ends || clipping.lost < 1e-3 || clipping.texels == 0)
         return;
+    // A smooth map has many texels near its largest value, and less light there than the probe.
+    const int size = quarterTexels(first.layout);
+    const LobeFit smooth = fitLobe(lobeProblem(first, work.source->spectrum(lobeBandLimit, work.job), work.job), size);
+    if (smooth.alpha > 4.0 * unresolvedAlpha(size) && smooth.residual < 0.15)
+        return;
     EnvironmentMap clipped = probe;
     for (float& t : clipped.image.texels)
         t = std::min(t, static_cast<float>(most / scale));

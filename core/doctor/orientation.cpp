@@ -129,7 +129,6 @@ double costOf(const Costs& costs, const FacePlaces& places)
 struct Best {
     const CubeStorage* storage = nullptr;
     double cost = std::numeric_limits<double>::infinity();
-    double next = std::numeric_limits<double>::infinity(); ///< of another storage
 };
 
 /// The best whole storage. @param turns  1: faces are not turned in themselves, as in maps that are no cubes
@@ -141,11 +140,8 @@ Best bestStorage(const Costs& costs, FaceTurn turns)
             continue;
         const double cost = costOf(costs, storage.places);
         if (cost < best.cost - 1e-9) {
-            best.next = best.cost;
             best.storage = &storage;
             best.cost = cost;
-        } else {
-            best.next = std::min(best.next, cost);
         }
     }
     return best;
@@ -339,7 +335,11 @@ Orientation findOrientation(const EnvironmentMap& stored, const EnvironmentMap& 
         }
     }
     found.match = 1.0 - 0.5 * costOf(costs, found.places);
-    found.nextMatch = 1.0 - 0.5 * (found.strayFaces.empty() ? whole.next : whole.cost);
+    double next = std::numeric_limits<double>::infinity();
+    for (const CubeStorage& storage : allCubeStorages())
+        if (storage.turn < search.turns && storage.places != found.places)
+            next = std::min(next, costOf(costs, storage.places));
+    found.nextMatch = 1.0 - 0.5 * next;
     foldQuarterTurns(found);
     return found;
 }

@@ -113,6 +113,24 @@ void checkWritable(const std::filesystem::path& path, const Image& image)
 
 } // namespace
 
+std::span<const std::string_view> words(ByteEncoding)
+{
+    static constexpr std::array<std::string_view, 6> all{"filmic", "srgb", "rgbe", "rgbm", "rgbd", "rgbp"};
+    return all;
+}
+
+void checkBytes(const std::filesystem::path& path, ByteEncoding bytes)
+{
+    const ImageFormat& format = writableFormat(path);
+    const bool packed = bytes != ByteEncoding::Filmic && bytes != ByteEncoding::Srgb;
+    const std::string word(words(bytes)[static_cast<size_t>(bytes)]);
+    if (format.samples != StoredSamples::Byte)
+        throw InvalidArgument("--encode: '" + word + "' is for formats of 8 bits a channel; " + path.filename().string() +
+                              " holds linear light as it is, so leave it out");
+    if (packed && format.extensions.front() != ".png")
+        throw InvalidArgument("--encode: '" + word + "' needs four channels without loss; write a .png");
+}
+
 Image readAll(ImageReader& reader, const JobControl& job, Channels channels)
 {
     const int width = reader.info().width;

@@ -19,28 +19,17 @@ namespace mirrorball {
 
 namespace {
 
-constexpr std::string_view faceMark = "%s", levelMark = "%d";
-
-/// The file with the first `mark` of its name replaced; nothing when it has none.
-std::optional<std::filesystem::path> withMarkReplaced(const std::filesystem::path& path, std::string_view mark, std::string_view word)
-{
-    std::string file = path.filename().string();
-    const size_t at = file.find(mark);
-    if (at == std::string::npos)
-        return {};
-    return path.parent_path() / file.replace(at, mark.size(), word);
-}
-
 /// NAME.LEVEL.EXT, or where the name has a `%d` the level in its place.
-std::filesystem::path withLevel(const std::filesystem::path& path, size_t level)
+std::filesystem::path withLevel(const std::filesystem::path& path, std::string_view face, size_t level)
 {
-    if (auto named = withMarkReplaced(path, levelMark, std::to_string(level)))
-        return *named;
-    std::filesystem::path result = path;
+    if (namesLevels(path))
+        return fileNamed(path, {.face = face, .level = static_cast<int>(level)});
+    const std::filesystem::path whole = fileNamed(path, {.face = face});
+    std::filesystem::path result = whole;
     result.replace_extension();
     result += '.';
     result += std::to_string(level);
-    result += path.extension();
+    result += whole.extension();
     return result;
 }
 
@@ -57,50 +46,45 @@ bool halveExactly(const std::vector<Edges>& levels)
     return true;
 }
 
-/// The files of one chain of images: one where it holds them all, else one a level.
-std::vector<std::filesystem::path> levelFiles(const std::filesystem::path& out, const std::vector<Edges>& levels)
+/// The files of one chain of images, of one face where `face` names it: one where it holds them all, else one a level.
+std::vector<std::filesystem::path> levelFiles(const std::filesystem::path& out, std::string_view face, const std::vector<Edges>& levels)
 {
     if (!namesLevels(out) && (levels.size() == 1 || (holdsMips(out) && halveExactly(levels))))
-        return {out};
+        return {fileNamed(out, {.face = face})};
     std::vector<std::filesystem::path> files;
     for (size_t i = 0; i < levels.size(); ++i)
-        files.push_back(withLevel(out, i));
+        files.push_back(withLevel(out, face, i));
     return files;
 }
 
-std::vector<std::filesystem::path> writeLevels(const std::filesystem::path& out, const std::vector<Image>& levels,
+std::vector<std::filesystem::path> writeLevels(const std::filesystem::path& out, std::string_view face, const std::vector<Image>& levels,
                                                const WriteOptions& options)
 {
     std::vector<Edges> edges;
     for (const Image& level : levels)
         edges.push_back({level.width, level.height / options.faces});
-    std::vector<std::filesystem::path> files = levelFiles(out, edges);
+    if (levels.size() == 1)
+        refuseDoubtfulLevel(out);
+    std::vector<std::filesystem::path> files = levelFiles(out, face, edges);
     if (files.size() < levels.size())
-        writeMips(out, levels, options);
+        writeMips(files.front(), levels, options);
     else
         for (size_t i = 0; i < levels.size(); ++i)
             writeImage(files[i], levels[i], options);
     return files;
 }
 
-/// NAME with its `%s` replaced by the word of each face or half; empty when it has none.
-std::vector<std::filesystem::path> faceFiles(const std::filesystem::path& out, Parameterization kind)
+/// The words that a `%s` in the name stands for, of a cube's faces or a paraboloid's halves; a single empty one for a name without.
+std::vector<std::string_view> partsOf(const std::filesystem::path& out, Parameterization kind)
 {
     if (!namesFaces(out))
-        return {};
-    if (kind != Parameterization::Cube && kind != Parameterization::Paraboloid)
-        throw InvalidArgument("output: '%s' stands for the six faces of a cube or the halves of a paraboloid, but this map is a " +
-                              std::string(name(kind)) + " map; give a plain name, or '%d' for one file a level");
-    std::vector<std::filesystem::path> files;
-    const auto add = [&](const auto& words) {
-        for (const std::string_view word : words)
-            files.push_back(*withMarkReplaced(out, faceMark, word));
-    };
+        return {std::string_view()};
     if (kind == Parameterization::Cube)
-        add(faceNames);
-    else
-        add(halfNames);
-    return files;
+        return {faceNames.begin(), faceNames.end()};
+    if (kind == Parameterization::Paraboloid)
+        return {halfNames.begin(), halfNames.end()};
+    throw InvalidArgument("output: '%s' stands for the six faces of a cube or the two halves of a paraboloid, but this map is a " +
+                          std::string(name(kind)) + " map; give a plain name, or '%d' for one file a level");
 }
 
 bool keepsFaces(const ImageFormat& format, const MapLayout& layout) { return format.faces && layout.kind == Parameterization::Cube; }
@@ -129,27 +113,33 @@ std::vector<Image> pieces(const EnvironmentMap& level, size_t count, int faceBor
     return faces;
 }
 
-} // namespace
-
-bool namesLevels(const std::filesystem::path& out) { return out.filename().string().find(levelMark) != std::string::npos; }
-
-bool namesFaces(const std::filesystem::path& out) { return out.filename().string().find(faceMark) != std::string::npos; }
-
-std::vector<std::filesystem::path> mapFiles(const std::filesystem::path& out, const std::vector<MapLayout>& levels)
+std::vector<std::filesystem::path> filesOfMap(const std::filesystem::path& out, const std::vector<MapLayout>& levels, int faceBorder)
 {
     const ImageFormat& format = writableFormat(out);
     std::vector<Edges> edges;
-    const std::vector<std::filesystem::path> faces = faceFiles(out, levels.front().kind);
-    const bool areFaces = !faces.empty() || keepsFaces(format, levels.front());
-    for (const MapLayout& level : levels)
-        edges.push_back({faces.size() == halfNames.size() ? level.size : level.width(), areFaces ? level.size : level.height()});
-    if (faces.empty())
-        return levelFiles(out, edges);
+    const std::vector<std::string_view> parts = partsOf(out, levels.front().kind);
+    const bool areFaces = parts.size() > 1 || keepsFaces(format, levels.front());
+    for (const MapLayout& level : levels) {
+        const int around = 2 * std::min(faceBorder, level.size), edge = level.size + around;
+        if (areFaces)
+            edges.push_back({edge, edge});
+        else
+            edges.push_back({level.width() + around, level.height() + (around > 0 ? 6 * around : 0)});
+    }
     std::vector<std::filesystem::path> files;
-    for (const std::filesystem::path& faceFile : faces)
-        for (std::filesystem::path& file : levelFiles(faceFile, edges))
+    for (const std::string_view word : parts)
+        for (std::filesystem::path& file : levelFiles(out, word, edges))
             files.push_back(std::move(file));
     return files;
+}
+
+} // namespace
+
+std::vector<std::filesystem::path> mapFiles(const std::filesystem::path& out, const std::vector<MapLayout>& levels, int faceBorder)
+{
+    if (levels.size() == 1)
+        refuseDoubtfulLevel(out);
+    return filesOfMap(out, levels, faceBorder);
 }
 
 std::vector<std::filesystem::path> writeMap(const std::filesystem::path& out, const std::vector<EnvironmentMap>& levels,
@@ -165,23 +155,20 @@ std::vector<std::filesystem::path> writeMap(const std::filesystem::path& out, co
     if (const int border = isCube ? options.faceBorder : layout.border; border > 0)
         described.attributes["mirrorball:border"] = std::to_string(border);
 
-    const std::vector<std::filesystem::path> parts = faceFiles(out, layout.kind);
-    if (parts.empty())
+    const std::vector<std::string_view> parts = partsOf(out, layout.kind);
+    if (parts.size() == 1)
         described.faces = keepsFaces(writableFormat(out), layout) ? 6 : 1;
-    const size_t count = std::max<size_t>(1, parts.size());
-    std::vector<std::vector<Image>> images(count); // by file, then by level
+    std::vector<std::vector<Image>> images(parts.size()); // by file, then by level
     for (const EnvironmentMap& level : levels) {
-        std::vector<Image> own = pieces(level, count, options.faceBorder);
-        for (size_t i = 0; i < count; ++i)
+        std::vector<Image> own = pieces(level, parts.size(), options.faceBorder);
+        for (size_t i = 0; i < parts.size(); ++i)
             images[i].push_back(std::move(own[i]));
     }
-    if (parts.empty())
-        return writeLevels(out, images.front(), described);
     std::vector<std::filesystem::path> files;
-    for (size_t i = 0; i < count; ++i) {
-        described.attributes["mirrorball:parameterization"] =
-            isCube ? "cube face " + std::string(faceNames[i]) : "paraboloid half " + std::string(halfNames[i]);
-        for (auto& written : writeLevels(parts[i], images[i], described))
+    for (size_t i = 0; i < parts.size(); ++i) {
+        if (parts.size() > 1)
+            described.attributes["mirrorball:parameterization"] = (isCube ? "cube face " : "paraboloid half ") + std::string(parts[i]);
+        for (auto& written : writeLevels(out, parts[i], images[i], described))
             files.push_back(std::move(written));
     }
     return files;
@@ -190,18 +177,18 @@ std::vector<std::filesystem::path> writeMap(const std::filesystem::path& out, co
 std::vector<std::filesystem::path> writePictures(const std::filesystem::path& out, const std::vector<Image>& levels,
                                                  const WriteOptions& options)
 {
-    faceFiles(out, Parameterization::Sphere); // says that a picture has no faces
+    partsOf(out, Parameterization::Sphere); // says that a picture has no faces
     const ImageFormat& format = writableFormat(out);
     if (format.samples != StoredSamples::Byte)
-        return writeLevels(out, levels, options);
+        return writeLevels(out, {}, levels, options);
     std::vector<Image> shown;
     for (const Image& level : levels)
         shown.push_back(toDisplay(level.channels == 4 && !format.alpha ? withoutOpacity(level) : level, 0.0, ToneCurve::None));
     WriteOptions display = options;
     display.encoding = Encoding::Display;
-    return writeLevels(out, shown, display);
+    return writeLevels(out, {}, shown, display);
 }
 
-void checkMapFile(const std::filesystem::path& out, const MapLayout& base) { checkTarget(mapFiles(out, {base}).front()); }
+void checkMapFile(const std::filesystem::path& out, const MapLayout& base) { checkTarget(filesOfMap(out, {base}, 0).front()); }
 
 } // namespace mirrorball

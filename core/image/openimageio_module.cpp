@@ -61,7 +61,7 @@ StoredColors storedColors(const std::filesystem::path& path, const std::string& 
     return said;
 }
 
-class Reader final : public RawReader {
+class Reader final : public ImageReader {
 public:
     Reader(const std::filesystem::path& path, const std::string& format, const RawRequest& request) : m_request(request)
     {
@@ -217,7 +217,7 @@ private:
     std::vector<float> m_held{}, m_samples{}, m_colors{};
 };
 
-std::unique_ptr<RawReader> open(const std::filesystem::path& path, const std::string& format, const RawRequest& request)
+std::unique_ptr<ImageReader> open(const std::filesystem::path& path, const std::string& format, const RawRequest& request)
 {
     return std::make_unique<Reader>(path, format, request);
 }

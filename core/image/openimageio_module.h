@@ -17,17 +17,6 @@ struct RawRequest {
     Channels channels = Channels::Color;
 };
 
-/// Rows as the file has them, not yet turned upright: linear Rec.709 unless the encoding is kept, texelFloats() a texel. Without opacity
-/// the colours that were drawn, whatever the alpha beside them; with it multiplied by it. info() has what was assumed of part, encoding,
-/// alpha, and of the orientation the file's own word (orientation, 1 to 8).
-class RawReader {
-public:
-    virtual ~RawReader() = default;
-    virtual const ImageFileInfo& info() const = 0;
-    /// @throws FileError
-    virtual void readRows(int firstRow, int rows, float* texels) = 0;
-};
-
 /// One level of an image to write, either float or 8-bit samples.
 struct RawLevel {
     int width = 0;
@@ -48,8 +37,10 @@ public:
 
 struct Module {
     int version = 0;
-    /// `format` is OpenImageIO's name of it, empty: by extension. @throws FileError
-    std::unique_ptr<RawReader> (*open)(const std::filesystem::path& path, const std::string& format, const RawRequest& request) = nullptr;
+    /// Rows as the file has them, not yet turned upright (info().orientation): linear Rec.709 unless the encoding is kept. Without opacity
+    /// the colors that were drawn, whatever the alpha beside them; with it multiplied by it. info() has what was assumed of part, encoding
+    /// and alpha. `format` is OpenImageIO's name of it, empty: by extension. @throws FileError
+    std::unique_ptr<ImageReader> (*open)(const std::filesystem::path& path, const std::string& format, const RawRequest& request) = nullptr;
     /// One image goes into the sink. `named` is the target, for its extension and messages. @throws WorkError
     void (*write)(Sink& sink, const std::filesystem::path& named, const RawLevel& image, const WriteOptions& options) = nullptr;
     /// A mip chain goes into the existing file `temporary`: TIFF levels are appended by reading back, which no sink can do. @throws

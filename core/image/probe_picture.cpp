@@ -1,6 +1,7 @@
 #include "probe_picture.h"
 
 #include "environment_map.h"
+#include "file_names.h"
 #include "paraboloid_halves.h"
 
 #include "core/base/error.h"
@@ -12,7 +13,6 @@ namespace mirrorball {
 
 namespace {
 
-constexpr std::string_view mark = "%s";
 using Words = std::array<std::string_view, 6>;
 
 constexpr std::array<Words, 11> faceWords{{{"px", "nx", "py", "ny", "pz", "nz"},
@@ -43,19 +43,13 @@ std::string spelled(std::string_view word, int spelling)
     return text;
 }
 
-std::filesystem::path named(const std::filesystem::path& pattern, const std::string& word)
-{
-    std::string file = pattern.filename().string();
-    return pattern.parent_path() / file.replace(file.find(mark), mark.size(), word);
-}
-
 template <size_t count>
 std::vector<std::filesystem::path> filesOf(const std::filesystem::path& pattern, const std::array<std::string_view, count>& words)
 {
     for (int spelling = 0; spelling < spellings; ++spelling) {
         std::vector<std::filesystem::path> files;
         for (const std::string_view word : words)
-            files.push_back(named(pattern, spelled(word, spelling)));
+            files.push_back(fileNamed(pattern, {.face = spelled(word, spelling)}));
         std::error_code error;
         if (std::all_of(files.begin(), files.end(), [&](const auto& file) { return std::filesystem::exists(file, error); }))
             return files;
@@ -165,7 +159,7 @@ std::vector<std::filesystem::path> probeFiles(const std::string& probe)
 {
     const std::filesystem::path path(probe);
     std::error_code error;
-    if (path.filename().string().find(mark) == std::string::npos || std::filesystem::exists(path, error))
+    if (!namesFaces(path) || std::filesystem::exists(path, error))
         return {path};
     for (const Words& words : faceWords)
         if (std::vector<std::filesystem::path> files = filesOf(path, words); !files.empty())
@@ -185,7 +179,7 @@ std::optional<std::string> faceFamily(const std::filesystem::path& path)
                 if (!stem.ends_with(own))
                     continue;
                 const auto pattern =
-                    path.parent_path() / (stem.substr(0, stem.size() - own.size()) + std::string(mark) + path.extension().string());
+                    path.parent_path() / (stem.substr(0, stem.size() - own.size()) + "%s" + path.extension().string());
                 if (filesOf(pattern, words).size() == words.size())
                     return pattern.string();
             }

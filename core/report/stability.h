@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-/// The extreme cases of filtering (DESIGN 8), and what must hold in each of them for every method that does not refuse it. The tests
+/// The extreme cases of filtering, and what must hold in each of them for every method that does not refuse it. The tests
 /// and `report --stability` run the same table.
 namespace mirrorball {
 

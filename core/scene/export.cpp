@@ -4,10 +4,12 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/base/file_transaction.h"
 #include "core/image/map_file.h"
 #include "core/spheremap/evaluation/painted_pictures.h"
 
 #include <algorithm>
+#include <set>
 #include <system_error>
 
 namespace mirrorball {
@@ -74,6 +76,15 @@ void exportOne(const Scene& scene, const ExportPlan& planned, SceneProbe& probe,
     outcome.record += std::move(written.record);
 }
 
+/// A name with marks may mean the file of another export.
+void checkDifferent(const std::vector<std::filesystem::path>& files)
+{
+    std::set<std::filesystem::path> seen;
+    for (const std::filesystem::path& file : files)
+        if (file.filename() == FileTransaction::manifestName || !seen.insert(file.filename()).second)
+            throw InvalidArgument("exports: two outputs are named " + file.filename().string() + "; give each export a name of its own");
+}
+
 } // namespace
 
 ExportOutcome exportScene(const Scene& scene, const std::filesystem::path& folder, const ExportOptions& options, const JobControl& job)
@@ -101,11 +112,22 @@ ExportOutcome exportPlanned(PlannedScene planned, const std::filesystem::path& f
     std::filesystem::create_directories(folder, error);
     if (!std::filesystem::is_directory(folder))
         throw WorkError(folder.string() + ": cannot be made a folder" + (error ? ": " + error.message() : "") + "; choose another one");
-    const float share = (1.0f - reading) / static_cast<float>(plan.exports.size());
-    for (size_t i = 0; i < plan.exports.size(); ++i) {
-        const float from = reading + share * static_cast<float>(i);
-        exportOne(planned.scene, plan.exports[i], probe, folder, partOf(job, from, from + share), outcome);
+    FileTransaction together(folder);
+    try {
+        const float share = (1.0f - reading) / static_cast<float>(plan.exports.size());
+        for (size_t i = 0; i < plan.exports.size(); ++i) {
+            const float from = reading + share * static_cast<float>(i);
+            exportOne(planned.scene, plan.exports[i], probe, together.staging(), partOf(job, from, from + share), outcome);
+        }
+        checkDifferent(outcome.files);
+        together.addManifest();
+        job.checkStop(); // what was cancelled leaves nothing, however little was left to do
+    } catch (const WorkError& failure) {
+        throw WorkError(together.aboutTheFolder(failure.what()));
     }
+    together.commit();
+    for (std::filesystem::path& file : outcome.files)
+        file = folder / file.filename();
     return outcome;
 }
 

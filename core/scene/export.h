@@ -23,8 +23,8 @@ struct ExportOutcome {
 /// whether it is looked up by direction, reflection or normal, border, colour space, lobe and the law from level to roughness, or whether
 /// the levels of a painted map are painted or averages. Painted maps are the same bytes as `mirrorball paint` writes; the probe is not
 /// opened where nothing else is exported.
-/// Every file appears whole or not at all, and replaces an older one; a NAME.json is written last, so it never describes files that
-/// are not there.
+/// All files come together, whole or not at all, and replace older ones; each NAME.json after its map, and last of all the manifest with
+/// every file's size and checksum (FileTransaction).
 /// @throws InvalidArgument naming the field, when there is nothing to export or `only` names an unknown export; WorkError; Cancelled
 ExportOutcome exportScene(const Scene& scene, const std::filesystem::path& folder, const ExportOptions& options = {},
                           const JobControl& job = {});

@@ -56,7 +56,7 @@ TEST(DoctorCommand, GivesTheSameVerdictWhateverTheFilesAre)
         texture.levels.push_back(levels[l].image);
         const std::string number = std::to_string(l);
         writeMap(folder / ("face_%s_" + number + ".exr"), {levels[l]});
-        writeImage(folder / ("strip_" + number + ".tif"), levels[l].image);
+        writeImage(folder / ("strip_" + number + ".exr"), levels[l].image);
     }
     test::writeBytes(folder / "light.ktx", ktx1::write(texture));
     test::writeBytes(folder / "light.dds", dds::write(texture));
@@ -67,7 +67,7 @@ TEST(DoctorCommand, GivesTheSameVerdictWhateverTheFilesAre)
     EXPECT_EQ(contained.at("law"), "filament");
     EXPECT_EQ(contained.at("orientation").at("is"), "not mirrored");
     EXPECT_EQ(contained.at("engines"), nlohmann::json::array({"Filament"}));
-    for (const char* name : {"light.dds", "face_%s_%d.exr", "strip_%d.tif"})
+    for (const char* name : {"light.dds", "face_%s_%d.exr", "strip_%d.exr"})
         EXPECT_EQ(verdictOf(examined(quoted(folder / name))), verdictOf(contained)) << name;
 }
 

@@ -31,9 +31,10 @@ TEST_F(BrdfLookupsShader, ReadsTheTableAsTheLibraryDoes)
             glBindTextureUnit(1, texture);
             program.set("lookups", 1);
         };
-        const auto places = test::evaluateGlsl(call + "vec4 twin(vec4 x) { return vec4(at(x.x).axis, at(x.x).alpha); }", inputs, {}, prepare);
-        const auto weights = test::evaluateGlsl(call + "vec4 twin(vec4 x) { return vec4(at(x.x).weight, brdfLookupCount(lookups)); }", inputs,
-                                                {}, prepare);
+        const auto places =
+            test::evaluateGlsl(call + "vec4 twin(vec4 x) { return vec4(at(x.x).axis, at(x.x).alpha); }", inputs, {}, prepare);
+        const auto weights =
+            test::evaluateGlsl(call + "vec4 twin(vec4 x) { return vec4(at(x.x).weight, brdfLookupCount(lookups)); }", inputs, {}, prepare);
         for (size_t i = 0; i < inputs.size(); ++i) {
             const double view = inputs[i].x;
             const BrdfLookup expected = lookupsAt(table, view).lookups.at(static_cast<size_t>(k));

@@ -41,8 +41,9 @@ TEST(Diagnosis, FindsNoFaultInACleanChainAndNamesItsLaw)
         EXPECT_EQ(describe(*d.orientation), "not mirrored");
         for (const LevelDiagnosis& level : d.levels) {
             const double asked = levelRoughness(c.law, static_cast<int>(&level - d.levels.data()), c.levels, c.size);
-            if (asked > 0.1)
+            if (asked > 0.1) {
                 EXPECT_NEAR(std::sqrt(level.fit.alpha), asked, 0.02) << diagnosisText(d);
+            }
             EXPECT_LT(level.mended.relRms, 0.01) << diagnosisText(d);
         }
     }
@@ -271,6 +272,17 @@ TEST(Diagnosis, SaysThatAConstantEnvironmentTellsNoOrientation)
         diagnose(stored(filteredChain(grey, {.size = 16, .levels = 3, .lobe = lobesOf(RoughnessLaw::Filament, 3, 16)})), grey);
     ASSERT_NE(finding(d, "orientation", Severity::Note), nullptr) << diagnosisText(d);
     EXPECT_FALSE(d.orientation->certain());
+}
+
+TEST(Diagnosis, FindsNoFaultInADiffuseMapAlone)
+{
+    for (const char* probe : {"axes", "studio"}) {
+        const EnvironmentMap source = renderBuiltinProbe(probe, {Parameterization::Latlong, 128, 0});
+        const auto diffuse = filteredChain(source, {.size = 32, .levels = 1, .lobe = [](int) { return diffuseLobe(); }});
+        const Diagnosis d = diagnose(stored(diffuse), source);
+        EXPECT_TRUE(d.clean()) << diagnosisText(d);
+        EXPECT_GT(d.levels.front().fit.alpha, 0.97);
+    }
 }
 
 TEST(Diagnosis, NamesValuesThatAreNoNumbers)

@@ -188,8 +188,10 @@ TEST(BrdfStack, IsTheBruteForceSumWithinItsPrediction)
                 const StackPlan plan = planStack(brdf, view, 1e-2, source);
                 const EnvironmentMap truth = filterBrdfSum(probe, brdf, {view, 0.8}, smallLatlong, 0.4);
                 const double error = relRms(filterBrdfStack(source, plan, 0.8, smallLatlong, 0.4), truth);
-                // Phong's lobe ends at the horizon in a step, which white noise sees at every degree.
-                EXPECT_LE(plan.predictedError, view > 1.0 && text == std::string("phong:exponent=20") ? 2e-2 : 1e-2) << text << ' ' << view;
+                // Phong's lobe ends at the horizon in a step, which white noise sees at every degree: followed as far as it goes, its rest
+                // is 1e-2, and the prediction keeps twice that (stackMargin).
+                EXPECT_LE(plan.predictedError, view > 1.0 && text == std::string("phong:exponent=20") ? 2.5e-2 : 1e-2)
+                    << text << ' ' << view;
                 EXPECT_LE(error, plan.predictedError)
                     << text << ' ' << view << ": orders " << plan.kernel.orders << ", degrees " << plan.kernel.bandLimit;
             }
