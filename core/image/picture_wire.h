@@ -5,7 +5,29 @@
 #include "core/base/wire.h"
 
 /// What the helper is asked for, and what it tells of a picture that it has opened.
-namespace mirrorball::openimageio {
+namespace mirrorball {
+
+template <class Value, class Visit>
+void visitAssumption(Value& assumption, Visit&& visit)
+{
+    auto& [topic, value, why, certainty, others] = assumption;
+    visit(topic, value, why, certainty, others);
+}
+
+inline WireWriter& operator<<(WireWriter& writer, const Assumption& assumption)
+{
+    visitAssumption(assumption, [&](const auto&... members) { (writer << ... << members); });
+    return writer;
+}
+inline WireReader& operator>>(WireReader& reader, Assumption& assumption)
+{
+    visitAssumption(assumption, [&](auto&... members) { (reader >> ... >> members); });
+    if (static_cast<unsigned>(assumption.certainty) > static_cast<unsigned>(Certainty::Guess))
+        assumption.certainty = Certainty::Guess;
+    return reader;
+}
+
+namespace openimageio {
 
 /// Hands every member that travels to `visit`: all but the path. Members added to ImageFileInfo must be named here, or this does not
 /// compile.
@@ -26,26 +48,6 @@ void visitRequest(Request& request, Visit&& visit)
     visit(part, level, keepsEncoding, channels);
 }
 
-template <class Value, class Visit>
-void visitAssumption(Value& assumption, Visit&& visit)
-{
-    auto& [topic, value, why, certainty, others] = assumption;
-    visit(topic, value, why, certainty, others);
-}
-
-inline WireWriter& operator<<(WireWriter& writer, const Assumption& assumption)
-{
-    visitAssumption(assumption, [&](const auto&... members) { (writer << ... << members); });
-    return writer;
-}
-inline WireReader& operator>>(WireReader& reader, Assumption& assumption)
-{
-    visitAssumption(assumption, [&](auto&... members) { (reader >> ... >> members); });
-    if (assumption.certainty > Certainty::Guess)
-        assumption.certainty = Certainty::Guess;
-    return reader;
-}
-
 inline std::string toWire(const ImageFileInfo& info)
 {
     WireWriter writer;
@@ -61,4 +63,5 @@ inline bool fromWire(std::string_view bytes, ImageFileInfo& info)
     return reader.isDone();
 }
 
-} // namespace mirrorball::openimageio
+} // namespace openimageio
+} // namespace mirrorball
