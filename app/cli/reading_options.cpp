@@ -74,10 +74,12 @@ std::string optionOf(const Field& field)
     return option;
 }
 
-void ReadingOptions::addTo(CLI::App& command)
+void ReadingOptions::addTo(CLI::App& command, std::string_view leftOut)
 {
     ProbeReading initial;
     ProbeReading::visitFields(initial, [&](const Field& field, auto& value) {
+        if (readingOption(field) == leftOut)
+            return;
         std::string help(field.help);
         if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, std::optional<Parameterization>>)
             help = "parameterization of the input, where it is not to be found out (KIND)";

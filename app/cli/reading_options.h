@@ -6,6 +6,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace mirrorball::cli {
@@ -13,7 +14,8 @@ namespace mirrorball::cli {
 /// The options that say how a probe's file is to be read, as typed: --from and one for each other field of ProbeReading.
 class ReadingOptions {
 public:
-    void addTo(CLI::App& command);
+    /// All of them but one that is left out.
+    void addTo(CLI::App& command, std::string_view leftOut = {});
     /// @throws InvalidArgument naming the option
     ProbeReading parse() const;
 

@@ -94,9 +94,9 @@ std::optional<Detection> asKind(const ImageFileInfo& info, Parameterization kind
 std::optional<Detection> fromEnvmapAttribute(const ImageFileInfo& info)
 {
     if (info.envmap == "latlong" && info.width >= 2 && info.height >= 2)
-        return Detection{{Parameterization::Latlong, info.height, 0}, Arrangement::EdgeSampledLatlong, "OpenEXR envmap latlong", true};
+        return Detection{{Parameterization::Latlong, info.height, 0}, Arrangement::EdgeSampledLatlong, "OpenEXR envmap latlong", true, true};
     if (info.envmap == "cube" && info.width >= 2 && info.height == 6 * info.width)
-        return Detection{{Parameterization::Cube, info.width, 0}, Arrangement::OpenExrCube, "OpenEXR envmap cube", true};
+        return Detection{{Parameterization::Cube, info.width, 0}, Arrangement::OpenExrCube, "OpenEXR envmap cube", true, true};
     return {};
 }
 
@@ -112,7 +112,7 @@ std::optional<Detection> fromOwnAttributes(const ImageFileInfo& info)
     auto detection = asKind(info, *kind, hasBorder ? borderOf(info) : 0);
     if (detection) {
         detection->reason = "the file says " + found->second;
-        detection->certain = true;
+        detection->certain = detection->said = true;
     }
     return detection;
 }
@@ -272,12 +272,11 @@ Assumption handedness(const Detection& found)
 void finish(Detection& found, const ImageFileInfo& info, const ProbeReading& reading)
 {
     const bool asked = reading.parameterization.has_value();
-    const bool said = found.reason.starts_with("the file says") || found.reason.starts_with("OpenEXR envmap");
-    const Certainty certainty = !found.certain ? Certainty::Guess : asked || said ? Certainty::Certain : Certainty::Likely;
+    const Certainty certainty = !found.certain ? Certainty::Guess : asked || found.said ? Certainty::Certain : Certainty::Likely;
     Assumption kind{"parameterization", std::string(name(found.layout.kind)), found.reason, certainty};
-    if (!asked && info.width == info.height && !said)
+    if (!asked && info.width == info.height && !found.said)
         kind.others = {"sphere (a photographed mirror ball: --from sphere --fit crop)", "octahedral"};
-    else if (!asked && info.width == 2 * info.height && !said)
+    else if (!asked && info.width == 2 * info.height && !found.said)
         kind.others = {"paraboloid"};
     else if (found.arrangement == Arrangement::Partial && !found.certain)
         kind.others = {"padded: --fit pad", "cropped: --fit crop"};
@@ -290,9 +289,12 @@ void finish(Detection& found, const ImageFileInfo& info, const ProbeReading& rea
         throw InvalidArgument("faces: belongs to cubes whose faces lie on a sheet or in six files, not to this file: " + found.reason);
     found.faces = reading.faces;
     Assumption hand = handedness(found);
+    const auto known = std::find_if(info.assumed.begin(), info.assumed.end(), [](const Assumption& a) { return a.topic == "handedness"; });
     if (!reading.faces.empty())
         hand = {"handedness", "faces " + reading.faces, "asked for"};
-    else if (said && found.arrangement != Arrangement::EdgeSampledLatlong && found.arrangement != Arrangement::OpenExrCube)
+    else if (known != info.assumed.end() && found.said)
+        hand = *known;
+    else if (found.said && info.envmap.empty())
         hand = {"handedness", hand.value, "Mirrorball wrote it"};
     if (reading.mirror != MirrorAxis::None)
         hand = {"handedness", hand.value + ", mirrored in " + std::string(words(MirrorAxis{})[static_cast<size_t>(reading.mirror)]),

@@ -35,6 +35,7 @@ struct Detection {
     Arrangement arrangement = Arrangement::Whole;
     std::string reason{};              ///< one clause for the user: "2:1, taken for a latlong"
     bool certain = true;               ///< false where the shape fits several kinds: say so, and offer --from
+    bool said = false;                 ///< by the file itself, not by its shape
     ViewOnSphere view{};               ///< Partial
     Fit fit = Fit::None;               ///< NotSquare
     int faceBorder = 0;                ///< BorderedFaces: texels

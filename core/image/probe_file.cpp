@@ -19,6 +19,9 @@ ProbeFile::ProbeFile(std::string probe, const ReadProbeOptions& options) : m_pro
         builtinProbe(std::string_view(m_probe).substr(builtinPrefix.size())); // says when there is none of that name
         m_detection = {.layout = builtinProbeLayout, .reason = "built in"};
         m_detection.orientation = orientation(options.reading);
+        m_detection.assumed = {{"parameterization", std::string(name(builtinProbeLayout.kind)), "built in"},
+                               {"encoding", "linear, Rec.709 primaries", "built in"},
+                               {"handedness", "a picture from inside: +Z in the middle, +X left of it", "built in"}};
         return;
     }
     m_reader = openProbePicture(m_probe, options.reading, options.negatives);
@@ -30,6 +33,7 @@ Probe ProbeFile::read(const JobControl& job)
     Probe result{.origin = m_detection.reason, .certain = m_detection.certain};
     if (isBuiltin()) {
         result.map = timedStage(result.stages, "compute probe", [&] {
+            result.assumed = m_detection.assumed;
             return toEnvironmentMap(renderBuiltinProbe(m_probe.substr(builtinPrefix.size()), builtinProbeLayout, job).image, m_detection, job);
         });
         return result;
@@ -50,6 +54,15 @@ std::vector<Assumption> allAssumed(const ImageFileInfo& info, const Detection& d
     std::vector<Assumption> all = info.assumed;
     for (const Assumption& assumption : detection.assumed)
         assume(all, assumption);
+    const auto unlessKnown = [&](Assumption assumption) {
+        if (std::none_of(all.begin(), all.end(), [&](const Assumption& a) { return a.topic == assumption.topic; }))
+            all.push_back(std::move(assumption));
+    };
+    unlessKnown({"part", "0", "the only one"});
+    unlessKnown({"layer", "default", "the format has no layers"});
+    unlessKnown({"windows", "the whole picture", "the format has no windows"});
+    unlessKnown({"orientation", "upright", "the file says nothing of another"});
+    unlessKnown({"alpha", "none", "the format has none, or its readers leave it out"});
     return all;
 }
 

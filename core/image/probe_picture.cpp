@@ -84,6 +84,13 @@ public:
         std::string names;
         for (const std::filesystem::path& file : files)
             names += (names.empty() ? "" : ", ") + file.filename().string();
+        const bool isOwn = std::all_of(m_faces.begin(), m_faces.end(),
+                                       [](const auto& face) { return face->info().attributes.contains("mirrorball:parameterization"); });
+        assume(m_info.assumed, {"handedness",
+                                "faces as OpenGL draws them",
+                                isOwn ? "Mirrorball wrote them" : "the convention of such names",
+                                isOwn ? Certainty::Certain : Certainty::Likely,
+                                {"mirrored: --mirror x", "another order or turn: --faces"}});
         assume(m_info.assumed, {"files", "six cube faces, +X -X +Y -Y +Z -Z: " + names, "their names"});
     }
 
@@ -148,6 +155,7 @@ std::unique_ptr<ImageReader> joinedHalves(const std::string& probe, const std::v
     assume(info.assumed,
            {"files", "the front and back half of a dual paraboloid: " + files[0].filename().string() + ", " + files[1].filename().string(),
             "their names"});
+    assume(info.assumed, {"handedness", "+X right in both halves", "the convention of such names", Certainty::Likely, {"mirrored: --mirror x"}});
     assume(info.assumed, {"alpha", halves[0].hasAlpha ? "how far each half is believed" : "none: each half is believed in its circle",
                           "the files' channels"});
     return std::make_unique<HeldImage>(joinHalves(halves[0], halves[1], border), std::move(info));

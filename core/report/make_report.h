@@ -14,6 +14,7 @@ namespace mirrorball {
 
 struct ReportOptions {
     std::vector<std::string> probes{}; ///< paths or builtin:NAME, at least one
+    ProbeReading reading{};            ///< how each is to be read
     std::vector<Lobe> lobes{};
     std::vector<Method> methods{allMethods.begin(), allMethods.end()};
     MapLayout target{.kind = Parameterization::Cube, .size = 64};

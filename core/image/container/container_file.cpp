@@ -134,6 +134,14 @@ public:
             m_info.attributes["mirrorball:parameterization"] = "cube";
         if (areHalves(contained.texture))
             m_info.attributes["mirrorball:parameterization"] = "paraboloid";
+        assume(m_info.assumed, {"encoding", "linear, Rec.709 primaries", "texels of type " + m_info.sampleType, Certainty::Likely});
+        assume(m_info.assumed, contained.format == "env"
+                                   ? Assumption{"handedness", "mirrored and upside down faces, which is undone", "Babylon.js' loader"}
+                                   : Assumption{"handedness",
+                                                areHalves(contained.texture) ? "+X right in both halves" : "faces as OpenGL draws them",
+                                                "the format's definition; engines also store mirrored ones",
+                                                Certainty::Likely,
+                                                {"mirrored: --mirror x", "another order or turn: --faces"}});
     }
 
     const ImageFileInfo& info() const override { return m_info; }
