@@ -5,6 +5,7 @@
 #include "core/base/fields.h"
 #include "core/base/job.h"
 #include "core/filter/paraboloid.h"
+#include "core/image/probe_reading.h"
 
 #include <memory>
 #include <string>
