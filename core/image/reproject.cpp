@@ -76,6 +76,8 @@ public:
     {
         const glm::dvec2 centre{x + 0.5, y + 0.5};
         const glm::dvec3 d = sourceDirection(centre);
+        if (const float* same = m_turns ? texelAt(d) : nullptr)
+            return {same[0], same[1], same[2]};
         if (m_magnifies)
             return m_source.radiance(d);
         const glm::dvec2 ratio = texelExtent(m_target, centre) / sourceAngle(d);
@@ -100,6 +102,16 @@ private:
     int m_level = 0;
     std::optional<EnvironmentMap> m_smooth{}; ///< the source without slivers, when only some target texels are larger than its
     std::optional<SplineLookup> m_spline{};   ///< level m_level of the source's pyramid, when all are
+
+    /// The source's texel whose centre this is, as those of mirrored and quarter-turned maps are: they are moved, not mixed. Or null.
+    const float* texelAt(const glm::dvec3& d) const
+    {
+        const glm::dvec2 p = coordinate(m_source.layout, d), cell = glm::floor(p);
+        if (std::max(std::abs(p.x - cell.x - 0.5), std::abs(p.y - cell.y - 0.5)) > 1e-6 || cell.x < 0.0 || cell.y < 0.0 ||
+            cell.x >= m_source.image.width || cell.y >= m_source.image.height)
+            return nullptr;
+        return m_source.image.texel(static_cast<int>(cell.x), static_cast<int>(cell.y));
+    }
 
     /// Whether the texel lies at the pole of a latlong, source or target: the corner of |sin| there wants finer sums.
     bool isPolar(const glm::dvec3& d, int y) const

@@ -69,7 +69,8 @@ TEST_F(Reports, SayWhatWasChosenAndWhatElseThereIs)
     const Assumption layer = assumed(read("e-normal-xyz-before-beauty.exr"), "layer");
     EXPECT_THAT(layer.value, HasSubstr("beauty"));
     EXPECT_THAT(layer.others, testing::Not(testing::IsEmpty()));
-    EXPECT_EQ(assumed(read("c-hcross-gl.exr"), "handedness").certainty, Certainty::Guess) << "a cross may be either";
+    EXPECT_EQ(assumed(read("c-hcross-gl.exr"), "handedness").certainty, Certainty::Likely);
+    EXPECT_THAT(assumed(read("c-hcross-gl.exr"), "handedness").others, testing::Contains(HasSubstr("--mirror x")));
     EXPECT_THAT(read("h-exposure-zero.hdr").notes, testing::Contains(HasSubstr("EXPOSURE")));
     EXPECT_THAT(read("e-1917x938ish.exr").notes, testing::Contains(HasSubstr("2:1")));
     EXPECT_THAT(assumed(read("p-gama45455.png"), "encoding").value, HasSubstr("gamma 2.2"));
@@ -100,7 +101,8 @@ TEST_F(Reports, EncodedPicturesHaveTheMeanOfTheField)
         const Probe probe = read(name);
         EXPECT_LT(test::distanceFromField(probe.map), 0.01) << name;
     }
-    EXPECT_LT(test::distanceFromField(read("j-orient3.jpg").map), 0.03) << "upright, through JPEG's quantization";
+    // Upright: upside down it would be off by 0.8. JPEG's coarser steps of color, times the slope of sRGB where it is steepest.
+    EXPECT_LT(test::distanceFromField(read("j-orient3.jpg").map), 0.05);
 }
 
 TEST_F(Reports, RowsWithoutAValueAreFilled)
@@ -116,12 +118,15 @@ TEST_F(Reports, HalfAlphaIsOpacityOfASphereMapAndNothingOfAProbe)
 {
     const Image colors = readImage(folder / "k-half-alpha.png");
     const Image rgba = readImage(folder / "k-half-alpha.png", {}, Channels::ColorAndOpacity);
+    size_t halfOpaque = 0;
     for (size_t i = 0; i < colors.texels.size() / 3; ++i) {
         const float alpha = rgba.texels[4 * i + 3];
-        EXPECT_NEAR(alpha, 0.5f, 0.51f); // what it is, the next line holds the colors to
+        ASSERT_TRUE(alpha >= 0.0f && alpha <= 1.0f);
+        halfOpaque += std::abs(alpha - 128.0f / 255.0f) < 1e-6f ? 1 : 0;
         for (size_t c = 0; c < 3; ++c)
             ASSERT_NEAR(rgba.texels[4 * i + c], colors.texels[3 * i + c] * alpha, 1e-6f);
     }
+    EXPECT_GT(halfOpaque, 0u);
 }
 
 TEST_F(Reports, HostileFilesAreRefused)
