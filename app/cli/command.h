@@ -37,8 +37,7 @@ struct MapTarget {
 /// @throws InvalidArgument
 MapTarget parseTarget(const std::string& to, int size, int border);
 /// The help of --output and --border, which the commands that write maps share.
-inline constexpr const char* outputHelp =
-    "output file; %s in the name of a cube makes six files, of a paraboloid two, %d one file a level";
+inline constexpr const char* outputHelp = "output file; %s in the name of a cube makes six files, of a paraboloid two, %d one file a level";
 inline constexpr const char* borderHelp =
     "texels kept free outside each disc of a paraboloid map; of a cube, texels of its neighbors around each face";
 inline double radians(double degrees) { return degrees * pi / 180.0; }

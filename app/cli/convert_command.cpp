@@ -40,8 +40,7 @@ void run(const Options& o)
     const JobControl job = jobWithProgress("convert", o.threads);
     const Probe probe = readProbe(o.probe, read, job);
     printNotes(o.probe, probe.notes);
-    EnvironmentMap map =
-        reproject(probe.map, {.target = target.layout, .yaw = radians(o.yawDeg + turn.yawDeg), .turn = orient}, job);
+    EnvironmentMap map = reproject(probe.map, {.target = target.layout, .yaw = radians(o.yawDeg + turn.yawDeg), .turn = orient}, job);
     std::vector<EnvironmentMap> levels;
     if (o.mips)
         levels = buildMipPyramid(map, job).levels;

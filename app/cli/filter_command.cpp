@@ -242,11 +242,10 @@ void run(const Options& o)
     record += std::move(built.record);
 
     store(built.levels, engineTurn(o.engine, levels.front().target.kind).orientation);
-    const WriteOptions write{
-        .sampleType = o.half ? SampleType::Half : SampleType::Float,
-        .attributes = filterAttributes(levels),
-        .bytes = bytes,
-        .faceBorder = faceBorder};
+    const WriteOptions write{.sampleType = o.half ? SampleType::Half : SampleType::Float,
+                             .attributes = filterAttributes(levels),
+                             .bytes = bytes,
+                             .faceBorder = faceBorder};
     timedStage(record.stages, "save map", [&] { writeMap(o.out, built.levels, write); });
     if (!o.stats.empty())
         writeStats(o.stats, plan.stages, record, job.threadCount());

@@ -11,8 +11,8 @@ namespace {
 int streamedBandLimit(const ProbeFile& probe, std::span<const PrefilterOptions> jobs)
 {
     const MapLayout& layout = probe.layout();
-    if (probe.isBuiltin() || probe.detection().orientation != glm::dmat3(1.0) || probe.detection().arrangement != Arrangement::Whole || layout.kind != Parameterization::Latlong ||
-        std::int64_t{layout.width()} * layout.height() <= streamedFrom)
+    if (probe.isBuiltin() || probe.detection().orientation != glm::dmat3(1.0) || probe.detection().arrangement != Arrangement::Whole ||
+        layout.kind != Parameterization::Latlong || std::int64_t{layout.width()} * layout.height() <= streamedFrom)
         return -1;
     int bandLimit = 0;
     for (const PrefilterOptions& filter : jobs) {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-/// The colour spaces that files come in, and how they become linear Rec.709.
+/// The color spaces that files come in, and how they become linear Rec.709.
 namespace mirrorball {
 
 /// How stored values stand for light.

@@ -22,7 +22,7 @@ EnvironmentMap cutUp(const Image& image, CubeSheet sheet, int border, const std:
 /// @throws InvalidArgument, beginning with "faces", unless empty or six faces, each once
 void checkFaceOrder(const std::string& faces);
 
-/// The faces of a stacked cube, each with `border` texels around it copied from its neighbours; beyond a corner, where no face is, from one
+/// The faces of a stacked cube, each with `border` texels around it copied from its neighbors; beyond a corner, where no face is, from one
 /// of those that meet there. Source: 002 figure 2; 000 section 2.4
 Image withBorders(const EnvironmentMap& cube, int border);
 

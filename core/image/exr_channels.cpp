@@ -24,7 +24,7 @@ std::string lowerCase(std::string text)
 }
 
 /// What a picture's channels are, best first.
-enum class Content { Colour, Luminance, Lone, Other };
+enum class Content { Color, Luminance, Lone, Other };
 
 /// How likely a name is that of the light one sees, best first.
 enum class NameRank { Plain, Beauty, Unknown, Auxiliary };
@@ -83,7 +83,7 @@ std::vector<std::string> wordsOf(const std::string& name)
 /// The last word that says something decides: "ViewLayer.Combined" is a beauty, "beauty_albedo" is none.
 NameRank rankOf(const std::vector<std::string>& names)
 {
-    static const std::set<std::string, std::less<>> beauty{"combined", "beauty",  "rgba",  "rgb", "color",   "colour",
+    static const std::set<std::string, std::less<>> beauty{"combined", "beauty",  "rgba",  "rgb", "color",   "color",
                                                            "main",     "default", "final", "c",   "compose", "composite"};
     static const std::set<std::string, std::less<>> auxiliary{
         "albedo",   "normal",      "normals",    "n",        "nx",         "depth",   "z",          "zdepth",       "position",
@@ -105,31 +105,31 @@ NameRank rankOf(const std::vector<std::string>& names)
     return rank;
 }
 
-/// The colours that a layer has by the names of its channels.
-std::optional<std::pair<ColourChannels, Content>> coloursOf(const LayerChannels& channels)
+/// The colors that a layer has by the names of its channels.
+std::optional<std::pair<ColorChannels, Content>> colorsOf(const LayerChannels& channels)
 {
     const auto find = [&](std::string_view letter, std::string_view word) { return findChannel(channels, letter, word); };
-    const ColourChannels colour{{find("r", "red"), find("g", "green"), find("b", "blue")}, find("a", "alpha")};
-    if (std::count(colour.rgb.begin(), colour.rgb.end(), std::string()) <= 1)
-        return std::pair(colour, Content::Colour);
+    const ColorChannels color{{find("r", "red"), find("g", "green"), find("b", "blue")}, find("a", "alpha")};
+    if (std::count(color.rgb.begin(), color.rgb.end(), std::string()) <= 1)
+        return std::pair(color, Content::Color);
     const std::string y = find("y", "luminance");
     const bool isVector = !find("x", "x").empty() || !find("z", "z").empty();
     if (!y.empty() && !isVector)
-        return std::pair(ColourChannels{{y, y, y}, colour.alpha, find("ry", "ry") == "RY" && find("by", "by") == "BY"}, Content::Luminance);
+        return std::pair(ColorChannels{{y, y, y}, color.alpha, find("ry", "ry") == "RY" && find("by", "by") == "BY"}, Content::Luminance);
     return std::nullopt;
 }
 
-/// A single channel, or X, Y and Z: colours only where somebody asks for them.
-std::optional<std::pair<ColourChannels, Content>> anyOf(const LayerChannels& channels)
+/// A single channel, or X, Y and Z: colors only where somebody asks for them.
+std::optional<std::pair<ColorChannels, Content>> anyOf(const LayerChannels& channels)
 {
-    const ColourChannels vector{{findChannel(channels, "x", "x"), findChannel(channels, "y", "y"), findChannel(channels, "z", "z")}};
+    const ColorChannels vector{{findChannel(channels, "x", "x"), findChannel(channels, "y", "y"), findChannel(channels, "z", "z")}};
     if (std::count(vector.rgb.begin(), vector.rgb.end(), std::string()) <= 1)
         return std::pair(vector, Content::Other);
     if (channels.size() != 1)
         return std::nullopt;
     const auto& [last, name] = channels.front();
-    const bool isColour = rankOf(wordsOf(last)) != NameRank::Auxiliary && last != "x";
-    return std::pair(ColourChannels{{name, name, name}}, isColour ? Content::Lone : Content::Other);
+    const bool isColor = rankOf(wordsOf(last)) != NameRank::Auxiliary && last != "x";
+    return std::pair(ColorChannels{{name, name, name}}, isColor ? Content::Lone : Content::Other);
 }
 
 std::vector<Candidate> candidates(const Imf::MultiPartInputFile& file)
@@ -141,14 +141,14 @@ std::vector<Candidate> candidates(const Imf::MultiPartInputFile& file)
             continue;
         const std::string partName = header.hasName() ? header.name() : std::string();
         for (const auto& [layer, channels] : layersOf(header.channels())) {
-            auto colours = coloursOf(channels);
-            if (!colours)
-                colours = anyOf(channels);
-            if (!colours)
+            auto colors = colorsOf(channels);
+            if (!colors)
+                colors = anyOf(channels);
+            if (!colors)
                 continue;
             const std::vector<std::string> names = wordsOf(partName + "." + layer);
-            found.push_back({{part, partName, layer, colours->first},
-                             colours->second,
+            found.push_back({{part, partName, layer, colors->first},
+                             colors->second,
                              rankOf(names),
                              std::find(names.begin(), names.end(), "right") != names.end()});
         }
@@ -196,7 +196,7 @@ void keepPart(const std::string& path, const Imf::MultiPartInputFile& file, cons
     std::erase_if(from,
                   [&](const Candidate& c) { return isNumber ? c.picture.part != std::stoi(wanted) : !endsIn(c.picture.partName, wanted); });
     if (from.empty())
-        throw FileError(path, "it has no flat part '" + oneLine(wanted) + "' with colours among its " + std::to_string(file.parts()) +
+        throw FileError(path, "it has no flat part '" + oneLine(wanted) + "' with colors among its " + std::to_string(file.parts()) +
                                   "; choose " + listed(known) + " by number or name");
 }
 
@@ -224,16 +224,16 @@ void keepLayer(const std::string& path, const Imf::MultiPartInputFile& file, con
 }
 
 /// Why there is nothing to read.
-FileError noColours(const std::string& path, const Imf::MultiPartInputFile& file, const std::vector<Candidate>& others)
+FileError noColors(const std::string& path, const Imf::MultiPartInputFile& file, const std::vector<Candidate>& others)
 {
     const auto isDeep = [&](int part) { return file.header(part).hasType() && Imf::isDeepData(file.header(part).type()); };
     for (int part = 0; part < file.parts(); ++part)
         if (isDeep(part) && others.empty())
-            return FileError(path, "it holds only deep images, which have no single colour per texel; flatten it first");
+            return FileError(path, "it holds only deep images, which have no single color per texel; flatten it first");
     return FileError(path, "none of its channels is R, G, B or Y" +
-                               (others.empty() ? std::string("; export it with colour channels")
+                               (others.empty() ? std::string("; export it with color channels")
                                                : ", only what is no light (" + listed(texts(others, layerText)) +
-                                                     "); export it with colour channels, or ask for one with --layer"));
+                                                     "); export it with color channels, or ask for one with --layer"));
 }
 
 Assumption assumption(const char* topic, std::string value, const std::vector<std::string>& all, bool asked, Certainty certainty)
@@ -242,7 +242,7 @@ Assumption assumption(const char* topic, std::string value, const std::vector<st
     std::erase(others, value);
     const char* why = asked                           ? "asked for"
                       : all.size() == 1               ? "the only one"
-                      : certainty == Certainty::Guess ? "the first with colours"
+                      : certainty == Certainty::Guess ? "the first with colors"
                                                       : "by its channels and name";
     return {topic, std::move(value), why, asked ? Certainty::Certain : certainty, std::move(others)};
 }
@@ -261,12 +261,12 @@ ChosenPicture choosePicture(const std::string& path, const Imf::MultiPartInputFi
     if (!asked)
         std::erase_if(left, [](const Candidate& c) { return c.content == Content::Other; });
     if (left.empty())
-        throw noColours(path, file, all);
+        throw noColors(path, file, all);
     const auto better = [](const Candidate& a, const Candidate& b) { return a.order() < b.order(); };
     const auto best = std::min_element(left.begin(), left.end(), better);
     // The right eye, a lone channel or an auxiliary pass beside the chosen one leaves no doubt; another picture of the same standing does.
     const auto alike = std::count_if(left.begin(), left.end(), [&](const Candidate& c) { return c.order() == best->order(); });
-    const bool plain = best->content == Content::Colour && best->rank != NameRank::Unknown && best->rank != NameRank::Auxiliary;
+    const bool plain = best->content == Content::Color && best->rank != NameRank::Unknown && best->rank != NameRank::Auxiliary;
     const Certainty certainty = left.size() == 1 ? Certainty::Certain
                                 : alike > 1      ? Certainty::Guess
                                 : plain          ? Certainty::Certain
@@ -283,7 +283,7 @@ ChosenPicture choosePicture(const std::string& path, const Imf::MultiPartInputFi
 std::optional<Picture> findPass(const Imf::MultiPartInputFile& file, const std::string& pass)
 {
     for (const Candidate& c : candidates(file))
-        if (c.content == Content::Colour && std::count(c.picture.channels.rgb.begin(), c.picture.channels.rgb.end(), std::string()) == 0 &&
+        if (c.content == Content::Color && std::count(c.picture.channels.rgb.begin(), c.picture.channels.rgb.end(), std::string()) == 0 &&
             endsIn(c.picture.layer.empty() ? c.picture.partName : c.picture.layer, pass))
             return c.picture;
     return std::nullopt;

@@ -20,7 +20,7 @@ using Imath::V2i;
 int widthOf(const Box2i& window) { return window.max.x - window.min.x + 1; }
 
 /// Interleaved floats whose first texel stands at `origin` of the file's coordinates. Channels that are not there are filled.
-Imf::FrameBuffer frameBuffer(const ColourChannels& channels, int floats, float* texels, const V2i& origin, int width, int rows)
+Imf::FrameBuffer frameBuffer(const ColorChannels& channels, int floats, float* texels, const V2i& origin, int width, int rows)
 {
     Imf::FrameBuffer buffer;
     const size_t texel = static_cast<size_t>(floats) * sizeof(float);
@@ -36,7 +36,7 @@ Imf::FrameBuffer frameBuffer(const ColourChannels& channels, int floats, float* 
     return buffer;
 }
 
-void copyGrey(const ColourChannels& channels, int floats, float* texels, size_t count)
+void copyGrey(const ColorChannels& channels, int floats, float* texels, size_t count)
 {
     if (channels.isGrey())
         for (size_t i = 0; i < count; ++i, texels += floats)
@@ -63,7 +63,7 @@ public:
 
 private:
     Imf::InputPart m_part;
-    ColourChannels m_channels;
+    ColorChannels m_channels;
     int m_floats;
 };
 
@@ -105,7 +105,7 @@ private:
     }
 
     Imf::TiledInputPart m_part;
-    ColourChannels m_channels;
+    ColorChannels m_channels;
     int m_floats;
     int m_level;
     Box2i m_window;

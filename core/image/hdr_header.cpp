@@ -90,7 +90,7 @@ void parsePrimaries(Header& header, const std::string& text, Chromaticities& pri
         primaries = {{v[0], v[1]}, {v[2], v[3]}, {v[4], v[5]}, {v[6], v[7]}};
 }
 
-/// A row of 16384 texels of one colour takes 1 kB. A header of 60 bytes that claims 2^28 texels costs memory before the rows are missed.
+/// A row of 16384 texels of one color takes 1 kB. A header of 60 bytes that claims 2^28 texels costs memory before the rows are missed.
 void checkLength(const std::string& path, long long texels)
 {
     std::error_code unknown;
@@ -157,7 +157,7 @@ Header readHeader(const std::filesystem::path& file, ByteSource& bytes)
     try {
         header.toRec709 = conversionFrom(path, xyz ? cieXyz : primaries);
     } catch (const FileError&) {
-        header.notes.push_back("its header's PRIMARIES span no colour space and are not used");
+        header.notes.push_back("its header's PRIMARIES span no color space and are not used");
     }
     header.encoding = xyz ? "linear, CIE XYZ" : header.toRec709 ? "linear, the header's PRIMARIES" : "linear, Rec.709 primaries";
     return header;

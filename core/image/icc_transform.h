@@ -7,8 +7,8 @@
 
 namespace mirrorball {
 
-/// Colours of an ICC profile as linear Rec.709, through Little CMS, relative colorimetric: white goes to white. In floats throughout, so
-/// colours outside Rec.709 come out negative.
+/// Colors of an ICC profile as linear Rec.709, through Little CMS, relative colorimetric: white goes to white. In floats throughout, so
+/// colors outside Rec.709 come out negative.
 class IccTransform {
 public:
     /// Null for a profile that is damaged or not for so many channels (1 or 3).

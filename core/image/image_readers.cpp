@@ -105,10 +105,10 @@ public:
     {
         if (const auto space = colorSpaceFromName(name)) {
             m_toLinear = [curve = *space, matrix = primariesToRec709(*space)](float* rgb) {
-                glm::vec3 colour(toLight(rgb[0], curve), toLight(rgb[1], curve), toLight(rgb[2], curve));
+                glm::vec3 color(toLight(rgb[0], curve), toLight(rgb[1], curve), toLight(rgb[2], curve));
                 if (matrix)
-                    colour = *matrix * colour;
-                std::copy_n(&colour.x, 3, rgb);
+                    color = *matrix * color;
+                std::copy_n(&color.x, 3, rgb);
             };
         } else {
             m_toLinear = ocioSpace(name);

@@ -13,7 +13,7 @@ namespace mirrorball {
 /// others are held whole. Source: Exif 2.32, tag 274.
 std::unique_ptr<ImageReader> upright(std::unique_ptr<ImageReader> reader, Channels channels);
 
-/// Stored colours of a named space (ProbeReading::colorSpace) as linear Rec.709. Names that colorSpaceFromName() does not know are looked
+/// Stored colors of a named space (ProbeReading::colorSpace) as linear Rec.709. Names that colorSpaceFromName() does not know are looked
 /// up in the OpenColorIO configuration that $OCIO names.
 /// @throws InvalidArgument for a name that neither knows
 std::unique_ptr<ImageReader> inColorSpace(std::unique_ptr<ImageReader> reader, const std::string& space, Channels channels);

@@ -94,7 +94,8 @@ std::optional<Detection> asKind(const ImageFileInfo& info, Parameterization kind
 std::optional<Detection> fromEnvmapAttribute(const ImageFileInfo& info)
 {
     if (info.envmap == "latlong" && info.width >= 2 && info.height >= 2)
-        return Detection{{Parameterization::Latlong, info.height, 0}, Arrangement::EdgeSampledLatlong, "OpenEXR envmap latlong", true, true};
+        return Detection{
+            {Parameterization::Latlong, info.height, 0}, Arrangement::EdgeSampledLatlong, "OpenEXR envmap latlong", true, true};
     if (info.envmap == "cube" && info.width >= 2 && info.height == 6 * info.width)
         return Detection{{Parameterization::Cube, info.width, 0}, Arrangement::OpenExrCube, "OpenEXR envmap cube", true, true};
     return {};

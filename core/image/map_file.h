@@ -14,8 +14,7 @@ namespace mirrorball {
 /// The files that writeMap() makes of levels of these layouts, with WriteOptions::faceBorder, in its order; nothing is opened.
 /// @throws InvalidArgument for an extension that cannot be written, or a `%s` in the name of a map that is neither cube nor
 /// paraboloid; refuseDoubtfulLevel()
-std::vector<std::filesystem::path> mapFiles(const std::filesystem::path& out, const std::vector<MapLayout>& levels,
-                                            int faceBorder = 0);
+std::vector<std::filesystem::path> mapFiles(const std::filesystem::path& out, const std::vector<MapLayout>& levels, int faceBorder = 0);
 
 /// Whether a map could be written to `out`, asked before it is made: the format, the marks in the name, the folder.
 /// @param base  of the largest level. @throws InvalidArgument as mapFiles(); WorkError as checkTarget()

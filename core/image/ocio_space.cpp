@@ -61,8 +61,8 @@ std::function<void(float* rgb)> ocioSpace(const std::string& name)
         const ocio::ConstCPUProcessorRcPtr processor = config->getProcessor(name.c_str(), target.c_str())->getDefaultCPUProcessor();
         return [processor, matrix](float* rgb) {
             processor->applyRGB(rgb);
-            const glm::vec3 colour = matrix * glm::vec3(rgb[0], rgb[1], rgb[2]);
-            std::copy_n(&colour.x, 3, rgb);
+            const glm::vec3 color = matrix * glm::vec3(rgb[0], rgb[1], rgb[2]);
+            std::copy_n(&color.x, 3, rgb);
         };
     } catch (const ocio::Exception& error) {
         throw InvalidArgument("color_space: OpenColorIO cannot read '" + oneLine(name) + "': " + oneLine(error.what()));

@@ -33,11 +33,11 @@ std::map<std::string, std::string> readAttributes(const OIIO::ImageSpec& spec)
     return attributes;
 }
 
-/// What the file says of its colours, as far as OpenImageIO tells.
-StoredColors storedColors(const std::filesystem::path& path, const std::string& format, const OIIO::ImageSpec& spec, int colours)
+/// What the file says of its colors, as far as OpenImageIO tells.
+StoredColors storedColors(const std::filesystem::path& path, const std::string& format, const OIIO::ImageSpec& spec, int colors)
 {
     StoredColors said{.format = format, .isInteger = !spec.format.is_floating_point(), .isBytes = spec.format == OIIO::TypeUInt8};
-    said.channels = colours;
+    said.channels = colors;
     const std::string space = spec.get_string_attribute("oiio:ColorSpace");
     const float gamma = spec.get_float_attribute("oiio:Gamma", 0.0f);
     said.saysSo = "its header";
@@ -150,13 +150,13 @@ private:
                 m_info.assumed.back().others.push_back(std::to_string(i));
         assume(m_info.assumed, {"alpha",
                                 m_alpha < 0      ? "none"
-                                : m_isDivided    ? "colours as drawn, divided by it"
-                                : m_isMultiplied ? "colours are multiplied by it"
-                                                 : "colours as drawn, not multiplied by it",
+                                : m_isDivided    ? "colors as drawn, divided by it"
+                                : m_isMultiplied ? "colors are multiplied by it"
+                                                 : "colors as drawn, not multiplied by it",
                                 "the format's convention"});
     }
 
-    /// A stored colour without its alpha.
+    /// A stored color without its alpha.
     float drawn(const float* texel, size_t channel) const
     {
         if (!m_isDivided)
@@ -211,7 +211,7 @@ private:
     ImageFileInfo m_info{};
     std::unique_ptr<PictureDecoder> m_decoder;
     int m_alpha = -1;            ///< its channel
-    bool m_isMultiplied = false; ///< the colours come multiplied by it
+    bool m_isMultiplied = false; ///< the colors come multiplied by it
     bool m_isDivided = false;    ///< and are divided again
     int m_heldTileRow = -1;
     std::vector<float> m_held{}, m_samples{}, m_colors{};

@@ -10,7 +10,7 @@ namespace mirrorball {
 
 namespace {
 
-/// The colour and the weight of a half at a place of its picture, in texels: bilinear, weighted by the alpha.
+/// The color and the weight of a half at a place of its picture, in texels: bilinear, weighted by the alpha.
 glm::dvec4 believed(const ParaboloidHalf& half, const glm::dvec2& p)
 {
     const int n = half.rgba.width;
@@ -22,7 +22,7 @@ glm::dvec4 believed(const ParaboloidHalf& half, const glm::dvec2& p)
         const double w = (k % 2 == 0 ? 1.0 - fx : fx) * (k / 2 == 0 ? 1.0 - fy : fy);
         sum += w * t[3] * glm::dvec4(t[0], t[1], t[2], 1.0);
     }
-    return sum; // colour times weight, weight
+    return sum; // color times weight, weight
 }
 
 /// Alpha 1 for the texels whose centres lie in the circle.

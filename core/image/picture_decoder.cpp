@@ -121,8 +121,8 @@ void PictureDecoder::toLinear(float* rgb, size_t texels) const
     if (!m_toRec709)
         return;
     for (size_t i = 0; i < texels; ++i, rgb += 3) {
-        const glm::vec3 colour = *m_toRec709 * glm::vec3(rgb[0], rgb[1], rgb[2]);
-        std::copy_n(&colour.x, 3, rgb);
+        const glm::vec3 color = *m_toRec709 * glm::vec3(rgb[0], rgb[1], rgb[2]);
+        std::copy_n(&color.x, 3, rgb);
     }
 }
 

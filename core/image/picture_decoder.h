@@ -14,7 +14,7 @@
 /// there.
 namespace mirrorball {
 
-/// What a file says of its colours. What it does not say is empty.
+/// What a file says of its colors. What it does not say is empty.
 struct StoredColors {
     std::string format{};                           ///< "png", "jpeg", ...
     bool isInteger = true;                          ///< samples are 0 to 1
@@ -26,12 +26,12 @@ struct StoredColors {
     std::optional<Chromaticities> primaries{};      ///< PNG: cHRM
     std::optional<std::array<int, 2>> codePoints{}; ///< PNG: cICP's primaries and transfer, as in ITU-T H.273
     std::vector<unsigned char> iccProfile{};
-    int channels = 3; ///< colour channels: 1 or 3
+    int channels = 3; ///< color channels: 1 or 3
 };
 
 class IccTransform;
 
-/// Turns stored colours into linear Rec.709. In this order: cICP, the ICC profile, sRGB, gAMA and cHRM, Exif; else sRGB for integers and
+/// Turns stored colors into linear Rec.709. In this order: cICP, the ICC profile, sRGB, gAMA and cHRM, Exif; else sRGB for integers and
 /// linear for floats. What cannot be used is a note, and the next is taken. Source: PNG, third edition, section 4.3, for the order.
 class PictureDecoder {
 public:

@@ -17,7 +17,7 @@ void sample(const Image& picture, double px, double py, bool aroundX, float* out
     };
     const int x0 = column(x), x1 = column(x + 1.0);
     const int y0 = std::clamp(static_cast<int>(y), 0, picture.height - 1), y1 = std::clamp(static_cast<int>(y) + 1, 0, picture.height - 1);
-    // Positions that are meant to be texel centres are so to rounding: then the neighbours must not count, however bright they are.
+    // Positions that are meant to be texel centres are so to rounding: then the neighbors must not count, however bright they are.
     const double wx = fx < 1e-9 ? 0.0 : fx > 1.0 - 1e-9 ? 1.0 : fx, wy = fy < 1e-9 ? 0.0 : fy > 1.0 - 1e-9 ? 1.0 : fy;
     for (int c = 0; c < picture.channels; ++c) {
         const double top = picture.texel(x0, y0)[c] * (1.0 - wx) + picture.texel(x1, y0)[c] * wx;

@@ -34,7 +34,8 @@ Probe ProbeFile::read(const JobControl& job)
     if (isBuiltin()) {
         result.map = timedStage(result.stages, "compute probe", [&] {
             result.assumed = m_detection.assumed;
-            return toEnvironmentMap(renderBuiltinProbe(m_probe.substr(builtinPrefix.size()), builtinProbeLayout, job).image, m_detection, job);
+            return toEnvironmentMap(renderBuiltinProbe(m_probe.substr(builtinPrefix.size()), builtinProbeLayout, job).image, m_detection,
+                                    job);
         });
         return result;
     }

@@ -25,9 +25,9 @@ struct ReadProbeOptions {
 struct Probe {
     EnvironmentMap map{};
     RepairReport repaired{};
-    std::string origin{};        ///< how the parameterization was found, in words
-    bool certain = true;         ///< false: a guess by shape alone (a square may be angular, sphere or octahedral)
-    std::vector<Stage> stages{}; ///< what reading it took: "read probe" or "compute probe", "repair"
+    std::string origin{};              ///< how the parameterization was found, in words
+    bool certain = true;               ///< false: a guess by shape alone (a square may be angular, sphere or octahedral)
+    std::vector<Stage> stages{};       ///< what reading it took: "read probe" or "compute probe", "repair"
     std::vector<Assumption> assumed{}; ///< all that was decided about the file
     std::vector<std::string> notes{};  ///< what of it a user should know, a clause each
 };
@@ -42,7 +42,8 @@ bool isCertain(const std::vector<Assumption>& assumed);
 /// A probe that is opened once: its header goes to the plan, its rows to the filter or into memory. Movable.
 class ProbeFile {
 public:
-    /// Opens `probe`, a path, six or two with a `%s` (probe_picture.h), or `builtin:NAME`, and finds out its parameterization (layout_detection.h).
+    /// Opens `probe`, a path, six or two with a `%s` (probe_picture.h), or `builtin:NAME`, and finds out its parameterization
+    /// (layout_detection.h).
     /// @throws FileError, InvalidArgument
     ProbeFile(std::string probe, const ReadProbeOptions& options);
 

@@ -155,7 +155,8 @@ std::unique_ptr<ImageReader> joinedHalves(const std::string& probe, const std::v
     assume(info.assumed,
            {"files", "the front and back half of a dual paraboloid: " + files[0].filename().string() + ", " + files[1].filename().string(),
             "their names"});
-    assume(info.assumed, {"handedness", "+X right in both halves", "the convention of such names", Certainty::Likely, {"mirrored: --mirror x"}});
+    assume(info.assumed,
+           {"handedness", "+X right in both halves", "the convention of such names", Certainty::Likely, {"mirrored: --mirror x"}});
     assume(info.assumed, {"alpha", halves[0].hasAlpha ? "how far each half is believed" : "none: each half is believed in its circle",
                           "the files' channels"});
     return std::make_unique<HeldImage>(joinHalves(halves[0], halves[1], border), std::move(info));
@@ -186,8 +187,7 @@ std::optional<std::string> faceFamily(const std::filesystem::path& path)
                 const std::string own = spelled(word, spelling);
                 if (!stem.ends_with(own))
                     continue;
-                const auto pattern =
-                    path.parent_path() / (stem.substr(0, stem.size() - own.size()) + "%s" + path.extension().string());
+                const auto pattern = path.parent_path() / (stem.substr(0, stem.size() - own.size()) + "%s" + path.extension().string());
                 if (filesOf(pattern, words).size() == words.size())
                     return pattern.string();
             }

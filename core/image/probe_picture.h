@@ -32,6 +32,6 @@ std::optional<std::string> faceFamily(const std::filesystem::path& path);
 /// sees what lies in its circle; a back half without one, what the front leaves: 1 - af.
 /// @throws FileError, InvalidArgument. Source for the blending: 000 section 2.3
 std::unique_ptr<RepairedReader> openProbePicture(const std::string& probe, const ProbeReading& reading,
-                                          NegativePolicy negatives = NegativePolicy::Keep);
+                                                 NegativePolicy negatives = NegativePolicy::Keep);
 
 } // namespace mirrorball

@@ -68,10 +68,7 @@ std::string WorkRecord::methodText() const
     return text;
 }
 
-ProbeFile openProbeFile(const Scene& scene)
-{
-    return ProbeFile(resolved(scene, scene.probe.source), {.reading = scene.probe.reading});
-}
+ProbeFile openProbeFile(const Scene& scene) { return ProbeFile(resolved(scene, scene.probe.source), {.reading = scene.probe.reading}); }
 
 MapLayout probeLayout(const Scene& scene) { return openProbeFile(scene).layout(); }
 

@@ -14,9 +14,9 @@
 namespace mirrorball {
 namespace {
 
-using testing::HasSubstr;
 using test::mirrorballRuns;
 using test::ProgramRun;
+using testing::HasSubstr;
 
 constexpr MapLayout latlong{Parameterization::Latlong, 32, 0};
 
@@ -148,7 +148,8 @@ TEST_F(ReadingOptionsTest, SixFilesAndTwoHalvesComeBack)
     for (const char* extension : {"exr", "tif", "png"}) {
         const std::string name = std::string("h_%s.") + extension;
         const std::string encode = std::string(extension) == "png" ? " --encode srgb" : "";
-        ASSERT_EQ(mirrorballRuns("convert " + file("field.exr") + " -o '" + file(name) + "' --to paraboloid --size 64 --border 4" + encode).status,
+        ASSERT_EQ(mirrorballRuns("convert " + file("field.exr") + " -o '" + file(name) + "' --to paraboloid --size 64 --border 4" + encode)
+                      .status,
                   0);
         EXPECT_TRUE(std::filesystem::exists(folder / (std::string("h_front.") + extension)));
         ASSERT_EQ(mirrorballRuns("convert '" + file(name) + "' -o " + file("back.exr") + " --to latlong --size 32").status, 0) << name;
@@ -187,7 +188,8 @@ TEST_F(ReadingOptionsTest, ABorderHasTheNeighborsTexels)
             }
     EXPECT_EQ(copied, 6 * 4 * 16 * 2);
     EXPECT_EQ(readProbe(file("b.exr")).map.image, plain) << "read back, the border is cut away";
-    EXPECT_FAILS(mirrorballRuns("convert " + file("plain.exr") + " -o " + file("x.exr") + " --to cube --size 16 --border 17"), 2, "--border");
+    EXPECT_FAILS(mirrorballRuns("convert " + file("plain.exr") + " -o " + file("x.exr") + " --to cube --size 16 --border 17"), 2,
+                 "--border");
 }
 
 TEST_F(ReadingOptionsTest, PartsAndLayersAreChosen)
@@ -201,9 +203,8 @@ TEST_F(ReadingOptionsTest, PartsAndLayersAreChosen)
     EXPECT_NEAR(info(file("layers.exr") + " --layer diffuse")["mean_radiance"][0].get<double>(), 0.25, 1e-9);
     EXPECT_FAILS(mirrorballRuns("info " + file("layers.exr") + " --layer gone"), 2, "diffuse");
     EXPECT_FAILS(mirrorballRuns("info " + file("layers.exr") + " --part 7"), 2, "part");
-    const ProgramRun explained =
-        mirrorballRuns("filter " + file("layers.exr") + " -o " + file("f.exr") + " --lobe diffuse --to latlong --size 8 --explain --stats " +
-                       file("s.json"));
+    const ProgramRun explained = mirrorballRuns("filter " + file("layers.exr") + " -o " + file("f.exr") +
+                                                " --lobe diffuse --to latlong --size 8 --explain --stats " + file("s.json"));
     ASSERT_EQ(explained.status, 0) << explained.err;
     EXPECT_THAT(test::readBytes(folder / "s.json"), HasSubstr("diffuse"));
 }

@@ -35,7 +35,7 @@ TEST(CubeSheet, FacesThatLieTurnedAreTurnedBack)
         EXPECT_THROW(checkFaceOrder(wrong), InvalidArgument) << wrong;
 }
 
-TEST(CubeSheet, BordersHoldTheNeighboursTexels)
+TEST(CubeSheet, BordersHoldTheNeighborsTexels)
 {
     constexpr int n = 8, b = 2;
     const EnvironmentMap cube = test::fieldMap({Parameterization::Cube, n, 0});
@@ -45,7 +45,7 @@ TEST(CubeSheet, BordersHoldTheNeighboursTexels)
     for (int face = 0; face < 6; ++face)
         for (int y = 0; y < n + 2 * b; ++y)
             for (int x = 0; x < n + 2 * b; ++x) {
-                // Where the face's plane goes on, the field is nearly what the neighbour's texel there is; a copy lies within a texel or
+                // Where the face's plane goes on, the field is nearly what the neighbor's texel there is; a copy lies within a texel or
                 // two.
                 const glm::dvec3 d =
                     glm::normalize(cube_map::facePoint(face, 2.0 * (x - b + 0.5) / n - 1.0, 2.0 * (y - b + 0.5) / n - 1.0));

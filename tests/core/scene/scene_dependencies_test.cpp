@@ -82,7 +82,8 @@ const std::map<std::string, Touches> classes = [] {
                               "view.height"})
         all.emplace(field, Maps);
     ProbeReading reading;
-    ProbeReading::visitFields(reading, [&](const Field& field, auto&) { all.emplace("probe." + std::string(field.name), MapsAndMeasurement); });
+    ProbeReading::visitFields(reading,
+                              [&](const Field& field, auto&) { all.emplace("probe." + std::string(field.name), MapsAndMeasurement); });
     ParaboloidKnobs knobs;
     ParaboloidKnobs::visitFields(knobs, [&](const Field& field, auto&) { all.emplace("filter." + std::string(field.name), Maps); });
     return all;
