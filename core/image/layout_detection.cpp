@@ -372,11 +372,13 @@ Detection detectLayout(const ImageFileInfo& info, const ProbeReading& reading)
         throw FileError(info.path.string(), "an image of " + sizeText(info) + " texels is no " +
                                                 std::string(name(*reading.parameterization)) + " map: that needs " +
                                                 sizesOf(*reading.parameterization));
-    throw FileError(info.path.string(), "an image of " + sizeText(info) +
-                                            " texels fits no map: a latlong or paraboloid is 2N x N, a sphere, angular or octahedral map N "
-                                            "x N, a cube " +
-                                            sizesOf(Parameterization::Cube) +
-                                            "; a partial panorama is read with --fit pad, another with --fit stretch or crop");
+    throw FileError(info.path.string(),
+                    "an image of " + sizeText(info) +
+                        " texels fits no map: a latlong or paraboloid is 2N x N, a sphere, angular or octahedral map N "
+                        "x N, a cube " +
+                        sizesOf(Parameterization::Cube) +
+                        "; a partial panorama is read with --fit pad, another with --fit stretch or crop, a photographed "
+                        "mirror ball with --from sphere --fit crop");
 }
 
 Detection detectLayout(const ImageFileInfo& info, std::optional<Parameterization> forced)

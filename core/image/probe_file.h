@@ -42,8 +42,7 @@ bool isCertain(const std::vector<Assumption>& assumed);
 /// A probe that is opened once: its header goes to the plan, its rows to the filter or into memory. Movable.
 class ProbeFile {
 public:
-    /// Opens `probe`, a path, six or two with a `%s` (probe_picture.h), or `builtin:NAME`, and finds out its parameterization
-    /// (layout_detection.h).
+    /// Opens `probe`, a path, six or two with a `%s` (probe_picture.h), or `builtin:NAME`, and finds out what it is (layout_detection.h).
     /// @throws FileError, InvalidArgument
     ProbeFile(std::string probe, const ReadProbeOptions& options);
 
