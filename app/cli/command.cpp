@@ -14,6 +14,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <utility>
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -28,6 +29,17 @@ Parameterization parseKind(const std::string& option, const std::string& word)
     for (const Parameterization p : allParameterizations)
         known += (known.empty() ? "" : ", ") + std::string(name(p));
     throw InvalidArgument(option + ": '" + word + "' is no parameterization; choose one of " + known);
+}
+
+MapTarget parseTarget(const std::string& to, int size, int border)
+{
+    MapTarget target{.layout = {.kind = parseKind("--to", to), .size = size, .border = border}};
+    if (target.layout.kind == Parameterization::Cube)
+        target.faceBorder = std::exchange(target.layout.border, 0);
+    validate(target.layout);
+    if (target.faceBorder < 0 || target.faceBorder > size)
+        throw InvalidArgument("--border: must lie between 0 and --size for a cube; it is " + std::to_string(border));
+    return target;
 }
 
 namespace {

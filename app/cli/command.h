@@ -29,6 +29,17 @@ void addReportCommand(CLI::App& program, int argc, const char* const* argv);
 
 /// Parses a KIND word. @throws InvalidArgument naming the option and the known words
 Parameterization parseKind(const std::string& option, const std::string& word);
+/// The map that --to, --size and --border ask for; a cube's border lies around its faces in the file, not in the map.
+struct MapTarget {
+    MapLayout layout{};
+    int faceBorder = 0;
+};
+/// @throws InvalidArgument
+MapTarget parseTarget(const std::string& to, int size, int border);
+/// The help of --output and --border, which the commands that write maps share.
+inline constexpr const char* outputHelp = "output file; %s in the name of a cube makes six files, of a paraboloid two, %d one file a level";
+inline constexpr const char* borderHelp =
+    "texels kept free outside each disc of a paraboloid map; of a cube, texels of its neighbors around each face";
 inline double radians(double degrees) { return degrees * pi / 180.0; }
 
 /// The numbers that an option takes; NaN is in no range. For `->check(...)` where the option is declared. (CLI::Range lets NaN pass.)

@@ -1,4 +1,5 @@
 #include "command.h"
+#include "reading_options.h"
 
 #include "core/doctor/diagnosis.h"
 #include "core/image/map_file.h"
@@ -12,6 +13,7 @@ namespace {
 
 struct Options {
     std::string map, probe, from;
+    ReadingOptions reading;
     int threads = 1; ///< the work is a second of one core; more of them would mostly wait for each other
     bool json = false;
 };
@@ -22,8 +24,11 @@ void run(const Options& o)
     const std::optional<Parameterization> from = o.from.empty() ? std::optional<Parameterization>{} : parseKind("--from", o.from);
     const StoredMap map = readStoredMap(o.map, from, job);
     std::optional<EnvironmentMap> probe;
-    if (!o.probe.empty())
-        probe = readProbe(o.probe, {}, job).map;
+    if (!o.probe.empty()) {
+        const Probe read = readProbe(o.probe, {.reading = o.reading.parse()}, job);
+        printNotes(o.probe, read.notes);
+        probe = read.map;
+    }
     Diagnosis diagnosis = diagnose(map, probe, {}, job);
     diagnosis.map = o.map;
     diagnosis.probe = o.probe;
@@ -44,6 +49,7 @@ void addDoctorCommand(CLI::App& program)
                      "a level")
         ->required();
     command->add_option("--probe", o->probe, "what the map was made from: file or builtin:NAME; without it only what the levels tell");
+    o->reading.addTo(*command, "--from"); // which is of MAP here
     command->add_option("--from", o->from, "parameterization of MAP, where its shape does not tell (KIND)");
     command->add_option("--threads", o->threads, "0: all cores")->check(CLI::Range(0, 1024));
     command->add_flag("--json", o->json, "as JSON");

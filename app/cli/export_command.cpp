@@ -1,5 +1,6 @@
 #include "command.h"
 #include "frames.h"
+#include "reading_options.h"
 
 #include "core/base/error.h"
 #include "core/scene/engine_scene_export.h"
@@ -103,6 +104,7 @@ void runOne(const Options& o, const JobControl& job)
     if (o.explain)
         printStages(plan);
     const ExportOutcome outcome = exportPlanned(std::move(planned), o.folder, job);
+    printNotes(scene.probe.source, outcome.record.notes);
     for (const std::filesystem::path& file : outcome.files)
         std::printf("%s\n", file.string().c_str());
     if (!o.stats.empty())

@@ -1,6 +1,7 @@
 #include "filter_brdf.h"
 
 #include "command.h"
+#include "reading_options.h"
 
 #include "core/base/error.h"
 #include "core/filter/brdf_lookups.h"
@@ -129,16 +130,14 @@ void filterByBrdf(const BrdfFilterOptions& o)
         throw InvalidArgument("--azimuth: must be a finite angle in degrees");
     if (o.tolerance && !(*o.tolerance > 0.0 && *o.tolerance <= 1.0))
         throw InvalidArgument("--tolerance: must lie in (0, 1]");
-    const MapLayout target{.kind = parseKind("--to", o.to), .size = o.size, .border = o.border};
-    validate(target);
+    const auto [target, faceBorder] = parseTarget(o.to, o.size, o.border);
     checkMapFile(o.out, target);
-    ReadProbeOptions read;
-    if (!o.from.empty())
-        read.from = parseKind("--from", o.from);
+    const ReadProbeOptions read{.reading = o.reading};
     const Brdf brdf = brdfFromText(o.brdf);
 
     const JobControl job = jobWithProgress("filter", o.threads);
     Probe probe = readProbe(o.probe, read, job);
+    printNotes(o.probe, probe.notes);
     WorkRecord record{.stages = std::move(probe.stages), .methods = {"brdf " + o.method}};
     FilterSource source(std::move(probe.map), job);
     Made made;
@@ -146,7 +145,7 @@ void filterByBrdf(const BrdfFilterOptions& o)
     record.stages.back().why = made.why;
     record.bandLimit = made.bandLimit;
     record.predictedError = made.predictedError;
-    WriteOptions write{.sampleType = o.half ? SampleType::Half : SampleType::Float};
+    WriteOptions write{.sampleType = o.half ? SampleType::Half : SampleType::Float, .faceBorder = faceBorder};
     write.attributes["mirrorball:brdf"] = describe(brdf);
     write.attributes["mirrorball:view"] = std::to_string(*o.viewDeg);
     write.attributes["mirrorball:azimuth"] = std::to_string(o.azimuthDeg);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/image/probe_reading.h"
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -8,7 +10,8 @@
 namespace mirrorball::cli {
 
 struct BrdfFilterOptions {
-    std::string probe{}, out{}, brdf{}, to{}, from{}, stats{};
+    std::string probe{}, out{}, brdf{}, to{}, stats{};
+    ProbeReading reading{};
     std::string method = "stack"; ///< sum, stack, stack:ORDERS, lookups:K, split-sum, round
     std::optional<double> viewDeg{}, tolerance{};
     double azimuthDeg = 0.0, yawDeg = 0.0;

@@ -2,6 +2,7 @@
 #include "engine_words.h"
 #include "filter_brdf.h"
 #include "frames.h"
+#include "reading_options.h"
 
 #include "core/base/error.h"
 #include "core/engine/filter_chain.h"
@@ -17,13 +18,15 @@
 #include <memory>
 #include <sstream>
 #include <type_traits>
+#include <utility>
 
 namespace mirrorball::cli {
 
 namespace {
 
 struct Options {
-    std::string probe, out, lobe, to, from, method = "auto", stats, law, engine, encode, frames;
+    std::string probe, out, lobe, to, method = "auto", stats, law, engine, encode, frames;
+    ReadingOptions reading;
     std::optional<int> levels;
     std::optional<double> exponent, roughness, alpha, lambda;
     std::optional<int> samples;
@@ -89,13 +92,6 @@ MipFiltering parseMipFiltering(const std::string& word)
     throw InvalidArgument("--mip-filtering: '" + word + "' is none; choose across-seams or per-face");
 }
 
-std::string optionOf(const Field& field)
-{
-    std::string option = "--" + std::string(field.name);
-    std::replace(option.begin(), option.end(), '_', '-');
-    return option;
-}
-
 /// Puts what was typed into a knob.
 struct KnobParser {
     const std::map<std::string, std::string>& typed;
@@ -149,7 +145,7 @@ int chainLength(const Options& o, const MapLayout& base)
 }
 
 /// One filter job a level.
-std::vector<PrefilterOptions> parseJobs(const Options& o)
+std::vector<PrefilterOptions> parseJobs(const Options& o, double yaw)
 {
     const auto method = methodFromName(o.method);
     if (!method) {
@@ -172,8 +168,7 @@ std::vector<PrefilterOptions> parseJobs(const Options& o)
     const double tolerance = o.tolerance.value_or(1e-5);
     if (!(tolerance > 0.0 && tolerance <= 1.0))
         throw InvalidArgument("--tolerance: must lie in (0, 1]");
-    const MapLayout base{.kind = parseKind("--to", o.to), .size = o.size, .border = o.border};
-    validate(base);
+    const MapLayout base = parseTarget(o.to, o.size, o.border).layout;
     const std::optional<Lobe> lobe = o.law.empty() ? parseLobe(o) : std::nullopt;
     const std::optional<RoughnessLaw> law = o.law.empty() ? std::nullopt : std::optional(lawOfEngine(o.law));
     const int levels = chainLength(o, base);
@@ -181,7 +176,7 @@ std::vector<PrefilterOptions> parseJobs(const Options& o)
     first.target = base;
     first.method = *method;
     first.tolerance = tolerance;
-    first.yaw = radians(o.yawDeg + engineTurn(o.engine, base.kind).yawDeg);
+    first.yaw = yaw + radians(engineTurn(o.engine, base.kind).yawDeg);
     first.knobs = knobs;
     return filterChain(first, lobe, law, levels);
 }
@@ -198,8 +193,8 @@ void runBrdf(const Options& o)
                   .out = o.out,
                   .brdf = o.brdf,
                   .to = o.to,
-                  .from = o.from,
                   .stats = o.stats,
+                  .reading = o.reading.parse(),
                   .method = o.method,
                   .viewDeg = o.viewDeg,
                   .tolerance = o.tolerance,
@@ -217,16 +212,17 @@ void runOne(const Options& o, const JobControl& job)
     refuse(o.lobe.empty() && o.law.empty(), "--lobe",
            "is missing; give phong, diffuse or ggx, a BRDF by --brdf, or an engine's chain by --law");
     refuse(o.viewDeg.has_value(), "--view", "belongs to --brdf");
-    const std::vector<PrefilterOptions> levels = parseJobs(o);
+    ReadProbeOptions read{.reading = o.reading.parse()};
+    // A turn about Y comes last: it is left to the filter, which does it exactly.
+    const double yaw = radians(o.yawDeg + std::exchange(read.reading.rotateDeg[0], 0.0));
+    const std::vector<PrefilterOptions> levels = parseJobs(o, yaw);
     checkMapFile(o.out, levels.front().target);
+    const int faceBorder = parseTarget(o.to, o.size, o.border).faceBorder;
     const ByteEncoding bytes = parseEncode(o.encode, o.out);
-    ReadProbeOptions read;
-    if (!o.from.empty())
-        read.from = parseKind("--from", o.from);
     std::vector<MapLayout> layouts;
     for (const PrefilterOptions& level : levels)
         layouts.push_back(level.target);
-    checkOutputsDiffer({{"--output", mapFiles(o.out, layouts)}, {"--stats", filesOf(o.stats)}});
+    checkOutputsDiffer({{"--output", mapFiles(o.out, layouts, faceBorder)}, {"--stats", filesOf(o.stats)}});
     WorkRecord record;
     ProbeFile file(o.probe, read);
     const Plan plan = timedStage(record.stages, "plan", [&] { return planFilters(o.probe, file.layout(), levels, o.out); });
@@ -234,6 +230,7 @@ void runOne(const Options& o, const JobControl& job)
         printStages(plan.stages);
 
     OpenedSource opened = openFilterSource(file, levels, job);
+    printNotes(o.probe, opened.notes);
     opened.source.useParaboloidDevice(std::make_shared<preview::ParaboloidBlur>()); // starts no GPU before it is asked
     record += {.stages = std::move(opened.stages)};
     SceneProbe probe{.source = std::move(opened.source)};
@@ -241,8 +238,10 @@ void runOne(const Options& o, const JobControl& job)
     record += std::move(built.record);
 
     store(built.levels, engineTurn(o.engine, levels.front().target.kind).orientation);
-    const WriteOptions write{
-        .sampleType = o.half ? SampleType::Half : SampleType::Float, .attributes = filterAttributes(levels), .bytes = bytes};
+    const WriteOptions write{.sampleType = o.half ? SampleType::Half : SampleType::Float,
+                             .attributes = filterAttributes(levels),
+                             .bytes = bytes,
+                             .faceBorder = faceBorder};
     timedStage(record.stages, "save map", [&] { writeMap(o.out, built.levels, write); });
     if (!o.stats.empty())
         writeStats(o.stats, plan.stages, record, job.threadCount());
@@ -275,7 +274,7 @@ void addFilterCommand(CLI::App& program)
     const auto o = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand("filter", "Prefilter a probe with a lobe");
     command->add_option("PROBE", o->probe, "file or builtin:NAME")->required();
-    command->add_option("-o,--output", o->out, "output file; %s in the name of a cube makes six files, %d one file a level")->required();
+    command->add_option("-o,--output", o->out, outputHelp)->required();
     command->add_option("--lobe", o->lobe, "phong, diffuse or ggx; ggx with --law");
     command->add_option("--law", o->law,
                         "a chain of ggx levels whose roughness follows this engine: three, filament, babylon, playcanvas, "
@@ -294,9 +293,9 @@ void addFilterCommand(CLI::App& program)
     command->add_option("--size", o->size, "face edge, disc edge, latlong height or octahedral edge, in texels")
         ->check(anEdge())
         ->required();
-    command->add_option("--from", o->from, "parameterization of the input, where it is not to be found out (KIND)");
+    o->reading.addTo(*command);
     command->add_option("--yaw", o->yawDeg, "turn the environment about +Y, counterclockwise from above, in degrees")->check(anAngle());
-    command->add_option("--border", o->border, "texels kept free outside each disc of a paraboloid map")->check(within(0, 4096));
+    command->add_option("--border", o->border, borderHelp)->check(within(0, 4096));
     command->add_flag("--mips", o->mips,
                       "every mip level, down to one texel; ggx without a roughness makes the chain of roughness 0 to 1 from base to top");
     command->add_option("--method", o->method,

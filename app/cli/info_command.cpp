@@ -1,4 +1,5 @@
 #include "command.h"
+#include "reading_options.h"
 
 #include "core/image/probe_file.h"
 #include "core/image/probe_statistics.h"
@@ -14,10 +15,29 @@ namespace mirrorball::cli {
 namespace {
 
 struct Options {
-    std::string probe, from;
+    std::string probe;
+    ReadingOptions reading;
     int threads = 0;
     bool json = false;
 };
+
+nlohmann::json assumedJson(const std::vector<Assumption>& assumed)
+{
+    nlohmann::json record = nlohmann::json::object();
+    for (const Assumption& a : assumed)
+        record[a.topic] = {{"value", a.value}, {"why", a.why}, {"certainty", name(a.certainty)}, {"others", a.others}};
+    return record;
+}
+
+/// A line of what was decided: "layer             beauty (by its channels and name), besides N".
+std::string textOf(const Assumption& a)
+{
+    std::string line = a.topic + std::string(a.topic.size() < 17 ? 18 - a.topic.size() : 1, ' ') + a.value + " (" + a.why +
+                       (a.certainty == Certainty::Certain ? ")" : ", " + std::string(name(a.certainty)) + ")");
+    for (size_t i = 0; i < a.others.size(); ++i)
+        line += (i == 0 ? ", or " : "; ") + a.others[i];
+    return line;
+}
 
 void tellMesh(const Options& o)
 {
@@ -38,9 +58,7 @@ void run(const Options& o)
 {
     if (preview::isMeshFile(o.probe))
         return tellMesh(o);
-    ReadProbeOptions read;
-    if (!o.from.empty())
-        read.from = parseKind("--from", o.from);
+    const ReadProbeOptions read{.reading = o.reading.parse()};
     const Probe probe = readProbe(o.probe, read, jobWithProgress("info", o.threads));
     const ProbeStatistics s = statistics(probe.map);
     const MapLayout& layout = probe.map.layout;
@@ -62,6 +80,9 @@ void run(const Options& o)
                                     {"largest_value", s.largestValue},
                                     {"beyond_half", s.beyondHalf},
                                     {"sun_share", s.sunShare},
+                                    {"assumed", assumedJson(probe.assumed)},
+                                    {"notes", probe.notes},
+                                    {"filled_rows", probe.repaired.filledRows},
                                     {"nan", probe.repaired.nan},
                                     {"inf", probe.repaired.positiveInfinity + probe.repaired.negativeInfinity},
                                     {"negative", probe.repaired.negative}};
@@ -70,12 +91,17 @@ void run(const Options& o)
     }
     std::printf("size              %d x %d\n", probe.map.image.width, probe.map.image.height);
     std::printf("parameterization  %s%s (%s)\n", kind.c_str(), probe.certain ? "" : ", a guess", probe.origin.c_str());
+    for (const Assumption& a : probe.assumed)
+        if (a.topic != "parameterization")
+            std::printf("%s\n", textOf(a).c_str());
     std::printf("luminance         %.6g to %.6g, mean %.6g\n", s.minLuminance, s.maxLuminance, s.meanLuminance);
     std::printf("mean radiance     %.6g %.6g %.6g\n", s.meanRadiance.r, s.meanRadiance.g, s.meanRadiance.b);
     std::printf("brightest         direction %.4f %.4f %.4f\n", s.brightestDirection.x, s.brightestDirection.y, s.brightestDirection.z);
     std::printf("sun               the brightest 0.01 %% of the texels hold %.2f %% of the energy\n", 100.0 * s.sunShare);
     std::printf("half float        %lld values beyond 65504\n", static_cast<long long>(s.beyondHalf));
     std::printf("texels            %s\n", describe(probe.repaired).c_str());
+    for (const std::string& note : probe.notes)
+        std::printf("note              %s\n", note.c_str());
 }
 
 } // namespace
@@ -86,7 +112,7 @@ void addInfoCommand(CLI::App& program)
     CLI::App* command = program.add_subcommand(
         "info", "Tell what a probe holds: size, parameterization, range, sun, broken texels; of a mesh its triangles and size");
     command->add_option("PROBE", o->probe, "file, builtin:NAME or a mesh file")->required();
-    command->add_option("--from", o->from, "parameterization, where it is not to be found out (KIND)");
+    o->reading.addTo(*command);
     command->add_flag("--json", o->json, "as JSON");
     command->callback([o] { run(*o); });
 }

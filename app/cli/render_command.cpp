@@ -1,5 +1,6 @@
 #include "command.h"
 #include "frames.h"
+#include "reading_options.h"
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
@@ -31,6 +32,17 @@ constexpr std::array fieldOptions{
     FieldOption{"--yaw", "probe.yaw"},
     FieldOption{"--probe-exposure", "probe.exposure"},
     FieldOption{"--from", "probe.parameterization"},
+    FieldOption{"--part", "probe.part"},
+    FieldOption{"--layer", "probe.layer"},
+    FieldOption{"--window", "probe.window"},
+    FieldOption{"--color-space", "probe.color_space"},
+    FieldOption{"--fit", "probe.fit"},
+    FieldOption{"--horizontal-angle", "probe.horizontal_angle"},
+    FieldOption{"--vertical-angle", "probe.vertical_angle"},
+    FieldOption{"--beyond", "probe.beyond"},
+    FieldOption{"--faces", "probe.faces"},
+    FieldOption{"--mirror", "probe.mirror"},
+    FieldOption{"--rotate", "probe.rotate"},
     FieldOption{"--kind", "map.parameterization"},
     FieldOption{"--map-size", "map.size"},
     FieldOption{"--border", "map.border"},
@@ -141,6 +153,10 @@ Scene makeScene(const Options& o)
     for (const FieldOption& option : fieldOptions)
         if (const auto given = o.fields.find(option.flag); given != o.fields.end() && !given->second.empty()) {
             const bool isFile = std::string_view(option.flag) == "--sphere-map" && isSphereMapFile(given->second);
+            if (std::string_view(option.flag) == "--rotate") {
+                scene.probe.reading.rotateDeg = parseRotation(option.flag, given->second);
+                continue;
+            }
             setByOption(scene, option.flag, option.field, isFile ? std::filesystem::absolute(given->second).string() : given->second);
             if (option.impliedField)
                 setField(scene, option.impliedField, option.impliedValue);
@@ -165,6 +181,7 @@ void runOne(const Options& o, const JobControl& job)
     if (o.explain)
         printStages(plan);
     const WorkRecord record = preview::savePicture(std::move(planned), o.out, job);
+    printNotes(scene.probe.source, record.notes);
     if (!o.saved.empty())
         saveScene(scene, o.saved);
     if (!o.stats.empty())

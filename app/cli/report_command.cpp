@@ -1,5 +1,6 @@
 #include "command.h"
 #include "interrupt.h"
+#include "reading_options.h"
 
 #include "core/base/error.h"
 #include "core/base/shell_word.h"
@@ -19,6 +20,7 @@ namespace {
 
 struct Options {
     ReportOptions report{};
+    ReadingOptions reading;
     std::string folder, lobes = "phong:50,ggx:0.3,diffuse", methods, to = "cube";
     int size = 64, threads = 0;
     bool stability = false, quick = false;
@@ -71,6 +73,7 @@ void run(const Options& o, const CLI::App& command)
         throw InvalidArgument("--lobes: " + std::string(error.what()));
     }
     options.methods = parseMethods(o.methods);
+    options.reading = o.reading.parse();
     options.target = {.kind = parseKind("--to", o.to), .size = o.size};
     options.stability = o.stability;
     options.version = MIRRORBALL_VERSION;
@@ -115,6 +118,7 @@ void addReportCommand(CLI::App& program, int argc, const char* const* argv)
         "report", "Measure every filtering method: error against run time, memory, stability; as HTML, JSON and CSV");
     command->add_option("PROBE", o->report.probes, "files or builtin:NAME")->required();
     command->add_option("-o,--output", o->folder, "folder for report.html, report.json and the .csv files; made when missing")->required();
+    o->reading.addTo(*command);
     command->add_option("--lobes", o->lobes, "phong:EXPONENT, ggx:ALPHA and diffuse, with commas (" + o->lobes + ")");
     command->add_option("--methods", o->methods, "names with commas; without it all");
     command->add_option("--to", o->to, "parameterization of the filtered maps (KIND)");

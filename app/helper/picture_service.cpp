@@ -27,11 +27,12 @@ void PictureService::serve(const Received& request, Connection& connection)
 void PictureService::open(const Received& request, Connection& connection)
 {
     std::string path, format;
-    int level = 0;
-    WireReader(request.bytes) >> path >> format >> level;
+    WireReader reader(request.bytes);
+    reader >> path >> format;
+    openimageio::visitRequest(m_wanted, [&](auto&... members) { (reader >> ... >> members); });
     m_reader.reset(); // before the next one takes memory
-    m_reader = m_module.open(path, format, level);
-    connection.send(Answer::Result, openimageio::toWire({m_reader->info(), m_reader->isSrgb()}));
+    m_reader = m_module.open(path, format, m_wanted);
+    connection.send(Answer::Result, openimageio::toWire(m_reader->info()));
 }
 
 void PictureService::readRows(const Received& request, Connection& connection)
@@ -41,7 +42,8 @@ void PictureService::readRows(const Received& request, Connection& connection)
     if (!m_reader || first < 0 || rows < 1 || rows > m_reader->info().height - first)
         throw InvalidArgument("no such rows");
     const ImageFileInfo& info = m_reader->info();
-    std::vector<float> samples(static_cast<size_t>(rows) * static_cast<size_t>(info.width) * static_cast<size_t>(info.channels));
+    std::vector<float> samples(static_cast<size_t>(rows) * static_cast<size_t>(info.width) *
+                               static_cast<size_t>(texelFloats(m_wanted.channels)));
     m_reader->readRows(first, rows, samples.data());
     connection.send(Answer::Result, samples.data(), samples.size() * sizeof(float));
 }

@@ -21,7 +21,8 @@ private:
     void readRows(const Received& request, Connection& connection);
 
     const openimageio::Module& m_module;
-    std::unique_ptr<openimageio::RawReader> m_reader{};
+    openimageio::RawRequest m_wanted{};
+    std::unique_ptr<ImageReader> m_reader{};
 };
 
 } // namespace mirrorball::helper

@@ -150,7 +150,7 @@ ReadResult read(const std::filesystem::path& path, const std::optional<std::stri
 {
     ReadProbeOptions options;
     if (kind)
-        options.from = toKind(*kind, "kind");
+        options.reading.parameterization = toKind(*kind, "kind");
     if (negatives != "keep" && negatives != "clamp")
         throw InvalidArgument("negatives: '" + negatives + "' is neither keep nor clamp");
     options.negatives = negatives == "clamp" ? NegativePolicy::Clamp : NegativePolicy::Keep;

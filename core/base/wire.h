@@ -30,6 +30,14 @@ public:
     {
         return *this << std::string_view(reinterpret_cast<const char*>(list.data()), list.size() * sizeof(Element));
     }
+    template <class Element>
+    requires(!std::is_trivially_copyable_v<Element>) WireWriter& operator<<(const std::vector<Element>& list)
+    {
+        *this << std::uint64_t{list.size()};
+        for (const Element& element : list)
+            *this << element;
+        return *this;
+    }
     WireWriter& operator<<(const std::map<std::string, std::string>& texts)
     {
         *this << std::uint64_t{texts.size()};
@@ -77,6 +85,15 @@ public:
         list.resize(bytes.size() / sizeof(Element));
         if (!bytes.empty())
             std::memcpy(static_cast<void*>(list.data()), bytes.data(), bytes.size());
+        return *this;
+    }
+    template <class Element>
+    requires(!std::is_trivially_copyable_v<Element>) WireReader& operator>>(std::vector<Element>& list)
+    {
+        std::uint64_t count = 0;
+        *this >> count;
+        for (list.clear(); count > 0 && m_isGood; --count)
+            *this >> list.emplace_back();
         return *this;
     }
     WireReader& operator>>(std::map<std::string, std::string>& texts)

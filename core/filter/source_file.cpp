@@ -11,8 +11,8 @@ namespace {
 int streamedBandLimit(const ProbeFile& probe, std::span<const PrefilterOptions> jobs)
 {
     const MapLayout& layout = probe.layout();
-    if (probe.isBuiltin() || probe.detection().arrangement != Arrangement::Whole || layout.kind != Parameterization::Latlong ||
-        std::int64_t{layout.width()} * layout.height() <= streamedFrom)
+    if (probe.isBuiltin() || probe.detection().orientation != glm::dmat3(1.0) || probe.detection().arrangement != Arrangement::Whole ||
+        layout.kind != Parameterization::Latlong || std::int64_t{layout.width()} * layout.height() <= streamedFrom)
         return -1;
     int bandLimit = 0;
     for (const PrefilterOptions& filter : jobs) {
@@ -25,8 +25,8 @@ int streamedBandLimit(const ProbeFile& probe, std::span<const PrefilterOptions> 
     return bandLimit;
 }
 
-/// Every row, truncated to the band limit as it arrives; repairs are counted.
-Spectrum streamedSpectrum(ProbeFile& probe, int bandLimit, const JobControl& job, RepairReport& repaired)
+/// Every row, truncated to the band limit as it arrives.
+Spectrum streamedSpectrum(ProbeFile& probe, int bandLimit, const JobControl& job)
 {
     const int width = probe.layout().width(), height = probe.layout().height();
     SpectrumBuilder builder(width, height, bandLimit);
@@ -37,7 +37,6 @@ Spectrum streamedSpectrum(ProbeFile& probe, int bandLimit, const JobControl& job
     for (int y = 0; y < height; y += block) {
         const int count = std::min(block, height - y);
         probe.rows().readRows(y, count, rows.data());
-        repaired += repairRows(rows.data(), width, count, probe.negatives());
         builder.addRows(y, count, rows.data(), inner);
         if (job.progress)
             job.progress(static_cast<float>(y + count) / static_cast<float>(height));
@@ -52,22 +51,24 @@ OpenedSource openFilterSource(ProbeFile& probe, std::span<const PrefilterOptions
     std::vector<Stage> stages;
     const int bandLimit = streamedBandLimit(probe, jobs);
     if (bandLimit >= 0) {
-        RepairReport repaired;
-        Spectrum spectrum =
-            timedStage(stages, "read probe into spectrum", [&] { return streamedSpectrum(probe, bandLimit, job, repaired); });
+        Spectrum spectrum = timedStage(stages, "read probe into spectrum", [&] { return streamedSpectrum(probe, bandLimit, job); });
+        const ImageFileInfo& info = probe.rows().info();
         std::ostringstream why;
         why << probe.layout().width() << " x " << probe.layout().height() << ": rows are truncated to band limit " << bandLimit
             << " while they are read";
+        if (const std::string chosen = summary(allAssumed(info, probe.detection())); !chosen.empty())
+            why << "; " << chosen;
         stages.back().why = why.str();
         stages.push_back({.name = "hold the probe", .leftOut = true, .why = "only its spectrum is needed"});
-        return {FilterSource(std::move(spectrum)), repaired, probe.detection().reason, true, std::move(stages)};
+        return {FilterSource(std::move(spectrum)), probe.rows().report(), probe.detection().reason, true, std::move(stages),
+                allNotes(info, probe.detection())};
     }
 
     Probe whole = probe.read(job);
     stages = std::move(whole.stages);
     if (whole.map.layout.kind == Parameterization::Latlong) {
         stages.push_back({.name = "resample to latlong", .leftOut = true, .why = "the probe is one"});
-        return {FilterSource(std::move(whole.map), job), whole.repaired, whole.origin, false, std::move(stages)};
+        return {FilterSource(std::move(whole.map), job), whole.repaired, whole.origin, false, std::move(stages), std::move(whole.notes)};
     }
     FilterSource source = timedStage(stages, "resample to latlong", [&] { return FilterSource(std::move(whole.map), job); });
     std::ostringstream why;
@@ -75,7 +76,7 @@ OpenedSource openFilterSource(ProbeFile& probe, std::span<const PrefilterOptions
     why << "the filters run over " << source.width() << " x " << source.height()
         << " latlong texels; that step's own error at the probe's texels is rel_rms " << source.resamplingError();
     stages.back().why = why.str();
-    return {std::move(source), whole.repaired, whole.origin, false, std::move(stages)};
+    return {std::move(source), whole.repaired, whole.origin, false, std::move(stages), std::move(whole.notes)};
 }
 
 } // namespace mirrorball

@@ -16,7 +16,8 @@ struct OpenedSource {
     RepairReport repaired{};
     std::string origin{}; ///< how the parameterization was found, in words
     bool streamed = false;
-    std::vector<Stage> stages{}; ///< what opening it took
+    std::vector<Stage> stages{};      ///< what opening it took
+    std::vector<std::string> notes{}; ///< what of the file a user should know
 };
 
 /// Probes of more texels than this are streamed where the lobes allow it (33 million: 400 MB as floats).

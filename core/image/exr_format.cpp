@@ -1,5 +1,8 @@
 #include "exr_format.h"
 
+#include "exr_channels.h"
+#include "exr_rows.h"
+#include "exr_threads.h"
 #include "input_checks.h"
 
 #include "core/base/error.h"
@@ -7,26 +10,17 @@
 #include <ImathBox.h>
 #include <ImfChannelList.h>
 #include <ImfEnvmap.h>
-#include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
-#include <ImfOutputFile.h>
-#include <ImfPartType.h>
-#include <ImfRgbaFile.h>
 #include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 #include <ImfThreading.h>
-#include <ImfTiledInputPart.h>
-#include <ImfTiledOutputFile.h>
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cctype>
 #include <cstdint>
 #include <optional>
-#include <set>
+#include <sstream>
 
 namespace mirrorball::exr {
 namespace {
@@ -34,7 +28,6 @@ namespace {
 using Imath::Box2i;
 using Imath::V2i;
 
-constexpr int tileEdge = 64;                       ///< of the mip chains written here
 constexpr long long largestTile = 4096LL * 4096LL; ///< texels; OpenEXR allocates whole tiles, also for an image of one texel
 
 struct CompressionKind {
@@ -49,210 +42,9 @@ constexpr std::array<CompressionKind, Imf::NUM_COMPRESSION_METHODS> compressionK
 }};
 // clang-format on
 
-/// OpenEXR's worker pool is one for the process and starts empty.
-void startThreads()
-{
-    static const bool started = [] {
-        if (Imf::globalThreadCount() == 0)
-            Imf::setGlobalThreadCount(JobControl{}.threadCount());
-        return true;
-    }();
-    static_cast<void>(started);
-}
-
-/// Which channels of a part are read as red, green and blue. An empty name stands for a channel that is not there (0).
-struct ColourChannels {
-    std::array<std::string, 3> rgb{};
-    bool luminanceChroma = false; ///< Y with subsampled RY and BY
-    bool isGrey() const { return !luminanceChroma && rgb[0] == rgb[1] && rgb[1] == rgb[2]; }
-};
-
-std::string lowerCase(std::string text)
-{
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
-
-/// The channel of a layer that goes by one of two names, in upper or lower case.
-std::string findChannel(const Imf::ChannelList& channels, const std::string& layer, const std::string& letter, const std::string& word)
-{
-    for (auto i = channels.begin(); i != channels.end(); ++i) {
-        const std::string name = i.name();
-        const std::string last = name.starts_with(layer) ? lowerCase(name.substr(layer.size())) : std::string();
-        if (last == letter || last == word)
-            return name;
-    }
-    return {};
-}
-
-/// The layers of a part with their dot, in the order in which they are tried: none, Blender's combined pass, the others by name.
-std::vector<std::string> layersByPreference(const Imf::ChannelList& channels)
-{
-    std::set<std::string> names;
-    for (auto i = channels.begin(); i != channels.end(); ++i) {
-        const std::string name = i.name();
-        const size_t dot = name.rfind('.');
-        if (dot != std::string::npos)
-            names.insert(name.substr(0, dot + 1));
-    }
-    std::vector<std::string> layers{""};
-    layers.insert(layers.end(), names.begin(), names.end());
-    std::stable_partition(layers.begin() + 1, layers.end(), [](const std::string& l) { return l.ends_with("Combined."); });
-    return layers;
-}
-
-std::optional<ColourChannels> colourChannels(const Imf::ChannelList& channels)
-{
-    const std::vector<std::string> layers = layersByPreference(channels);
-    for (const std::string& layer : layers) {
-        const ColourChannels found{{findChannel(channels, layer, "r", "red"), findChannel(channels, layer, "g", "green"),
-                                    findChannel(channels, layer, "b", "blue")}};
-        if (std::count(found.rgb.begin(), found.rgb.end(), std::string()) <= 1)
-            return found;
-        const std::string y = findChannel(channels, layer, "y", "luminance");
-        if (!y.empty())
-            return ColourChannels{{y, y, y}, layer.empty() && channels.findChannel("RY") && channels.findChannel("BY")};
-    }
-    const bool lone = channels.begin() != channels.end() && ++channels.begin() == channels.end();
-    if (!lone)
-        return std::nullopt;
-    const std::string name = channels.begin().name();
-    return ColourChannels{{name, name, name}};
-}
-
-/// Interleaved float RGB whose first texel stands at `origin` of the file's coordinates.
-Imf::FrameBuffer frameBuffer(const ColourChannels& channels, float* rgb, const V2i& origin, int width, int rows)
-{
-    Imf::FrameBuffer buffer;
-    for (size_t c = 0; c < (channels.isGrey() ? 1u : 3u); ++c) {
-        const std::string name = channels.rgb[c].empty() ? "mirrorball:absent" + std::to_string(c) : channels.rgb[c];
-        const size_t texel = 3 * sizeof(float);
-        buffer.insert(name, Imf::Slice::Make(Imf::FLOAT, rgb + c, origin, width, rows, texel, texel * static_cast<size_t>(width)));
-    }
-    return buffer;
-}
-
-void copyGrey(float* rgb, size_t texels)
-{
-    for (size_t i = 0; i < texels; ++i)
-        rgb[3 * i + 1] = rgb[3 * i + 2] = rgb[3 * i];
-}
-
-/// Where rows come from: scanlines, tiles or luminance and chroma. Rows count from the top of the level's data window.
-class RowSource {
-public:
-    virtual ~RowSource() = default;
-    virtual void read(int firstRow, int rows, float* rgb) = 0;
-};
-
-class ScanlineRows final : public RowSource {
-public:
-    ScanlineRows(Imf::MultiPartInputFile& file, int part, const ColourChannels& channels) : m_part(file, part), m_channels(channels) {}
-
-    void read(int firstRow, int rows, float* rgb) override
-    {
-        const Box2i window = m_part.header().dataWindow();
-        const int top = window.min.y + firstRow;
-        const int width = window.max.x - window.min.x + 1;
-        m_part.setFrameBuffer(frameBuffer(m_channels, rgb, {window.min.x, top}, width, rows));
-        m_part.readPixels(top, top + rows - 1);
-        if (m_channels.isGrey())
-            copyGrey(rgb, static_cast<size_t>(width) * static_cast<size_t>(rows));
-    }
-
-private:
-    Imf::InputPart m_part;
-    ColourChannels m_channels;
-};
-
-/// Holds one row of tiles.
-class TiledRows final : public RowSource {
-public:
-    TiledRows(Imf::MultiPartInputFile& file, int part, const ColourChannels& channels, int level)
-        : m_part(file, part), m_channels(channels), m_level(level), m_window(m_part.dataWindowForLevel(level, level))
-    {
-    }
-
-    void read(int firstRow, int rows, float* rgb) override
-    {
-        const int tileRows = static_cast<int>(m_part.tileYSize());
-        const size_t rowFloats = 3 * static_cast<size_t>(m_window.max.x - m_window.min.x + 1);
-        for (int y = firstRow; y < firstRow + rows; ++y, rgb += rowFloats) {
-            if (y / tileRows != m_heldTileRow)
-                readTileRow(y / tileRows);
-            std::copy_n(m_held.data() + static_cast<size_t>(y % tileRows) * rowFloats, rowFloats, rgb);
-        }
-    }
-
-private:
-    void readTileRow(int tileRow)
-    {
-        const int width = m_window.max.x - m_window.min.x + 1;
-        const int top = m_window.min.y + tileRow * static_cast<int>(m_part.tileYSize());
-        const int rows = std::min(static_cast<int>(m_part.tileYSize()), m_window.max.y - top + 1);
-        const size_t texels = static_cast<size_t>(width) * static_cast<size_t>(rows);
-        m_heldTileRow = -1;
-        m_held.resize(3 * texels);
-        m_part.setFrameBuffer(frameBuffer(m_channels, m_held.data(), {m_window.min.x, top}, width, rows));
-        m_part.readTiles(0, m_part.numXTiles(m_level) - 1, tileRow, tileRow, m_level, m_level);
-        if (m_channels.isGrey())
-            copyGrey(m_held.data(), texels);
-        m_heldTileRow = tileRow;
-    }
-
-    Imf::TiledInputPart m_part;
-    ColourChannels m_channels;
-    int m_level;
-    Box2i m_window;
-    int m_heldTileRow = -1;
-    std::vector<float> m_held{};
-};
-
-/// Luminance with subsampled chroma, which OpenEXR's Rgba interface filters back to RGB in half precision.
-class LuminanceChromaRows final : public RowSource {
-public:
-    explicit LuminanceChromaRows(const std::string& path) : m_file(path.c_str()) {}
-
-    void read(int firstRow, int rows, float* rgb) override
-    {
-        const Box2i window = m_file.dataWindow();
-        const size_t width = static_cast<size_t>(window.max.x - window.min.x + 1);
-        std::vector<Imf::Rgba> row(width);
-        for (int y = window.min.y + firstRow; y < window.min.y + firstRow + rows; ++y) {
-            // A y stride of 0 leaves only the x origin to account for.
-            m_file.setFrameBuffer(Imf::ComputeBasePointer(row.data(), V2i(window.min.x, 0), static_cast<int64_t>(width)), 1, 0);
-            m_file.readPixels(y);
-            for (const Imf::Rgba& texel : row) {
-                *rgb++ = texel.r;
-                *rgb++ = texel.g;
-                *rgb++ = texel.b;
-            }
-        }
-    }
-
-private:
-    Imf::RgbaInputFile m_file;
-};
-
 FileError damaged(const std::filesystem::path& path, const std::exception& error)
 {
     return FileError(path.string(), "the OpenEXR file is damaged (" + oneLine(error.what()) + "); export or download it again");
-}
-
-/// The first flat part with colour. @throws FileError that says why there is none
-int choosePart(const std::string& path, const Imf::MultiPartInputFile& file)
-{
-    bool deep = false;
-    for (int part = 0; part < file.parts(); ++part) {
-        const Imf::Header& header = file.header(part);
-        const std::string type = header.hasType() ? header.type() : Imf::SCANLINEIMAGE;
-        deep = deep || Imf::isDeepData(type);
-        if ((type == Imf::SCANLINEIMAGE || type == Imf::TILEDIMAGE) && colourChannels(header.channels()))
-            return part;
-    }
-    if (deep)
-        throw FileError(path, "it holds only deep images, which have no single colour per texel; flatten it first");
-    throw FileError(path, "none of its channels is R, G, B or Y; export it with colour channels");
 }
 
 long long bytesPerTexel(const Imf::ChannelList& channels)
@@ -293,55 +85,84 @@ std::optional<glm::mat3> conversion(const std::string& path, const Imf::Header& 
     return conversionFrom(path, {point(c.red), point(c.green), point(c.blue), point(c.white)});
 }
 
-bool isFlat(const Imf::Header& header)
+/// Subsampled colours are read from RY and BY only.
+void checkSampling(const std::string& path, const Imf::Header& header, const ColourChannels& channels)
 {
-    const std::string type = header.hasType() ? header.type() : Imf::SCANLINEIMAGE;
-    return type == Imf::SCANLINEIMAGE || type == Imf::TILEDIMAGE;
+    for (const std::string& name : channels.rgb) {
+        const Imf::Channel* channel = header.channels().findChannel(name);
+        if (channel && (channel->xSampling != 1 || channel->ySampling != 1))
+            throw FileError(path,
+                            "its channel " + oneLine(name) + " is subsampled, which only RY and BY may be; export it in full resolution");
+    }
 }
 
-struct Pass {
-    int part = 0;
-    ColourChannels channels{};
+/// Where a level's data lies in the picture that is read.
+struct Placement {
+    int width = 0, height = 0; ///< of the picture
+    int left = 0, top = 0;     ///< of the data in it, also negative
+    int dataWidth = 0, dataHeight = 0;
+
+    bool isWhole() const { return left == 0 && top == 0 && dataWidth == width && dataHeight == height; }
+    /// Texels of the picture that the data covers.
+    std::int64_t covered() const
+    {
+        const auto overlap = [](int at, int size, int all) { return std::max(0, std::min(at + size, all) - std::max(at, 0)); };
+        return std::int64_t{overlap(left, dataWidth, width)} * overlap(top, dataHeight, height);
+    }
 };
 
-/// Whether the last word of a dotted name is `word`.
-bool endsInWord(const std::string& name, const std::string& word) { return name == word || name.ends_with("." + word); }
+std::string sizeText(long long width, long long height) { return std::to_string(width) + " x " + std::to_string(height); }
 
-/// The first pass of that name in any part. Source: Blender's multilayer files, LAYER.PASS.CHANNEL.
-std::optional<Pass> findPass(const Imf::MultiPartInputFile& file, const std::string& pass)
+/// @param data  window of the level. @throws FileError where the display window is absurd, or shows nothing of the data
+Placement placement(const std::filesystem::path& path, const Imf::Header& header, const Box2i& data, int level, PictureWindow window)
 {
-    for (int part = 0; part < file.parts(); ++part) {
-        const Imf::Header& header = file.header(part);
-        if (!isFlat(header))
-            continue;
-        std::vector<std::string> layers = layersByPreference(header.channels());
-        if (!header.hasName() || !endsInWord(header.name(), pass))
-            std::erase_if(layers,
-                          [&](const std::string& layer) { return layer.empty() || !endsInWord(layer.substr(0, layer.size() - 1), pass); });
-        for (const std::string& layer : layers) {
-            const ColourChannels found{{findChannel(header.channels(), layer, "r", "red"),
-                                        findChannel(header.channels(), layer, "g", "green"),
-                                        findChannel(header.channels(), layer, "b", "blue")}};
-            if (std::count(found.rgb.begin(), found.rgb.end(), std::string()) == 0)
-                return Pass{part, found};
-        }
-    }
-    return std::nullopt;
+    Placement place{.dataWidth = data.max.x - data.min.x + 1, .dataHeight = data.max.y - data.min.y + 1};
+    place.width = place.dataWidth;
+    place.height = place.dataHeight;
+    const Box2i& display = header.displayWindow();
+    if (window == PictureWindow::Data || display == header.dataWindow())
+        return place;
+    const long long width = (static_cast<long long>(display.max.x) - display.min.x + 1) >> level;
+    const long long height = (static_cast<long long>(display.max.y) - display.min.y + 1) >> level;
+    checkImageSize(path.string(), std::max(width, 1LL), std::max(height, 1LL));
+    // Black texels cost memory, too: a file of this length cannot ask for much more than it holds.
+    const auto most = std::max<std::uint64_t>(std::uint64_t{1} << 24, 256 * std::filesystem::file_size(path));
+    const Box2i all = header.dataWindow();
+    const long long dx = static_cast<long long>(all.min.x) - display.min.x, dy = static_cast<long long>(all.min.y) - display.min.y;
+    const bool apart = dx + place.dataWidth <= 0 || dy + place.dataHeight <= 0 || dx >> level >= width || dy >> level >= height;
+    if (apart || static_cast<std::uint64_t>(width * height) > most)
+        throw FileError(path.string(), "its display window of " + sizeText(width, height) + " texels " +
+                                           (apart ? "shows nothing of its data" : "is far larger than its data") + " of " +
+                                           sizeText(place.dataWidth, place.dataHeight) + "; read it with --window data");
+    place.width = static_cast<int>(width);
+    place.height = static_cast<int>(height);
+    place.left = static_cast<int>(dx >> level);
+    place.top = static_cast<int>(dy >> level);
+    return place;
 }
 
 class ExrReader final : public ImageReader {
 public:
     /// @param pass  where it is known; empty: chosen
-    ExrReader(const std::filesystem::path& path, int level, const std::optional<Pass>& pass = {})
-    try : m_file(path.c_str(), Imf::globalThreadCount(), false) {
-        const int part = pass ? pass->part : choosePart(path.string(), m_file);
-        const Imf::Header& header = m_file.header(part);
+    ExrReader(const std::filesystem::path& path, int level, const ProbeReading& reading, Channels channels,
+              const std::optional<Picture>& pass = {})
+    try : m_file(path.c_str(), Imf::globalThreadCount(), false), m_floats(texelFloats(channels)) {
+        ChosenPicture chosen = pass ? ChosenPicture{*pass} : choosePicture(path.string(), m_file, reading);
+        const Imf::Header& header = m_file.header(chosen.picture.part);
         checkPlausible(path, header);
-        const ColourChannels channels = pass ? pass->channels : *colourChannels(header.channels());
-        checkSampling(path.string(), header, channels);
-        m_toRec709 = conversion(path.string(), header);
-        describe(path, header, channels);
-        openRows(part, channels, level);
+        checkSampling(path.string(), header, chosen.picture.channels);
+        if (reading.colorSpace.empty())
+            m_toRec709 = conversion(path.string(), header);
+        OpenedRows opened = openRows(path, m_file, chosen.picture, channels, level);
+        if (!opened.rows)
+            throw FileError(path.string(), "there is no mip level " + std::to_string(level) + " among its " +
+                                               std::to_string(opened.levels) + "; ask for one it has");
+        m_rows = std::move(opened.rows);
+        m_place = placement(path, header, m_rows->window(), level, reading.window);
+        m_info.levels = opened.levels;
+        m_info.assumed = std::move(chosen.assumed);
+        describe(path, header, chosen.picture.channels);
+        describeWindows(header, reading.window);
     } catch (const FileError&) {
         throw;
     } catch (const std::exception& error) {
@@ -350,43 +171,54 @@ public:
 
     const ImageFileInfo& info() const override { return m_info; }
 
-    void readRows(int firstRow, int rows, float* rgb) override
+    void readRows(int firstRow, int rows, float* texels) override
     {
         try {
-            m_rows->read(firstRow, rows, rgb);
+            if (m_place.isWhole())
+                m_rows->read(firstRow, rows, texels);
+            else
+                readPlaced(firstRow, rows, texels);
         } catch (const std::exception& error) {
             throw damaged(m_info.path, error);
         }
         if (!m_toRec709)
             return;
-        const size_t texels = static_cast<size_t>(m_info.width) * static_cast<size_t>(rows);
-        for (size_t i = 0; i < texels; ++i, rgb += 3) {
-            const glm::vec3 colour = *m_toRec709 * glm::vec3(rgb[0], rgb[1], rgb[2]);
-            std::copy_n(&colour.x, 3, rgb);
+        const size_t count = static_cast<size_t>(m_info.width) * static_cast<size_t>(rows);
+        for (size_t i = 0; i < count; ++i, texels += m_floats) {
+            const glm::vec3 colour = *m_toRec709 * glm::vec3(texels[0], texels[1], texels[2]);
+            std::copy_n(&colour.x, 3, texels);
         }
     }
 
 private:
-    static void checkSampling(const std::string& path, const Imf::Header& header, const ColourChannels& channels)
+    void readPlaced(int firstRow, int rows, float* texels)
     {
-        for (const std::string& name : channels.rgb) {
-            const Imf::Channel* channel = header.channels().findChannel(name);
-            if (channel && (channel->xSampling != 1 || channel->ySampling != 1))
-                throw FileError(path, "its channel " + oneLine(name) +
-                                          " is subsampled, which only RY and BY may be; export it in full resolution");
+        const auto floats = static_cast<size_t>(m_floats);
+        const size_t rowFloats = floats * static_cast<size_t>(m_place.width);
+        std::fill_n(texels, rowFloats * static_cast<size_t>(rows), 0.0f);
+        const int first = std::max(firstRow, m_place.top), last = std::min(firstRow + rows, m_place.top + m_place.dataHeight);
+        const int from = std::max(0, m_place.left), to = std::min(m_place.width, m_place.left + m_place.dataWidth);
+        if (first >= last || from >= to)
+            return;
+        m_placed.resize(floats * static_cast<size_t>(m_place.dataWidth) * static_cast<size_t>(last - first));
+        m_rows->read(first - m_place.top, last - first, m_placed.data());
+        for (int y = first; y < last; ++y) {
+            const size_t dataRow = static_cast<size_t>(y - first) * static_cast<size_t>(m_place.dataWidth);
+            std::copy_n(m_placed.data() + floats * (dataRow + static_cast<size_t>(from - m_place.left)),
+                        floats * static_cast<size_t>(to - from),
+                        texels + rowFloats * static_cast<size_t>(y - firstRow) + floats * static_cast<size_t>(from));
         }
     }
 
     void describe(const std::filesystem::path& path, const Imf::Header& header, const ColourChannels& channels)
     {
         static constexpr std::array<const char*, 3> sampleTypes{"uint", "half", "float"};
-        const Box2i window = header.dataWindow();
         m_info.path = path;
         m_info.format = "openexr";
-        m_info.width = window.max.x - window.min.x + 1;
-        m_info.height = window.max.y - window.min.y + 1;
-        m_info.offsetX = window.min.x - header.displayWindow().min.x;
-        m_info.offsetY = window.min.y - header.displayWindow().min.y;
+        m_info.width = m_place.width;
+        m_info.height = m_place.height;
+        m_info.offsetX = header.dataWindow().min.x - header.displayWindow().min.x;
+        m_info.offsetY = header.dataWindow().min.y - header.displayWindow().min.y;
         for (auto i = header.channels().begin(); i != header.channels().end(); ++i)
             ++m_info.channels;
         const std::string named = channels.rgb[0].empty() ? channels.rgb[1] : channels.rgb[0];
@@ -400,212 +232,79 @@ private:
             if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&i.attribute());
                 text && std::string_view(i.name()).starts_with("mirrorball:"))
                 m_info.attributes[i.name()] = text->value();
+        assume(m_info.assumed,
+               {"encoding", m_toRec709 ? "linear, brought to Rec.709 from the file's primaries" : "linear, Rec.709 primaries",
+                Imf::hasChromaticities(header) ? "OpenEXR's chromaticities" : "OpenEXR without chromaticities"});
+        assume(m_info.assumed, {"alpha", channels.alpha.empty() ? "none" : "colours are multiplied by it", "OpenEXR's convention"});
+        assume(m_info.assumed, {"orientation", "upright", "OpenEXR has no other"});
     }
 
-    void openRows(int part, const ColourChannels& channels, int level)
+    void describeWindows(const Imf::Header& header, PictureWindow window)
     {
-        if (channels.luminanceChroma && part == 0 && !m_info.tiled) {
-            m_rows = std::make_unique<LuminanceChromaRows>(m_info.path.string());
-        } else if (channels.luminanceChroma) {
-            throw FileError(m_info.path.string(), "luminance/chroma is read from scanlines of the first part only; export it as RGB");
-        } else if (m_info.tiled) {
-            const Imf::TiledInputPart tiles(m_file, part);
-            m_info.levels = std::min(tiles.numXLevels(), tiles.numYLevels());
-            if (level < m_info.levels) {
-                const Box2i window = tiles.dataWindowForLevel(level, level);
-                m_info.width = window.max.x - window.min.x + 1;
-                m_info.height = window.max.y - window.min.y + 1;
-                m_rows = std::make_unique<TiledRows>(m_file, part, channels, level);
-            }
-        } else {
-            m_rows = std::make_unique<ScanlineRows>(m_file, part, channels);
+        const std::string data = "data " + sizeText(m_place.dataWidth, m_place.dataHeight);
+        Assumption windows{"windows", m_place.isWhole() ? data : "display " + sizeText(m_place.width, m_place.height),
+                           window == PictureWindow::Data                   ? "asked for"
+                           : header.displayWindow() == header.dataWindow() ? "both windows agree"
+                                                                           : "OpenEXR's display window is the picture"};
+        if (!m_place.isWhole()) {
+            windows.others.push_back(data + " at " + std::to_string(m_place.left) + ", " + std::to_string(m_place.top));
+            const std::int64_t all = std::int64_t{m_place.width} * m_place.height;
+            const std::int64_t cut = std::int64_t{m_place.dataWidth} * m_place.dataHeight - m_place.covered();
+            m_info.blackTexels = all - m_place.covered();
+            if (m_info.blackTexels > 0)
+                m_info.notes.push_back(std::to_string(m_info.blackTexels) + " of " + std::to_string(all) +
+                                       " texels lie outside its data window and are black");
+            if (cut > 0)
+                m_info.notes.push_back(std::to_string(cut) + " texels of overscan lie outside its display window and are cut off");
         }
-        if (level < 0 || level >= m_info.levels)
-            throw FileError(m_info.path.string(), "there is no mip level " + std::to_string(level) + " among its " +
-                                                      std::to_string(m_info.levels) + "; ask for one it has");
+        assume(m_info.assumed, std::move(windows));
+        if (const float aspect = header.pixelAspectRatio(); aspect != 1.0f) {
+            std::ostringstream note;
+            note << "its pixel aspect ratio is " << aspect
+                 << ", which is not applied: texels count as what the shape of the picture makes them";
+            m_info.notes.push_back(note.str());
+        }
     }
 
     Imf::MultiPartInputFile m_file;
+    int m_floats;
+    Placement m_place{};
     ImageFileInfo m_info{};
     std::optional<glm::mat3> m_toRec709{};
     std::unique_ptr<RowSource> m_rows{};
+    std::vector<float> m_placed{};
 };
-
-/// OpenEXR's view of an AtomicFile.
-class OutputStream final : public Imf::OStream {
-public:
-    explicit OutputStream(AtomicFile& file) : Imf::OStream("the output file"), m_file(file) {}
-    void write(const char bytes[], int count) override { m_file.write(bytes, static_cast<size_t>(count)); }
-    std::uint64_t tellp() override { return m_file.position(); }
-    void seekp(std::uint64_t position) override { m_file.seek(position); }
-
-private:
-    AtomicFile& m_file;
-};
-
-std::vector<std::string> channelNames(int channels)
-{
-    if (channels == 1)
-        return {"Y"};
-    return channels == 3 ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{"R", "G", "B", "A"};
-}
-
-/// Whether deflate finds anything to save. Values that came from half floats or RGBE end in zero bits; results of a sum, such as a
-/// filtered map, fill all 23 bits of the mantissa with noise. Measured on a filtered 128 x 768 float cube: ZIP 42 ms and 97 % of the
-/// size, PIZ 76 ms and 89 %, none 4 ms; on an RGBE probe of 1024 x 512: ZIP 107 ms and 27 %, PIZ 38 ms and 21 %, none 18 ms.
-bool compresses(const Image& image, const WriteOptions& options)
-{
-    if (options.sampleType == SampleType::Half)
-        return true;
-    const auto isShort = [](float value) { return (std::bit_cast<std::uint32_t>(value) & 0xfff) == 0; };
-    return 2 * std::count_if(image.texels.begin(), image.texels.end(), isShort) >= static_cast<std::ptrdiff_t>(image.texels.size());
-}
-
-Imf::Header makeHeader(const Image& image, const WriteOptions& options)
-{
-    Imf::Header header(image.width, image.height);
-    header.compression() = compresses(image, options) ? Imf::ZIP_COMPRESSION : Imf::NO_COMPRESSION;
-    for (const std::string& name : channelNames(image.channels))
-        header.channels().insert(name, Imf::Channel(options.sampleType == SampleType::Half ? Imf::HALF : Imf::FLOAT));
-    for (const auto& [name, text] : options.attributes) {
-        if (name == "envmap")
-            Imf::addEnvmap(header, text == "cube" ? Imf::ENVMAP_CUBE : Imf::ENVMAP_LATLONG);
-        else
-            header.insert(name, Imf::StringAttribute(text));
-    }
-    return header;
-}
-
-/// Channels of interleaved samples that begin at row `firstRow` of the image.
-Imf::FrameBuffer frameBuffer(const Image& image, Imf::PixelType type, const void* samples, int firstRow)
-{
-    Imf::FrameBuffer buffer;
-    const size_t sample = type == Imf::HALF ? sizeof(half) : sizeof(float);
-    const size_t texel = sample * static_cast<size_t>(image.channels);
-    size_t offset = 0;
-    for (const std::string& name : channelNames(image.channels)) {
-        const char* first = static_cast<const char*>(samples) + offset;
-        buffer.insert(name, Imf::Slice::Make(type, first, V2i(0, firstRow), image.width, image.height - firstRow, texel,
-                                             texel * static_cast<size_t>(image.width)));
-        offset += sample;
-    }
-    return buffer;
-}
-
-/// Half samples of whole rows, clamped to the largest half so that none becomes infinite.
-std::vector<half> halfRows(const Image& image, int firstRow, int rows)
-{
-    constexpr float largest = 65504.0f;
-    const size_t count = static_cast<size_t>(rows) * static_cast<size_t>(image.width) * static_cast<size_t>(image.channels);
-    std::vector<half> samples(count);
-    const float* values = image.row(firstRow);
-    for (size_t i = 0; i < count; ++i)
-        samples[i] = std::clamp(values[i], -largest, largest);
-    return samples;
-}
-
-/// Runs what writes through OpenEXR; its own errors become ours, those of the file pass.
-void writing(const std::function<void()>& body)
-{
-    try {
-        startThreads();
-        body();
-    } catch (const Error&) {
-        throw;
-    } catch (const std::exception& error) {
-        throw WorkError("OpenEXR cannot write the image: " + oneLine(error.what()) + "; check the attributes and the disk");
-    }
-}
 
 } // namespace
 
-bool hasSignature(std::string_view firstBytes) { return firstBytes.starts_with("\x76\x2f\x31\x01"); }
-
-std::unique_ptr<ImageReader> open(const std::filesystem::path& path, int level)
+void startThreads()
 {
-    startThreads();
-    return std::make_unique<ExrReader>(path, level);
+    static const bool started = [] {
+        if (Imf::globalThreadCount() == 0)
+            Imf::setGlobalThreadCount(JobControl{}.threadCount());
+        return true;
+    }();
+    static_cast<void>(started);
 }
 
-std::unique_ptr<ImageReader> openPass(const std::filesystem::path& path, const std::string& pass)
+bool hasSignature(std::string_view firstBytes) { return firstBytes.starts_with("\x76\x2f\x31\x01"); }
+
+std::unique_ptr<ImageReader> open(const std::filesystem::path& path, int level, const ProbeReading& reading, Channels channels)
 {
     startThreads();
-    std::optional<Pass> found;
+    return std::make_unique<ExrReader>(path, level, reading, channels);
+}
+
+std::unique_ptr<ImageReader> openPass(const std::filesystem::path& path, const std::string& pass, Channels channels)
+{
+    startThreads();
+    std::optional<Picture> found;
     try {
         found = findPass(Imf::MultiPartInputFile(path.c_str(), Imf::globalThreadCount(), false), pass);
     } catch (const std::exception& error) {
         throw damaged(path, error);
     }
-    return found ? std::make_unique<ExrReader>(path, 0, found) : nullptr;
-}
-
-void write(AtomicFile& file, const Image& image, const WriteOptions& options)
-{
-    writing([&] {
-        OutputStream stream(file);
-        Imf::OutputFile output(stream, makeHeader(image, options));
-        if (options.sampleType == SampleType::Float) {
-            output.setFrameBuffer(frameBuffer(image, Imf::FLOAT, image.texels.data(), 0));
-            output.writePixels(image.height);
-            return;
-        }
-        constexpr int blockRows = 256; // bounds the memory of the copy and still keeps all threads busy
-        for (int y = 0; y < image.height; y += blockRows) {
-            const int rows = std::min(blockRows, image.height - y);
-            const std::vector<half> samples = halfRows(image, y, rows);
-            output.setFrameBuffer(frameBuffer(image, Imf::HALF, samples.data(), y));
-            output.writePixels(rows);
-        }
-    });
-}
-
-void writePasses(AtomicFile& file, const std::vector<ImagePassData>& passes, const WriteOptions& options)
-{
-    writing([&] {
-        OutputStream stream(file);
-        const Image& first = passes.front().image;
-        Imf::Header header = makeHeader(first, options);
-        header.channels() = Imf::ChannelList();
-        header.compression() = Imf::ZIP_COMPRESSION;
-        const bool isHalf = options.sampleType == SampleType::Half;
-        std::vector<std::vector<half>> samples; // kept until they are written
-        Imf::FrameBuffer buffer;
-        for (const ImagePassData& pass : passes) {
-            if (isHalf)
-                samples.push_back(halfRows(pass.image, 0, pass.image.height));
-            const size_t sample = isHalf ? sizeof(half) : sizeof(float), texel = 3 * sample;
-            const auto* texels =
-                isHalf ? reinterpret_cast<const char*>(samples.back().data()) : reinterpret_cast<const char*>(pass.image.texels.data());
-            for (const char channel : {'R', 'G', 'B'}) {
-                const std::string name = pass.name + "." + channel;
-                header.channels().insert(name, Imf::Channel(isHalf ? Imf::HALF : Imf::FLOAT));
-                buffer.insert(name, Imf::Slice::Make(isHalf ? Imf::HALF : Imf::FLOAT, texels, V2i(0, 0), first.width, first.height, texel,
-                                                     texel * static_cast<size_t>(first.width)));
-                texels += sample;
-            }
-        }
-        Imf::OutputFile output(stream, header);
-        output.setFrameBuffer(buffer);
-        output.writePixels(first.height);
-    });
-}
-
-void writeMips(AtomicFile& file, const std::vector<Image>& levels, const WriteOptions& options)
-{
-    writing([&] {
-        OutputStream stream(file);
-        Imf::Header header = makeHeader(levels.front(), options);
-        header.setTileDescription(Imf::TileDescription(tileEdge, tileEdge, Imf::MIPMAP_LEVELS, Imf::ROUND_DOWN));
-        Imf::TiledOutputFile output(stream, header);
-        for (int level = 0; level < output.numLevels(); ++level) {
-            const Image& image = levels.at(static_cast<size_t>(level));
-            const std::vector<half> samples =
-                options.sampleType == SampleType::Half ? halfRows(image, 0, image.height) : std::vector<half>();
-            output.setFrameBuffer(samples.empty() ? frameBuffer(image, Imf::FLOAT, image.texels.data(), 0)
-                                                  : frameBuffer(image, Imf::HALF, samples.data(), 0));
-            output.writeTiles(0, output.numXTiles(level) - 1, 0, output.numYTiles(level) - 1, level);
-        }
-    });
+    return found ? std::make_unique<ExrReader>(path, 0, ProbeReading{}, channels, found) : nullptr;
 }
 
 } // namespace mirrorball::exr

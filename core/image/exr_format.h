@@ -13,15 +13,15 @@ namespace mirrorball::exr {
 /// Whether a file that begins with these bytes is an OpenEXR file.
 bool hasSignature(std::string_view firstBytes);
 
-/// Opens one mip level. Of several parts the first flat one that holds colour is read; of its channels R, G and B, else Y (with RY and BY
-/// where luminance/chroma coded), else the layer named ...Combined (Blender's), else the first layer with R, G, B or Y, else a lone
-/// channel. The data window is what is read. Other primaries than Rec.709 are converted, so wide-gamut colours come out negative.
-/// @throws FileError
-std::unique_ptr<ImageReader> open(const std::filesystem::path& path, int level);
+/// Opens one mip level of the picture that choosePicture() (exr_channels.h) finds. The display window is what is read: black where there
+/// is no data, without what lies beyond it. Other primaries than Rec.709 are converted, so wide-gamut colours come out negative; not
+/// where `reading` names a colour space. @throws FileError
+std::unique_ptr<ImageReader> open(const std::filesystem::path& path, int level, const ProbeReading& reading = {},
+                                  Channels channels = Channels::Color);
 
 /// Opens a pass by name: of the channels `LAYER.PASS.R` and so on (or `PASS.R`), or of the part named so. Null when there is none.
 /// @throws FileError
-std::unique_ptr<ImageReader> openPass(const std::filesystem::path& path, const std::string& pass);
+std::unique_ptr<ImageReader> openPass(const std::filesystem::path& path, const std::string& pass, Channels channels = Channels::Color);
 
 /// Scanlines, ZIP-compressed unless that saves nothing. One channel is written as Y, four as R, G, B, A. The attribute "envmap" (latlong or
 /// cube) becomes OpenEXR's own; others are stored as strings. @throws WorkError

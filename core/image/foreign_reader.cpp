@@ -27,23 +27,27 @@ HelperLimits limitsFor(std::uintmax_t fileBytes)
             .memoryBytes = std::min(6144 * mib, 384 * mib + 64 * fileBytes)};
 }
 
-class ForeignReader final : public RawReader {
+class ForeignReader final : public ImageReader {
 public:
-    ForeignReader(const std::filesystem::path& path, const std::string& format, int level) : m_helper(HelperWork::Pictures)
+    ForeignReader(const std::filesystem::path& path, const std::string& format, const RawRequest& wanted)
+        : m_helper(HelperWork::Pictures), m_floats(static_cast<size_t>(texelFloats(wanted.channels)))
     {
         std::error_code error;
         const std::uintmax_t bytes = std::filesystem::file_size(path, error);
         if (error)
             throw FileError(path.string(), "cannot be read: " + error.message() + "; check its permissions");
         WireWriter request;
-        request << std::string_view(path.native()) << std::string_view(format) << level;
+        request << std::string_view(path.native()) << std::string_view(format);
+        visitRequest(wanted, [&](const auto&... members) { (request << ... << members); });
         const HelperLimits limits = limitsFor(bytes);
-        m_picture.info.path = path;
-        m_picture.info.format = format;
+        m_info.path = path;
+        m_info.format = format;
         const bool isWhole =
-            guarded([&] { return fromWire(m_helper.ask(helper::Request::OpenPicture, std::move(request).bytes(), &limits), m_picture); });
-        const ImageFileInfo& info = m_picture.info;
-        if (!isWhole || info.channels < 1 || info.channels > 1024 || info.levels < 1)
+            guarded([&] { return fromWire(m_helper.ask(helper::Request::OpenPicture, std::move(request).bytes(), &limits), m_info); });
+        const ImageFileInfo& info = m_info;
+        const bool isSane = info.channels >= 1 && info.channels <= 1024 && info.levels >= 1 && info.parts >= 1 && info.orientation >= 1 &&
+                            info.orientation <= 8;
+        if (!isWhole || !isSane)
             throw FileError(path.string(), "the picture breaks its reader; export or download it again");
         checkImageSize(path.string(), info.width, info.height);
         const std::int64_t texels = std::int64_t{info.width} * info.height;
@@ -54,16 +58,15 @@ public:
     }
     ~ForeignReader() override { m_helper.tell(helper::Request::ClosePicture); }
 
-    const ImageFileInfo& info() const override { return m_picture.info; }
-    bool isSrgb() const override { return m_picture.isSrgb; }
+    const ImageFileInfo& info() const override { return m_info; }
 
-    void readRows(int firstRow, int rows, float* samples) override
+    void readRows(int firstRow, int rows, float* texels) override
     {
-        const size_t count = static_cast<size_t>(rows) * static_cast<size_t>(info().width) * static_cast<size_t>(info().channels);
+        const size_t count = static_cast<size_t>(rows) * static_cast<size_t>(info().width) * m_floats;
         WireWriter request;
         request << firstRow << rows;
         guarded([&] {
-            m_helper.askInto(helper::Request::ReadRows, std::move(request).bytes(), samples, count * sizeof(float));
+            m_helper.askInto(helper::Request::ReadRows, std::move(request).bytes(), texels, count * sizeof(float));
             return true;
         });
     }
@@ -86,14 +89,15 @@ private:
     }
 
     Helper m_helper;
-    OpenedPicture m_picture{};
+    size_t m_floats; ///< a texel
+    ImageFileInfo m_info{};
 };
 
 } // namespace
 
-std::unique_ptr<RawReader> openForeign(const std::filesystem::path& path, const std::string& format, int level)
+std::unique_ptr<ImageReader> openForeign(const std::filesystem::path& path, const std::string& format, const RawRequest& request)
 {
-    return std::make_unique<ForeignReader>(path, format, level);
+    return std::make_unique<ForeignReader>(path, format, request);
 }
 
 } // namespace mirrorball::openimageio

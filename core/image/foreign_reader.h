@@ -7,6 +7,6 @@ namespace mirrorball::openimageio {
 
 /// @param format  OpenImageIO's name of what the file is, by its content
 /// @throws FileError; WorkError where there is no helper
-std::unique_ptr<RawReader> openForeign(const std::filesystem::path& path, const std::string& format, int level);
+std::unique_ptr<ImageReader> openForeign(const std::filesystem::path& path, const std::string& format, const RawRequest& request);
 
 } // namespace mirrorball::openimageio

@@ -2,6 +2,7 @@
 
 #include "exr_format.h"
 #include "hdr_format.h"
+#include "image_readers.h"
 #include "openimageio_loader.h"
 
 #include "container/babylon_env.h"
@@ -28,11 +29,20 @@ std::string lowerExtension(const std::filesystem::path& path)
     return extension;
 }
 
-std::unique_ptr<ImageReader> openHdr(const std::filesystem::path& path, int level)
+std::unique_ptr<ImageReader> openHdr(const std::filesystem::path& path, int level, const ProbeReading& reading, Channels channels)
 {
+    checkNoLayer(path, reading);
     if (level != 0)
         throw FileError(path.string(), "a Radiance picture has no mip levels; ask for level 0");
-    return hdr::open(path);
+    if (partNumber(path, reading) != 0)
+        throw FileError(path.string(), "a Radiance picture has one part; ask for part 0");
+    return hdr::open(path, reading, channels);
+}
+
+std::unique_ptr<ImageReader> openTexture(const std::filesystem::path& path, int level, const ProbeReading& reading, Channels channels)
+{
+    checkNoLayer(path, reading);
+    return withOpacity(openContainer(path, level), channels);
 }
 
 void writeExr(AtomicFile& file, const std::filesystem::path&, const std::vector<Image>& levels, const WriteOptions& options)
@@ -96,7 +106,7 @@ ImageFormat containerFormat(std::string_view label, std::vector<std::string_view
             .levels = true,
             .faces = true,
             .recognizes = recognizes,
-            .open = &openContainer,
+            .open = &openTexture,
             .write = write};
 }
 

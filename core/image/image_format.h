@@ -41,7 +41,9 @@ struct ImageFormat {
 
     /// Whether a file that begins with these bytes is of this format. Null: left to OpenImageIO, which knows the signatures of its formats.
     bool (*recognizes)(std::string_view firstBytes) = nullptr;
-    std::unique_ptr<ImageReader> (*open)(const std::filesystem::path& path, int level) = nullptr; ///< null as recognizes is
+    /// Null as recognizes is.
+    std::unique_ptr<ImageReader> (*open)(const std::filesystem::path& path, int level, const ProbeReading& reading,
+                                         Channels channels) = nullptr;
     /// Writes a picture, or all levels of one, largest first: more than one where `levels`, and then the whole chain. `named` is the
     /// target, for messages. Null: the format is only read.
     void (*write)(AtomicFile& file, const std::filesystem::path& named, const std::vector<Image>& levels,

@@ -2,6 +2,7 @@
 
 #include "exr_format.h"
 #include "image_format.h"
+#include "image_readers.h"
 #include "input_checks.h"
 #include "opacity.h"
 #include "openimageio_loader.h"
@@ -47,13 +48,23 @@ std::string firstBytes(const std::filesystem::path& path)
 }
 
 /// What a file is, is told by its first bytes; its name is asked only where a format has no signature.
-std::unique_ptr<ImageReader> openLevel(const std::filesystem::path& path, int level)
+std::unique_ptr<ImageReader> openStored(const std::filesystem::path& path, int level, const ProbeReading& reading, Channels channels)
 {
     const std::string signature = firstBytes(path);
     for (const ImageFormat& format : imageFormats())
         if (format.recognizes && format.recognizes(signature))
-            return format.open(path, level);
-    return openimageio::open(path, signature, level);
+            return format.open(path, level, reading, channels);
+    checkNoLayer(path, reading);
+    return openimageio::open(
+        path, signature,
+        {.part = partNumber(path, reading), .level = level, .keepsEncoding = !reading.colorSpace.empty(), .channels = channels});
+}
+
+std::unique_ptr<ImageReader> openLevel(const std::filesystem::path& path, int level, const ProbeReading& reading = {},
+                                       Channels channels = Channels::Color)
+{
+    std::unique_ptr<ImageReader> reader = upright(openStored(path, level, reading, channels), channels);
+    return reading.colorSpace.empty() ? std::move(reader) : inColorSpace(std::move(reader), reading.colorSpace, channels);
 }
 
 /// Averages over the area that each texel of the smaller level covers; texels cut by its edge count in part.
@@ -120,18 +131,17 @@ void checkBytes(const std::filesystem::path& path, ByteEncoding bytes)
         throw InvalidArgument("--encode: '" + word + "' needs four channels without loss; write a .png");
 }
 
-std::unique_ptr<ImageReader> openImage(const std::filesystem::path& path) { return openLevel(path, 0); }
-
-Image readImage(ImageReader& reader, const JobControl& job)
+Image readAll(ImageReader& reader, const JobControl& job, Channels channels)
 {
     const int width = reader.info().width;
     const int height = reader.info().height;
-    const auto rowFloats = 3 * static_cast<size_t>(width);
     if (static_cast<long long>(width) * height > maxTexels)
         throw FileError(reader.info().path.string(),
                         "its " + std::to_string(width) + " x " + std::to_string(height) +
                             " texels are more than the 2^28 that are held at once; convert it to a smaller map first");
+    const auto rowFloats = static_cast<size_t>(texelFloats(channels)) * static_cast<size_t>(width);
     Image image;
+    image.channels = texelFloats(channels);
     image.width = width;
     image.height = height;
     // Reserved but touched only as rows arrive: a damaged file costs no more memory than the rows it really holds.
@@ -148,21 +158,31 @@ Image readImage(ImageReader& reader, const JobControl& job)
     return image;
 }
 
-Image readImage(const std::filesystem::path& path, const JobControl& job) { return readImage(*openLevel(path, 0), job); }
+std::unique_ptr<ImageReader> openImage(const std::filesystem::path& path, const ProbeReading& reading, Channels channels)
+{
+    return openLevel(path, 0, reading, channels);
+}
+
+Image readImage(const std::filesystem::path& path, const JobControl& job) { return readAll(*openLevel(path, 0), job); }
+
+Image readImage(const std::filesystem::path& path, const ProbeReading& reading, Channels channels, const JobControl& job)
+{
+    return readAll(*openLevel(path, 0, reading, channels), job, channels);
+}
 
 std::string encodePng(const Image& display) { return openimageio::encodePng(display); }
 
-std::optional<Image> readImagePass(const std::filesystem::path& path, const std::string& pass, const JobControl& job)
+std::optional<Image> readImagePass(const std::filesystem::path& path, const std::string& pass, Channels channels, const JobControl& job)
 {
     if (!exr::hasSignature(firstBytes(path)))
         return std::nullopt;
-    const std::unique_ptr<ImageReader> reader = exr::openPass(path, pass);
+    const std::unique_ptr<ImageReader> reader = exr::openPass(path, pass, channels);
     if (!reader)
         return std::nullopt;
-    return readImage(*reader, job);
+    return readAll(*reader, job, channels);
 }
 
-Image readLevel(const std::filesystem::path& path, int level) { return readImage(*openLevel(path, level)); }
+Image readLevel(const std::filesystem::path& path, int level) { return readAll(*openLevel(path, level)); }
 
 void writeImage(const std::filesystem::path& path, const Image& image, const WriteOptions& options)
 {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "image.h"
+#include "probe_reading.h"
 
 #include "core/base/job.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -24,41 +26,59 @@ struct ImageFileInfo {
     std::string format{}; ///< "openexr", "hdr", "tiff", "png", ...
     int width = 0;
     int height = 0;
-    int offsetX = 0; ///< of the texels in OpenEXR's display window: a cropped picture has one; the window itself is not padded
+    int offsetX = 0; ///< of OpenEXR's data window in its display window
     int offsetY = 0;
-    int channels = 0;         ///< as stored in the file
-    std::string sampleType{}; ///< "float", "half", "uint8", ...
+    std::int64_t blackTexels = 0; ///< outside the data window
+    int orientation = 1;          ///< as stored, by Exif's numbers: 1 upright, 3 upside down, 6 and 8 on a side; readers undo it
+    int channels = 0;             ///< as stored in the file
+    std::string sampleType{};     ///< "float", "half", "uint8", ...
     bool tiled = false;
     int levels = 1; ///< mip levels in the file
     int parts = 1;
     std::string compression{};
     std::string envmap{};                            ///< OpenEXR's envmap attribute: "latlong", "cube" or empty
     std::map<std::string, std::string> attributes{}; ///< the strings that Mirrorball wrote ("mirrorball:parameterization", ...)
+    std::vector<Assumption> assumed{};               ///< what its reader decided, and how certainly
+    std::vector<std::string> notes{};                ///< what of it a user should know, a clause each
 };
 
-/// A file opened for reading top to bottom in blocks of rows, as linear RGB float: what a probe of any size streams through.
-/// Grey is copied to three channels, alpha is dropped, a file in another RGB encoding (8-bit sRGB) is linearised.
+/// What the rows of a reader hold: red, green, blue, or these and the opacity by which they are multiplied.
+enum class Channels { Color, ColorAndOpacity };
+/// Floats a texel.
+inline int texelFloats(Channels channels) { return channels == Channels::Color ? 3 : 4; }
+
+/// A file opened for reading top to bottom in blocks of rows, as linear float: what a probe of any size streams through.
+/// Grey is copied to three channels, a file in another encoding (8-bit sRGB) is linearised, and a turned one is set upright.
+/// Without opacity, colours are those that were drawn: what integer formats hold beside an alpha; of formats that multiply by it (OpenEXR),
+/// what they hold.
 class ImageReader {
 public:
     virtual ~ImageReader() = default;
     virtual const ImageFileInfo& info() const = 0;
-    /// Reads rows [firstRow, firstRow + rows) into `rgb`, 3 floats a texel. Rows are asked for in increasing order.
+    /// Reads rows [firstRow, firstRow + rows) into `texels`, texelFloats() floats a texel. Rows are asked for in increasing order.
     /// @throws FileError when the file is damaged or ends early
-    virtual void readRows(int firstRow, int rows, float* rgb) = 0;
+    virtual void readRows(int firstRow, int rows, float* texels) = 0;
 };
 
-/// @throws FileError for a missing, empty, damaged, absurdly large (over 2^30 texels; over 2^28 where the
-/// format has no rows to be read by themselves) or unknown file
-std::unique_ptr<ImageReader> openImage(const std::filesystem::path& path);
+/// Of `reading`, what concerns the file's texels: part, layer, window, colour space.
+/// @throws FileError for a missing, empty, damaged, absurdly large (over 2^30 texels; over 2^28 where the format has no
+///         rows to be read by themselves) or unknown file, or one without what is asked for;
+///         InvalidArgument for a colour space that is unknown
+std::unique_ptr<ImageReader> openImage(const std::filesystem::path& path, const ProbeReading& reading = {},
+                                       Channels channels = Channels::Color);
+
+/// All rows of a reader. @throws FileError, Cancelled
+Image readAll(ImageReader& reader, const JobControl& job = {}, Channels channels = Channels::Color);
 
 /// The whole image as linear RGB. @throws FileError, also for more than 2^28 texels
 Image readImage(const std::filesystem::path& path, const JobControl& job = {});
-/// The same of a file that is open and was not read yet.
-Image readImage(ImageReader& reader, const JobControl& job = {});
+/// The whole image. @throws FileError, InvalidArgument
+Image readImage(const std::filesystem::path& path, const ProbeReading& reading, Channels channels, const JobControl& job = {});
 
-/// A pass of a layered OpenEXR file (Blender's matcaps have `diffuse` and `specular`), as linear RGB. Nothing where the file has no pass of
-/// that name, which no other format has. @throws FileError
-std::optional<Image> readImagePass(const std::filesystem::path& path, const std::string& pass, const JobControl& job = {});
+/// A pass of a layered OpenEXR file (Blender's matcaps have `diffuse` and `specular`), as linear light. Nothing where the file has no pass
+/// of that name, which no other format has. @throws FileError
+std::optional<Image> readImagePass(const std::filesystem::path& path, const std::string& pass, Channels channels = Channels::Color,
+                                   const JobControl& job = {});
 
 enum class SampleType { Float, Half };
 
@@ -84,6 +104,7 @@ struct WriteOptions {
     ByteEncoding bytes = ByteEncoding::Filmic; ///< .png and its like; see checkBytes()
     int faces =
         1; ///< 6: the picture is the stacked faces of a cube, for a format that keeps those as such; levels then halve a face's edge
+    int faceBorder = 0; ///< cube maps (map_file.h): texels of the neighbours around each face
 };
 
 /// Whether a file can hold the encoding. @throws InvalidArgument naming the formats that can

@@ -26,7 +26,7 @@ double texelAngle(const MapLayout& layout, const glm::dvec3& d)
 Magnification magnification(const MapLayout& source, const ReprojectOptions& options)
 {
     const MapLayout& target = options.target;
-    const TexelOutlines outlines(target, options.yaw, MapCharts(source));
+    const TexelOutlines outlines(target, options.yaw, options.turn, MapCharts(source));
     Magnification result{.smallest = 1e9, .largest = 0.0};
     const int step = std::max(1, target.size / magnifiedSteps);
     for (int y = 0; y < target.height(); y += step)

@@ -1,8 +1,12 @@
 #include "map_file.h"
 
 #include "color.h"
+#include "cube_sheet.h"
 #include "image_format.h"
 #include "opacity.h"
+#include "paraboloid_halves.h"
+#include "probe_picture.h"
+#include "reproject.h"
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
@@ -14,8 +18,6 @@
 namespace mirrorball {
 
 namespace {
-
-constexpr std::array<std::string_view, 6> faceNames{"px", "nx", "py", "ny", "pz", "nz"};
 
 /// NAME.LEVEL.EXT, or where the name has a `%d` the level in its place.
 std::filesystem::path withLevel(const std::filesystem::path& path, std::string_view face, size_t level)
@@ -72,36 +74,60 @@ std::vector<std::filesystem::path> writeLevels(const std::filesystem::path& out,
     return files;
 }
 
-/// The words of the faces that a name with `%s` stands for; a single empty one for a name without.
-std::vector<std::string_view> facesOf(const std::filesystem::path& out, Parameterization kind)
+/// The words that a `%s` in the name stands for, of a cube's faces or a paraboloid's halves; a single empty one for a name without.
+std::vector<std::string_view> partsOf(const std::filesystem::path& out, Parameterization kind)
 {
     if (!namesFaces(out))
         return {std::string_view()};
-    if (kind != Parameterization::Cube)
-        throw InvalidArgument("output: '%s' stands for the six faces of a cube, but this map is a " + std::string(name(kind)) +
-                              " map; give a plain name, or '%d' for one file a level");
-    return {faceNames.begin(), faceNames.end()};
+    if (kind == Parameterization::Cube)
+        return {faceNames.begin(), faceNames.end()};
+    if (kind == Parameterization::Paraboloid)
+        return {halfNames.begin(), halfNames.end()};
+    throw InvalidArgument("output: '%s' stands for the six faces of a cube or the two halves of a paraboloid, but this map is a " +
+                          std::string(name(kind)) + " map; give a plain name, or '%d' for one file a level");
 }
 
 bool keepsFaces(const ImageFormat& format, const MapLayout& layout) { return format.faces && layout.kind == Parameterization::Cube; }
 
-Image face(const Image& cube, int index)
+/// A face of six squares on top of each other.
+Image face(const Image& stack, int index)
 {
-    Image result(cube.width, cube.width, cube.channels);
-    std::copy_n(cube.row(index * cube.width), result.texels.size(), result.texels.begin());
+    Image result(stack.width, stack.width, stack.channels);
+    std::copy_n(stack.row(index * stack.width), result.texels.size(), result.texels.begin());
     return result;
 }
 
-std::vector<std::filesystem::path> filesOfMap(const std::filesystem::path& out, const std::vector<MapLayout>& levels)
+/// The images that go into the files of one level: the whole map, its faces or its halves.
+std::vector<Image> pieces(const EnvironmentMap& level, size_t count, int faceBorder)
+{
+    if (level.layout.kind == Parameterization::Paraboloid && count == halfNames.size()) {
+        std::array<Image, 2> halves = splitHalves(level);
+        return {std::move(halves[0]), std::move(halves[1])};
+    }
+    Image whole = faceBorder > 0 ? withBorders(level, std::min(faceBorder, level.layout.size)) : level.image;
+    if (count == 1)
+        return {std::move(whole)};
+    std::vector<Image> faces;
+    for (int i = 0; i < static_cast<int>(count); ++i)
+        faces.push_back(face(whole, i));
+    return faces;
+}
+
+std::vector<std::filesystem::path> filesOfMap(const std::filesystem::path& out, const std::vector<MapLayout>& levels, int faceBorder)
 {
     const ImageFormat& format = writableFormat(out);
     std::vector<Edges> edges;
-    const std::vector<std::string_view> faces = facesOf(out, levels.front().kind);
-    const bool areFaces = faces.size() > 1 || keepsFaces(format, levels.front());
-    for (const MapLayout& level : levels)
-        edges.push_back({level.width(), areFaces ? level.width() : level.height()});
+    const std::vector<std::string_view> parts = partsOf(out, levels.front().kind);
+    const bool areFaces = parts.size() > 1 || keepsFaces(format, levels.front());
+    for (const MapLayout& level : levels) {
+        const int around = 2 * std::min(faceBorder, level.size), edge = level.size + around;
+        if (areFaces)
+            edges.push_back({edge, edge});
+        else
+            edges.push_back({level.width() + around, level.height() + (around > 0 ? 6 * around : 0)});
+    }
     std::vector<std::filesystem::path> files;
-    for (const std::string_view word : faces)
+    for (const std::string_view word : parts)
         for (std::filesystem::path& file : levelFiles(out, word, edges))
             files.push_back(std::move(file));
     return files;
@@ -109,43 +135,47 @@ std::vector<std::filesystem::path> filesOfMap(const std::filesystem::path& out, 
 
 } // namespace
 
-std::vector<std::filesystem::path> mapFiles(const std::filesystem::path& out, const std::vector<MapLayout>& levels)
+std::vector<std::filesystem::path> mapFiles(const std::filesystem::path& out, const std::vector<MapLayout>& levels, int faceBorder)
 {
     if (levels.size() == 1)
         refuseDoubtfulLevel(out);
-    return filesOfMap(out, levels);
+    return filesOfMap(out, levels, faceBorder);
 }
 
 std::vector<std::filesystem::path> writeMap(const std::filesystem::path& out, const std::vector<EnvironmentMap>& levels,
                                             const WriteOptions& options)
 {
     const MapLayout& layout = levels.front().layout;
+    const bool isCube = layout.kind == Parameterization::Cube;
+    if (options.faceBorder < 0 || (options.faceBorder > 0 && (!isCube || options.faceBorder > layout.size)))
+        throw InvalidArgument("border: must be 0 for this map, or for a cube at most the size of a face; it is " +
+                              std::to_string(options.faceBorder));
     WriteOptions described = options;
     described.attributes["mirrorball:parameterization"] = name(layout.kind);
-    if (layout.border > 0)
-        described.attributes["mirrorball:border"] = std::to_string(layout.border);
+    if (const int border = isCube ? options.faceBorder : layout.border; border > 0)
+        described.attributes["mirrorball:border"] = std::to_string(border);
 
-    const std::vector<std::string_view> faces = facesOf(out, layout.kind);
-    std::vector<Image> images;
-    if (faces.size() == 1) {
+    const std::vector<std::string_view> parts = partsOf(out, layout.kind);
+    if (parts.size() == 1) {
         described.faces = keepsFaces(writableFormat(out), layout) ? 6 : 1;
-        if (levels.size() == 1 && !namesLevels(out)) { // where it lies: it may be large
+        if (levels.size() == 1 && options.faceBorder == 0 && !namesLevels(out)) { // where it lies: it may be large
             refuseDoubtfulLevel(out);
             std::filesystem::path file = fileNamed(out, {});
             writeImage(file, levels.front().image, described);
             return {std::move(file)};
         }
-        for (const EnvironmentMap& level : levels)
-            images.push_back(level.image);
-        return writeLevels(out, {}, images, described);
+    }
+    std::vector<std::vector<Image>> images(parts.size()); // by file, then by level
+    for (const EnvironmentMap& level : levels) {
+        std::vector<Image> own = pieces(level, parts.size(), options.faceBorder);
+        for (size_t i = 0; i < parts.size(); ++i)
+            images[i].push_back(std::move(own[i]));
     }
     std::vector<std::filesystem::path> files;
-    for (size_t i = 0; i < faces.size(); ++i) {
-        images.clear();
-        for (const EnvironmentMap& level : levels)
-            images.push_back(face(level.image, static_cast<int>(i)));
-        described.attributes["mirrorball:parameterization"] = "cube face " + std::string(faces[i]);
-        for (auto& written : writeLevels(out, faces[i], images, described))
+    for (size_t i = 0; i < parts.size(); ++i) {
+        if (parts.size() > 1)
+            described.attributes["mirrorball:parameterization"] = (isCube ? "cube face " : "paraboloid half ") + std::string(parts[i]);
+        for (auto& written : writeLevels(out, parts[i], images[i], described))
             files.push_back(std::move(written));
     }
     return files;
@@ -154,7 +184,7 @@ std::vector<std::filesystem::path> writeMap(const std::filesystem::path& out, co
 std::vector<std::filesystem::path> writePictures(const std::filesystem::path& out, const std::vector<Image>& levels,
                                                  const WriteOptions& options)
 {
-    facesOf(out, Parameterization::Sphere); // says that a picture has no faces
+    partsOf(out, Parameterization::Sphere); // says that a picture has no faces
     const ImageFormat& format = writableFormat(out);
     if (format.samples != StoredSamples::Byte)
         return writeLevels(out, {}, levels, options);
@@ -166,6 +196,6 @@ std::vector<std::filesystem::path> writePictures(const std::filesystem::path& ou
     return writeLevels(out, {}, shown, display);
 }
 
-void checkMapFile(const std::filesystem::path& out, const MapLayout& base) { checkTarget(filesOfMap(out, {base}).front()); }
+void checkMapFile(const std::filesystem::path& out, const MapLayout& base) { checkTarget(filesOfMap(out, {base}, 0).front()); }
 
 } // namespace mirrorball

@@ -110,42 +110,6 @@ void checkPng(const std::filesystem::path& path)
         throw FileError(path.string(), "the PNG file is cut short or damaged; export or download it again");
 }
 
-/// Turns what the module reads into linear RGB.
-class LinearReader final : public ImageReader {
-public:
-    explicit LinearReader(std::unique_ptr<RawReader> raw)
-        : m_raw(std::move(raw)), m_isSrgb(m_raw->isSrgb()), m_isBytes(m_raw->info().sampleType == "uint8")
-    {
-        for (size_t i = 0; i < m_decodedBytes.size(); ++i)
-            m_decodedBytes[i] = decodeSrgb(static_cast<float>(i) / 255.0f);
-    }
-
-    const ImageFileInfo& info() const override { return m_raw->info(); }
-
-    void readRows(int firstRow, int rows, float* rgb) override
-    {
-        const size_t texels = static_cast<size_t>(info().width) * static_cast<size_t>(rows);
-        const auto channels = static_cast<size_t>(info().channels);
-        m_samples.resize(texels * channels);
-        m_raw->readRows(firstRow, rows, m_samples.data());
-        const bool grey = channels < 3; // two are grey and alpha
-        for (size_t i = 0; i < texels; ++i)
-            for (size_t c = 0; c < 3; ++c) {
-                const float sample = m_samples[i * channels + (grey ? 0 : c)];
-                rgb[3 * i + c] = m_isSrgb ? linear(sample) : sample;
-            }
-    }
-
-private:
-    float linear(float sample) const { return m_isBytes ? m_decodedBytes[toByte(sample)] : decodeSrgb(sample); }
-
-    std::unique_ptr<RawReader> m_raw;
-    bool m_isSrgb; ///< asked once: the answer is a search through the file's attributes
-    bool m_isBytes;
-    std::array<float, 256> m_decodedBytes{};
-    std::vector<float> m_samples{};
-};
-
 class FileSink final : public Sink {
 public:
     explicit FileSink(AtomicFile& file) : m_file(file) {}
@@ -177,7 +141,7 @@ private:
 
 } // namespace
 
-std::unique_ptr<ImageReader> open(const std::filesystem::path& path, std::string_view firstBytes, int level)
+std::unique_ptr<ImageReader> open(const std::filesystem::path& path, std::string_view firstBytes, const RawRequest& request)
 {
     std::string format = formatOf(firstBytes, lowerExtension(path));
     const ImageFormat* const named = findFormat(path);
@@ -187,7 +151,7 @@ std::unique_ptr<ImageReader> open(const std::filesystem::path& path, std::string
         throw FileError(path.string(), "this is no image of a known format; export it as " + std::string(knownFormats));
     if (format == "png")
         checkPng(path);
-    return std::make_unique<LinearReader>(openForeign(path, format, level));
+    return openForeign(path, format, request);
 }
 
 void write(AtomicFile& file, const std::filesystem::path& named, const std::vector<Image>& levels, const WriteOptions& options)

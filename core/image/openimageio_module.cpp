@@ -1,6 +1,8 @@
 #include "openimageio_module.h"
 
 #include "input_checks.h"
+#include "picture_decoder.h"
+#include "png_colors.h"
 
 #include "core/base/error.h"
 
@@ -31,34 +33,56 @@ std::map<std::string, std::string> readAttributes(const OIIO::ImageSpec& spec)
     return attributes;
 }
 
-bool isSrgb(const OIIO::ImageSpec& spec)
+/// What the file says of its colors, as far as OpenImageIO tells.
+StoredColors storedColors(const std::filesystem::path& path, const std::string& format, const OIIO::ImageSpec& spec, int colors)
 {
+    StoredColors said{.format = format, .isInteger = !spec.format.is_floating_point(), .isBytes = spec.format == OIIO::TypeUInt8};
+    said.channels = colors;
     const std::string space = spec.get_string_attribute("oiio:ColorSpace");
-    if (OIIO::Strutil::iequals(space, "sRGB"))
-        return true;
-    if (!space.empty())
-        return false;
-    return !spec.format.is_floating_point(); // integers without a word about it come from displays and cameras
+    const float gamma = spec.get_float_attribute("oiio:Gamma", 0.0f);
+    said.saysSo = "its header";
+    if (OIIO::Strutil::istarts_with(space, "GammaCorrected") && gamma > 0.05f && gamma < 20.0f)
+        said.exponent = gamma;
+    else if (OIIO::Strutil::iequals(space, "Linear") || OIIO::Strutil::iequals(space, "scene_linear"))
+        said.isLinear = true;
+    else if (OIIO::Strutil::iequals(space, "sRGB") && spec.get_int_attribute("Exif:ColorSpace", 0) == 1) {
+        said.isSrgb = true;
+        said.saysSo = "Exif";
+    } else if (OIIO::Strutil::iequals(space, "sRGB") && !said.isInteger) {
+        said.isSrgb = true;
+    }
+    if (format == "png")
+        readPngColors(path, said);
+    const OIIO::ParamValue* const icc = spec.find_attribute("ICCProfile");
+    if (icc && icc->type().basetype == OIIO::TypeDesc::UINT8) {
+        const auto* const bytes = static_cast<const unsigned char*>(icc->data());
+        said.iccProfile.assign(bytes, bytes + icc->type().size());
+    }
+    return said;
 }
 
-class Reader final : public RawReader {
+class Reader final : public ImageReader {
 public:
-    Reader(const std::filesystem::path& path, const std::string& format, int level)
+    Reader(const std::filesystem::path& path, const std::string& format, const RawRequest& request) : m_request(request)
     {
         const std::string name = path.string();
         const std::string plugin = format.empty() ? path.extension().string().substr(1) : format;
         m_input = OIIO::ImageInput::create(plugin);
-        OIIO::ImageSpec spec;
+        OIIO::ImageSpec spec, hints;
         if (!m_input)
             throw FileError(name, "this is no image of a known format; export it as .exr or .hdr (" + oneLine(OIIO::geterror()) + ")");
-        if (!m_input->open(name, spec))
+        hints.attribute("oiio:UnassociatedAlpha", 1); // else it multiplies by it, in whatever encoding the file has
+        if (!m_input->open(name, spec, hints))
             throw damaged(name);
-        m_info.levels = countLevels();
+        countLevels();
+        const int level = request.level, part = request.part;
+        if (part < 0 || part >= m_info.parts)
+            throw FileError(name, "there is no part " + std::to_string(part) + " among its " + std::to_string(m_info.parts) +
+                                      "; choose one of 0 to " + std::to_string(m_info.parts - 1));
         if (level < 0 || level >= m_info.levels)
             throw FileError(name, "there is no mip level " + std::to_string(level) + " among its " + std::to_string(m_info.levels) +
                                       "; ask for one it has");
-        m_level = level;
-        m_spec = m_input->spec(0, level);
+        m_spec = m_input->spec(part, level);
         checkImageSize(name, m_spec.width, m_spec.height);
         if (m_spec.depth > 1 || m_spec.deep || m_spec.nchannels < 1 || m_spec.nchannels > 1024)
             throw FileError(name, "this is not a flat image; export it as one");
@@ -71,24 +95,33 @@ public:
         m_info.tiled = m_spec.tile_width > 0;
         m_info.compression = m_spec.get_string_attribute("compression");
         m_info.attributes = readAttributes(m_spec);
+        m_info.orientation = std::clamp(m_spec.get_int_attribute("Orientation", 1), 1, 8);
+        describeColors();
     }
 
     const ImageFileInfo& info() const override { return m_info; }
-    bool isSrgb() const override { return openimageio::isSrgb(m_spec); }
 
-    void readRows(int firstRow, int rows, float* samples) override
+    void readRows(int firstRow, int rows, float* texels) override
     {
-        const size_t rowFloats = static_cast<size_t>(m_info.width) * static_cast<size_t>(m_info.channels);
-        if (!m_info.tiled) {
-            const int top = m_spec.y + firstRow;
-            if (!m_input->read_scanlines(0, m_level, top, top + rows, m_spec.z, 0, m_info.channels, OIIO::TypeFloat, samples))
-                throw damaged(m_info.path.string());
+        const size_t count = static_cast<size_t>(m_info.width) * static_cast<size_t>(rows);
+        m_samples.resize(count * static_cast<size_t>(m_info.channels));
+        readSamples(firstRow, rows, m_samples.data());
+        m_colors.resize(3 * count);
+        const auto channels = static_cast<size_t>(m_info.channels);
+        for (size_t i = 0; i < count; ++i)
+            for (size_t c = 0; c < 3; ++c)
+                m_colors[3 * i + c] = drawn(m_samples.data() + i * channels, channels < 3 ? 0 : c);
+        if (!m_request.keepsEncoding)
+            m_decoder->toLinear(m_colors.data(), count);
+        if (m_request.channels == Channels::Color) {
+            std::copy(m_colors.begin(), m_colors.end(), texels);
             return;
         }
-        for (int y = firstRow; y < firstRow + rows; ++y, samples += rowFloats) {
-            if (y / m_spec.tile_height != m_heldTileRow)
-                readTileRow(y / m_spec.tile_height, rowFloats);
-            std::copy_n(m_held.data() + static_cast<size_t>(y % m_spec.tile_height) * rowFloats, rowFloats, samples);
+        for (size_t i = 0; i < count; ++i) {
+            const float alpha = m_alpha < 0 ? 1.0f : std::clamp(m_samples[i * channels + static_cast<size_t>(m_alpha)], 0.0f, 1.0f);
+            for (size_t c = 0; c < 3; ++c)
+                texels[4 * i + c] = m_colors[3 * i + c] * (m_isMultiplied && !m_isDivided ? 1.0f : alpha);
+            texels[4 * i + 3] = alpha;
         }
     }
 
@@ -100,14 +133,64 @@ private:
                          "the image is damaged (" + (reason.empty() ? "it cannot be decoded" : reason) + "); export or download it again");
     }
 
-    int countLevels()
+    void describeColors()
     {
-        int levels = 1;
-        while (levels < 32 && m_input->seek_subimage(0, levels))
-            ++levels;
+        const bool isInteger = !m_spec.format.is_floating_point();
+        m_alpha = m_spec.alpha_channel < m_spec.nchannels ? m_spec.alpha_channel : -1;
+        if (m_alpha < 0 && m_spec.nchannels == 2)
+            m_alpha = 1; // grey and alpha
+        m_isMultiplied = m_alpha >= 0 && m_spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
+        m_isDivided = m_isMultiplied && isInteger;
+        m_decoder = std::make_unique<PictureDecoder>(storedColors(m_info.path, m_info.format, m_spec, m_info.channels < 3 ? 1 : 3));
+        m_info.notes = m_decoder->notes();
+        assume(m_info.assumed, m_decoder->assumption());
+        assume(m_info.assumed, {"part", std::to_string(m_request.part), m_info.parts == 1 ? "the only one" : "the first, or asked for"});
+        for (int i = 0; i < std::min(m_info.parts, 30); ++i)
+            if (i != m_request.part)
+                m_info.assumed.back().others.push_back(std::to_string(i));
+        assume(m_info.assumed, {"alpha",
+                                m_alpha < 0      ? "none"
+                                : m_isDivided    ? "colors as drawn, divided by it"
+                                : m_isMultiplied ? "colors are multiplied by it"
+                                                 : "colors as drawn, not multiplied by it",
+                                "the format's convention"});
+    }
+
+    /// A stored color without its alpha.
+    float drawn(const float* texel, size_t channel) const
+    {
+        if (!m_isDivided)
+            return texel[channel];
+        const float alpha = texel[m_alpha];
+        return alpha > 0.0f ? std::min(texel[channel] / alpha, 1.0f) : 0.0f;
+    }
+
+    void readSamples(int firstRow, int rows, float* samples)
+    {
+        const size_t rowFloats = static_cast<size_t>(m_info.width) * static_cast<size_t>(m_info.channels);
+        if (!m_info.tiled) {
+            const int top = m_spec.y + firstRow;
+            if (!m_input->read_scanlines(m_request.part, m_request.level, top, top + rows, m_spec.z, 0, m_info.channels, OIIO::TypeFloat,
+                                         samples))
+                throw damaged(m_info.path.string());
+            return;
+        }
+        for (int y = firstRow; y < firstRow + rows; ++y, samples += rowFloats) {
+            if (y / m_spec.tile_height != m_heldTileRow)
+                readTileRow(y / m_spec.tile_height, rowFloats);
+            std::copy_n(m_held.data() + static_cast<size_t>(y % m_spec.tile_height) * rowFloats, rowFloats, samples);
+        }
+    }
+
+    /// Of the part that is asked for, the levels; and the parts.
+    void countLevels()
+    {
+        while (m_info.parts < 100 && m_input->seek_subimage(m_info.parts, 0))
+            ++m_info.parts;
+        while (m_info.levels < 32 && m_input->seek_subimage(m_request.part, m_info.levels))
+            ++m_info.levels;
         static_cast<void>(m_input->geterror()); // the question past the last level leaves one
-        m_input->seek_subimage(0, 0);
-        return levels;
+        m_input->seek_subimage(m_request.part, 0);
     }
 
     void readTileRow(int tileRow, size_t rowFloats)
@@ -116,23 +199,27 @@ private:
         const int bottom = std::min(top + m_spec.tile_height, m_spec.y + m_spec.height);
         m_heldTileRow = -1;
         m_held.resize(rowFloats * static_cast<size_t>(bottom - top));
-        if (!m_input->read_tiles(0, m_level, m_spec.x, m_spec.x + m_spec.width, top, bottom, m_spec.z, m_spec.z + 1, 0, m_info.channels,
-                                 OIIO::TypeFloat, m_held.data()))
+        if (!m_input->read_tiles(m_request.part, m_request.level, m_spec.x, m_spec.x + m_spec.width, top, bottom, m_spec.z, m_spec.z + 1, 0,
+                                 m_info.channels, OIIO::TypeFloat, m_held.data()))
             throw damaged(m_info.path.string());
         m_heldTileRow = tileRow;
     }
 
+    RawRequest m_request;
     std::unique_ptr<OIIO::ImageInput> m_input;
     OIIO::ImageSpec m_spec;
     ImageFileInfo m_info{};
-    int m_level = 0;
+    std::unique_ptr<PictureDecoder> m_decoder;
+    int m_alpha = -1;            ///< its channel
+    bool m_isMultiplied = false; ///< the colors come multiplied by it
+    bool m_isDivided = false;    ///< and are divided again
     int m_heldTileRow = -1;
-    std::vector<float> m_held{};
+    std::vector<float> m_held{}, m_samples{}, m_colors{};
 };
 
-std::unique_ptr<RawReader> open(const std::filesystem::path& path, const std::string& format, int level)
+std::unique_ptr<ImageReader> open(const std::filesystem::path& path, const std::string& format, const RawRequest& request)
 {
-    return std::make_unique<Reader>(path, format, level);
+    return std::make_unique<Reader>(path, format, request);
 }
 
 std::unique_ptr<OIIO::ImageOutput> createOutput(const std::filesystem::path& named)

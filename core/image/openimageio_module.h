@@ -9,14 +9,12 @@
 /// Module and caller are always built together; the version catches a stale one.
 namespace mirrorball::openimageio {
 
-/// Rows as the file holds them: info().channels floats a texel, integers scaled to [0, 1], alpha premultiplied.
-class RawReader {
-public:
-    virtual ~RawReader() = default;
-    virtual const ImageFileInfo& info() const = 0;
-    virtual bool isSrgb() const = 0; ///< colour values are sRGB-encoded
-    /// @throws FileError
-    virtual void readRows(int firstRow, int rows, float* samples) = 0;
+/// What of a file is read, and how. Plain values.
+struct RawRequest {
+    int part = 0;
+    int level = 0;
+    bool keepsEncoding = false; ///< colours as they are stored, for who knows their space better than the file
+    Channels channels = Channels::Color;
 };
 
 /// One level of an image to write, either float or 8-bit samples.
@@ -39,8 +37,10 @@ public:
 
 struct Module {
     int version = 0;
-    /// `format` is OpenImageIO's name of it, empty: by extension. @throws FileError
-    std::unique_ptr<RawReader> (*open)(const std::filesystem::path& path, const std::string& format, int level) = nullptr;
+    /// Rows as the file has them, not yet turned upright (info().orientation): linear Rec.709 unless the encoding is kept. Without opacity
+    /// the colors that were drawn, whatever the alpha beside them; with it multiplied by it. info() has what was assumed of part, encoding
+    /// and alpha. `format` is OpenImageIO's name of it, empty: by extension. @throws FileError
+    std::unique_ptr<ImageReader> (*open)(const std::filesystem::path& path, const std::string& format, const RawRequest& request) = nullptr;
     /// One image goes into the sink. `named` is the target, for its extension and messages. @throws WorkError
     void (*write)(Sink& sink, const std::filesystem::path& named, const RawLevel& image, const WriteOptions& options) = nullptr;
     /// A mip chain goes into the existing file `temporary`: TIFF levels are appended by reading back, which no sink can do. @throws
@@ -49,7 +49,7 @@ struct Module {
                       const WriteOptions& options) = nullptr;
 };
 
-inline constexpr int moduleVersion = 1;
+inline constexpr int moduleVersion = 2;
 inline constexpr const char* entryPoint = "mirrorballOpenImageIo"; ///< extern "C" const Module* entryPoint()
 
 } // namespace mirrorball::openimageio

@@ -17,7 +17,8 @@ struct Strided {
     float& operator[](size_t x) const { return values[x * channels]; }
 };
 
-/// Fills each run of NaN between the finite values on its two sides. Infinities are no neighbours: a NaN beside a sun is not a sun.
+/// Fills each run of NaN between the finite values on its two sides; there must be one. Infinities are no neighbours: a NaN beside a sun is
+/// not a sun.
 void interpolateNan(const Strided& row, const std::vector<float>& original)
 {
     const size_t width = row.width;
@@ -32,10 +33,6 @@ void interpolateNan(const Strided& row, const std::vector<float>& original)
             continue;
         const size_t right = nearest(x, 1);
         const size_t left = nearest(x, width - 1);
-        if (right >= width) {
-            row[x] = 0.0f;
-            continue;
-        }
         // The neighbours are read from the row, where a clamped negative is 0 already.
         const double a = row[(x + width - left) % width];
         const double b = row[(x + right) % width];
@@ -43,29 +40,39 @@ void interpolateNan(const Strided& row, const std::vector<float>& original)
     }
 }
 
-RepairReport repairChannel(const Strided& row, NegativePolicy policy)
+/// @return whether the row has a finite value; without one it is left as it is
+bool repairChannel(const Strided& row, NegativePolicy policy, RepairReport& report)
 {
-    RepairReport report;
+    bool isAlive = false;
+    std::int64_t nan = 0;
     std::vector<float> original(row.width);
     for (size_t x = 0; x < row.width; ++x) {
-        float& value = row[x];
-        original[x] = value;
-        if (std::isnan(value)) {
-            ++report.nan;
-        } else if (std::isinf(value)) {
+        const float value = original[x] = row[x];
+        isAlive = isAlive || std::isfinite(value);
+        if (std::isnan(value))
+            ++nan;
+        else if (std::isinf(value))
             ++(value > 0.0f ? report.positiveInfinity : report.negativeInfinity);
-            value = value > 0.0f ? largestHalf : policy == NegativePolicy::Clamp ? 0.0f : -largestHalf;
-        } else if (value < 0.0f) {
+        else if (value < 0.0f)
             ++report.negative;
-            if (policy == NegativePolicy::Clamp) {
-                ++report.clamped;
-                value = 0.0f;
-            }
+    }
+    report.nan += nan;
+    if (!isAlive) {
+        ++report.filledRows;
+        return false;
+    }
+    for (size_t x = 0; x < row.width; ++x) {
+        float& value = row[x];
+        if (std::isinf(value)) {
+            value = value > 0.0f ? largestHalf : policy == NegativePolicy::Clamp ? 0.0f : -largestHalf;
+        } else if (value < 0.0f && policy == NegativePolicy::Clamp) {
+            ++report.clamped;
+            value = 0.0f;
         }
     }
-    if (report.nan > 0)
+    if (nan > 0)
         interpolateNan(row, original);
-    return report;
+    return true;
 }
 
 /// Whether a row has anything to count or mend. Nearly all rows have not, and this test runs at memory speed: seen as an integer, a
@@ -79,14 +86,26 @@ bool isSound(const float* values, size_t count)
     return unsound == 0;
 }
 
-RepairReport repairRows(float* values, size_t width, size_t rows, size_t channels, NegativePolicy policy)
+/// Gives the dead rows of one channel what lies between their neighbours.
+void fillChannel(Image& image, int channel, const std::vector<DeadChannels>& dead)
 {
-    RepairReport report;
-    for (size_t y = 0; y < rows; ++y, values += width * channels)
-        if (!isSound(values, width * channels))
-            for (size_t c = 0; c < channels; ++c)
-                report += repairChannel({values + c, width, channels}, policy);
-    return report;
+    const auto isDead = [&](int y) { return (dead[static_cast<size_t>(y)] >> channel & 1u) != 0; };
+    int above = -1;
+    for (int y = 0; y < image.height; ++y) {
+        if (!isDead(y)) {
+            above = y;
+            continue;
+        }
+        int below = y;
+        while (below < image.height && isDead(below))
+            ++below;
+        for (; y < below; ++y)
+            for (int x = 0; x < image.width; ++x)
+                image.texel(x, y)[channel] =
+                    betweenRows(above < 0 ? nullptr : image.texel(x, above) + channel,
+                                below == image.height ? nullptr : image.texel(x, below) + channel, y - above, below - y);
+        --y;
+    }
 }
 
 } // namespace
@@ -98,18 +117,40 @@ RepairReport& RepairReport::operator+=(const RepairReport& other)
     negativeInfinity += other.negativeInfinity;
     negative += other.negative;
     clamped += other.clamped;
+    filledRows += other.filledRows;
     return *this;
 }
 
-RepairReport repairRows(float* rgb, int width, int rows, NegativePolicy policy)
+float betweenRows(const float* above, const float* below, int fromAbove, int toBelow)
 {
-    return repairRows(rgb, static_cast<size_t>(width), static_cast<size_t>(rows), 3, policy);
+    if (!above || !below)
+        return above ? *above : below ? *below : 0.0f;
+    return static_cast<float>(*above + (static_cast<double>(*below) - *above) * fromAbove / (fromAbove + toBelow));
+}
+
+DeadChannels repairRow(float* row, int width, int channels, NegativePolicy policy, RepairReport& report)
+{
+    const auto n = static_cast<size_t>(width), c = static_cast<size_t>(channels);
+    DeadChannels dead = 0;
+    if (!isSound(row, n * c))
+        for (size_t channel = 0; channel < c; ++channel)
+            dead |= repairChannel({row + channel, n, c}, policy, report) ? 0u : 1u << channel;
+    return dead;
 }
 
 RepairReport repair(Image& image, NegativePolicy policy)
 {
-    return repairRows(image.texels.data(), static_cast<size_t>(image.width), static_cast<size_t>(image.height),
-                      static_cast<size_t>(image.channels), policy);
+    RepairReport report;
+    std::vector<DeadChannels> dead;
+    DeadChannels any = 0;
+    for (int y = 0; y < image.height; ++y) {
+        dead.push_back(repairRow(image.row(y), image.width, image.channels, policy, report));
+        any |= dead.back();
+    }
+    for (int c = 0; c < image.channels; ++c)
+        if ((any >> c & 1u) != 0)
+            fillChannel(image, c, dead);
+    return report;
 }
 
 std::string describe(const RepairReport& report)
@@ -118,6 +159,8 @@ std::string describe(const RepairReport& report)
     if (report.nonFinite() > 0)
         text = std::to_string(report.nan) + " NaN, " + std::to_string(report.positiveInfinity + report.negativeInfinity) +
                " infinite values repaired";
+    if (report.filledRows > 0)
+        text += ", " + std::to_string(report.filledRows) + " rows of a channel filled from their neighbours";
     const auto append = [&](std::int64_t count, const char* what) {
         if (count > 0)
             text += (text.empty() ? "" : "; ") + std::to_string(count) + what;

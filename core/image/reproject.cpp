@@ -25,18 +25,29 @@ glm::vec3 bilinearAt(const Image& image, double x, double y, int top, int rows)
     return result;
 }
 
+/// The source's texel whose centre this is, as those of mirrored and quarter-turned maps are: they are moved, not mixed. Or null.
+const float* texelAt(const EnvironmentMap& source, const glm::dvec3& d)
+{
+    const glm::dvec2 p = coordinate(source.layout, d), cell = glm::floor(p);
+    if (std::max(std::abs(p.x - cell.x - 0.5), std::abs(p.y - cell.y - 0.5)) > 1e-6 || cell.x < 0.0 || cell.y < 0.0 ||
+        cell.x >= source.image.width || cell.y >= source.image.height)
+        return nullptr;
+    return source.image.texel(static_cast<int>(cell.x), static_cast<int>(cell.y));
+}
+
 } // namespace
 
 EnvironmentMap reproject(const EnvironmentMap& source, const ReprojectOptions& options, const JobControl& job)
 {
     validate(source.layout);
     validate(options.target);
-    if (source.layout == options.target && options.yaw == 0.0)
+    if (source.layout == options.target && options.yaw == 0.0 && options.turn == glm::dmat3(1.0))
         return source;
     if (magnification(source.layout, options).largest >= magnifiedBelow)
         return remap(source, options, job);
     EnvironmentMap result(options.target);
-    const TexelOutlines places(options.target, options.yaw, MapCharts(source.layout));
+    const bool turns = options.turn != glm::dmat3(1.0);
+    const TexelOutlines places(options.target, options.yaw, options.turn, MapCharts(source.layout));
     const int width = result.image.width, chart = options.target.kind == Parameterization::Latlong ? width : options.target.size;
     parallelRows(result.image.height, job, [&](int first, int last) {
         const size_t count = static_cast<size_t>(chart);
@@ -45,7 +56,11 @@ EnvironmentMap reproject(const EnvironmentMap& source, const ReprojectOptions& o
             for (int left = 0; left < width; left += chart) {
                 places.directions(left, row, {.first = {left + 0.5, row + 0.5}, .step = {1.0, 1.0}, .columns = chart, .rows = 1}, x.data(),
                                   y.data(), z.data());
-                lookUp(source, count, x.data(), y.data(), z.data(), options.resample, result.image.texel(left, row));
+                float* const out = result.image.texel(left, row);
+                lookUp(source, count, x.data(), y.data(), z.data(), options.resample, out);
+                for (size_t i = 0; turns && i < count; ++i)
+                    if (const float* same = texelAt(source, glm::normalize(glm::dvec3(x[i], y[i], z[i]))))
+                        std::copy_n(same, 3, out + 3 * i);
             }
     });
     return result;

@@ -30,7 +30,7 @@ TargetTiles::TargetTiles(const MapLayout& given, const MapLayout& used, const Re
     : m_given(given), m_target(options.target), m_magnifies(magnifies),
       m_ratio(std::sqrt(static_cast<double>(used.width()) * used.height() / m_target.width() / m_target.height())),
       m_side(refinement(m_ratio, m_target)), m_fine{m_target.kind, m_target.size * m_side, m_target.border * m_side}, m_charts(used),
-      m_outlines(m_fine, options.yaw, m_charts)
+      m_outlines(m_fine, options.yaw, options.turn, m_charts)
 {
 }
 

@@ -62,7 +62,7 @@ glm::dvec3 TexelOutlines::directionIn(int x, int y, const glm::dvec2& p) const
     } else {
         d = direction(m_target, p);
     }
-    return m_yaw == 0.0 ? d : yawed(d, -m_yaw);
+    return turnedBack(d);
 }
 
 void TexelOutlines::directions(int x, int y, const Places& places, double* dx, double* dy, double* dz) const
@@ -78,7 +78,7 @@ void TexelOutlines::directions(int x, int y, const Places& places, double* dx, d
         const int face = y / n;
         const auto at = [&](double s, double t) {
             const glm::dvec3 d = cube_map::facePoint(face, s, t);
-            return m_yaw == 0.0 ? d : yawed(d, -m_yaw);
+            return turnedBack(d);
         };
         const glm::dvec3 middle = at(0.0, 0.0), alongS = at(1.0, 0.0) - middle, alongT = at(0.0, 1.0) - middle;
         for (int j = 0; j < places.rows; ++j) {
@@ -88,7 +88,7 @@ void TexelOutlines::directions(int x, int y, const Places& places, double* dx, d
         }
         return;
     }
-    if (m_target.kind == Parameterization::Latlong) { // separable
+    if (m_target.kind == Parameterization::Latlong && !m_turns) { // separable
         std::vector<glm::dvec2> meridians;
         for (int i = 0; i < places.columns; ++i) {
             const glm::dvec3 d = directionIn(x, y, {first.x + step.x * i, 0.5 * n});

@@ -23,8 +23,11 @@ struct OutlinePiece {
 /// end there; those outside, and all of a paraboloid with a border, are taken as the map continues.
 class TexelOutlines {
 public:
-    /// @param yaw  as ReprojectOptions::yaw
-    TexelOutlines(const MapLayout& target, double yaw, const MapCharts& source) : m_target(target), m_yaw(yaw), m_source(source) {}
+    /// @param turn  as ReprojectOptions::turn, which comes before the yaw of those
+    TexelOutlines(const MapLayout& target, double yaw, const glm::dmat3& turn, const MapCharts& source)
+        : m_target(target), m_yaw(yaw), m_turns(turn != glm::dmat3(1.0)), m_back(glm::transpose(turn)), m_source(source)
+    {
+    }
 
     /// Direction in the source of an image position that belongs to texel (x, y), its edges included: unlike mirrorball::direction(), which
     /// takes a position on the edge between two faces or halves for the second one's.
@@ -61,10 +64,18 @@ private:
     void layOut(const std::vector<glm::dvec3>& polygon, int chart, std::vector<OutlinePiece>& out) const;
     void layOutRim(int chart, const glm::dvec3& d0, const glm::dvec2& p0, const glm::dvec3& d1, const glm::dvec2& p1, int depth,
                    std::vector<glm::dvec2>& out) const;
+    /// From the turned environment to the source.
+    glm::dvec3 turnedBack(const glm::dvec3& d) const
+    {
+        const glm::dvec3 unyawed = m_yaw == 0.0 ? d : yawed(d, -m_yaw);
+        return m_turns ? m_back * unyawed : unyawed;
+    }
     double bendBetween(const glm::dvec3& d0, const glm::dvec3& middle, const glm::dvec3& d1) const;
 
     MapLayout m_target;
     double m_yaw;
+    bool m_turns;
+    glm::dmat3 m_back;
     MapCharts m_source;
 };
 

@@ -1,6 +1,7 @@
 #include "thumbnail.h"
 
 #include "builtin_probes.h"
+#include "probe_picture.h"
 #include "reproject.h"
 
 #include "core/base/error.h"
@@ -107,7 +108,7 @@ Reduction reduction(const ImageFileInfo& info, const Detection& detection, int t
 {
     const int unit = detection.layout.size;
     const int wanted = detection.layout.kind == Parameterization::Cube ? thumbnailHeight : 2 * thumbnailHeight;
-    if (unit <= wanted || detection.arrangement == Arrangement::Constant)
+    if (unit <= wanted || detection.arrangement == Arrangement::Constant || detection.faceBorder > 0)
         return {info.width, info.height};
     const auto shrink = [&](int edge) { return std::max(2, static_cast<int>(std::lround(static_cast<double>(edge) * wanted / unit))); };
     return {shrink(info.width), shrink(info.height)};
@@ -127,11 +128,11 @@ using Rows = std::function<void(int firstRow, int rows, const float* rgb)>;
 
 ReducedProbe reducedFile(const std::string& path, const ThumbnailOptions& options, bool mips, const JobControl& job, const Rows& alsoSees)
 {
-    const auto reader = openImage(path);
+    const auto reader = openProbePicture(path, options.reading);
     ReducedProbe result{.info = reader->info()};
-    result.detection = detectLayout(result.info, options.from);
+    result.detection = detectLayout(result.info, options.reading);
     const Reduction to = reduction(result.info, result.detection, options.height);
-    if (const int level = mips ? usefulLevel(result.info, to) : 0; level > 0) {
+    if (const int level = mips && options.reading == ProbeReading{} ? usefulLevel(result.info, to) : 0; level > 0) {
         Image image = readLevel(path, level);
         result.repaired = repair(image, NegativePolicy::Keep);
         AreaReducer reducer(image.width, image.height, to.width, to.height);
@@ -148,13 +149,13 @@ ReducedProbe reducedFile(const std::string& path, const ThumbnailOptions& option
         job.checkStop();
         const int count = std::min(block, height - y);
         reader->readRows(y, count, rows.data());
-        result.repaired += repairRows(rows.data(), width, count, NegativePolicy::Keep);
         reducer.addRows(y, count, rows.data());
         if (alsoSees)
             alsoSees(y, count, rows.data());
         if (job.progress)
             job.progress(static_cast<float>(y + count) / static_cast<float>(height));
     }
+    result.repaired = reader->report();
     result.image = reducer.finish();
     return result;
 }
@@ -167,6 +168,7 @@ ReducedProbe reducedBuiltin(const std::string& probe, const ThumbnailOptions& op
     result.info = {
         .path = probe, .format = "builtin", .width = builtinProbeLayout.width(), .height = builtinProbeLayout.height(), .channels = 3};
     result.detection = {builtinProbeLayout, Arrangement::Whole, "built in", true};
+    result.detection.orientation = orientation(options.reading);
     return result;
 }
 
@@ -186,7 +188,11 @@ ReducedProbe reduceProbe(const std::string& probe, const ThumbnailOptions& optio
 
 EnvironmentMap thumbnailOf(const ReducedProbe& probe, int height, std::optional<Parameterization> kind, const JobControl& job)
 {
-    const Detection full = kind && *kind != probe.detection.layout.kind ? detectLayout(probe.info, kind) : probe.detection;
+    Detection full = probe.detection;
+    if (kind && *kind != full.layout.kind) {
+        full = detectLayout(probe.info, kind);
+        full.orientation = probe.detection.orientation;
+    }
     const EnvironmentMap map = toEnvironmentMap(probe.image, scaled(full, probe.info.width, probe.image.width, probe.image.height), job);
     return reproject(map, {.target = {Parameterization::Latlong, height, 0}}, job);
 }
@@ -214,9 +220,9 @@ ProbeSurvey surveyProbe(const std::string& probe, const ThumbnailOptions& option
         survey.statistics = statistics(renderBuiltinProbe(std::string_view(probe).substr(builtinPrefix.size()), builtinProbeLayout, job));
         return survey;
     }
-    const ImageFileInfo info = openImage(probe)->info();
-    const Detection detection = detectLayout(info, options.from);
-    if (detection.arrangement == Arrangement::Whole) {
+    const ImageFileInfo info = openProbePicture(probe, options.reading)->info();
+    const Detection detection = detectLayout(info, options.reading);
+    if (detection.arrangement == Arrangement::Whole && detection.faces.empty() && detection.orientation == glm::dmat3(1.0)) {
         StatisticsBuilder builder(detection.layout);
         survey.reduced = reducedFile(probe, options, false, job,
                                      [&](int firstRow, int rows, const float* rgb) { builder.addRows(firstRow, rows, rgb); });

@@ -17,8 +17,8 @@
 namespace mirrorball {
 
 struct ThumbnailOptions {
-    int height = 128;                       ///< of the latlong that thumbnailOf() makes, 1 to 1024 texels
-    std::optional<Parameterization> from{}; ///< forces the parameterization; empty: found out from the file
+    int height = 128;       ///< of the latlong that thumbnailOf() makes, 1 to 1024 texels
+    ProbeReading reading{}; ///< how the file is to be read
 };
 
 /// A probe's file or built-in scene, reduced by area averages in the arrangement that it has.

@@ -53,7 +53,7 @@ OpenProbe openProbe(const ReportOptions& options, const std::string& name, const
 {
     JobControl inner = job;
     inner.progress = nullptr;
-    ProbeFile file(name, {});
+    ProbeFile file(name, {.reading = options.reading});
     if (!file.isBuiltin()) {
         const ImageFileInfo& info = file.rows().info();
         if (std::int64_t{info.width} * info.height > largestReportProbe)

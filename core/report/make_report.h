@@ -5,6 +5,7 @@
 #include "core/base/fields.h"
 #include "core/base/job.h"
 #include "core/filter/paraboloid.h"
+#include "core/image/probe_reading.h"
 
 #include <memory>
 #include <string>
@@ -14,6 +15,7 @@ namespace mirrorball {
 
 struct ReportOptions {
     std::vector<std::string> probes{}; ///< paths or builtin:NAME, at least one
+    ProbeReading reading{};            ///< how each is to be read
     std::vector<Lobe> lobes{};
     std::vector<Method> methods{allMethods.begin(), allMethods.end()};
     MapLayout target{.kind = Parameterization::Cube, .size = 64};

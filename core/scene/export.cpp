@@ -40,6 +40,7 @@ Written writeFiltered(const Scene& scene, const ExportPlan& planned, SceneProbe&
     Written written{.record = std::move(built.record)};
     written.files = timedStage(written.record.stages, "save " + target.name, [&] {
         WriteOptions write{.sampleType = samplesOf(target)};
+        write.faceBorder = target.faceBorder();
         write.attributes["mirrorball:indexed_by"] = indexedBy(target.kind);
         return writeMap(folder / target.fileName(), built.levels, write);
     });

@@ -1,5 +1,7 @@
 #include "live_maps.h"
 
+#include "core/image/probe_picture.h"
+
 #include "core/base/error.h"
 #include "core/base/field_checks.h"
 #include "core/filter/source_file.h"
@@ -51,12 +53,13 @@ EnvironmentMap placeholderProbe()
 
 LiveMaps::ProbeKey LiveMaps::probeKey(const Scene& scene)
 {
-    ProbeKey key{.path = resolved(scene, scene.probe.source), .parameterization = scene.probe.parameterization};
-    if (!key.path.starts_with("builtin:")) {
-        std::error_code missing;
-        key.time = std::filesystem::last_write_time(key.path, missing);
-        key.size = std::filesystem::file_size(key.path, missing);
-    }
+    ProbeKey key{.path = resolved(scene, scene.probe.source), .reading = scene.probe.reading};
+    if (!key.path.starts_with("builtin:"))
+        for (const std::filesystem::path& file : probeFiles(key.path)) {
+            std::error_code missing;
+            key.time = std::max(key.time, std::filesystem::last_write_time(file, missing));
+            key.size += std::filesystem::file_size(file, missing);
+        }
     return key;
 }
 
@@ -95,7 +98,7 @@ void LiveMaps::readWhole(const Scene& scene, const JobControl& job, WorkRecord& 
         return;
     try {
         Probe probe = probeFile(scene).read(job);
-        record += {.stages = std::move(probe.stages)};
+        record += {.stages = std::move(probe.stages), .notes = std::move(probe.notes)};
         keepProbe(std::move(probe.map));
         m_probe.repaired = probe.repaired;
         m_probe.origin = std::move(probe.origin);

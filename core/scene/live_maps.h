@@ -39,7 +39,7 @@ private:
     /// What a probe was read from. A file is told by its time and size, too.
     struct ProbeKey {
         std::string path{};
-        std::optional<Parameterization> parameterization{};
+        ProbeReading reading{};
         std::filesystem::file_time_type time{};
         std::uintmax_t size = 0;
         bool operator==(const ProbeKey&) const = default;

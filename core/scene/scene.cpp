@@ -82,6 +82,8 @@ void checkExports(const std::vector<ExportTarget>& exports)
         const std::string path = "exports[" + std::to_string(i) + "]";
         if (target.kind == ExportKind::Painted)
             checkPainted(path, target);
+        else if (target.faceBorder() > target.size)
+            throw InvalidArgument(path + ".border: must be at most the size for a cube; it is " + std::to_string(target.border));
         else
             checkBorder(path, target.layout());
         if (!isPlainName(target.name, ""))

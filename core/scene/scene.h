@@ -4,6 +4,7 @@
 #include "core/filter/lobe.h"
 #include "core/filter/method.h"
 #include "core/image/color.h"
+#include "core/image/probe_reading.h"
 #include "core/shading/fresnel.h"
 #include "core/sphere/parameterization.h"
 #include "core/spheremap/document/embedded_sphere_map.h"
@@ -51,19 +52,19 @@ std::span<const std::string_view> words(ToneCurve);        // none reinhard film
 /// Where the light comes from.
 struct ProbeSettings {
     std::string source = "builtin:studio";
-    std::optional<Parameterization> parameterization{}; ///< empty: found out from the file
     double yawDeg = 0.0;
     double exposure = 0.0;
+    ProbeReading reading{};
     UnknownKeys unknown{};
 
     bool operator==(const ProbeSettings&) const = default;
     template <typename Self, typename Visit>
     static void visitFields(Self& self, Visit&& visit)
     {
-        visit(Field{"source", "image file, or builtin:NAME"}, self.source);
-        visit(Field{"parameterization", "how the file shows the sphere; auto: found out from the file"}, self.parameterization);
+        visit(Field{"source", "image file, six or two with a %s, or builtin:NAME"}, self.source);
         visit(Field{"yaw", "turns the environment about +Y, counterclockwise seen from above", -36000, 36000, "degrees"}, self.yawDeg);
         visit(Field{"exposure", "brightness of the light: radiance times 2^exposure", -64, 64, "EV"}, self.exposure);
+        ProbeReading::visitFields(self.reading, visit);
     }
 };
 
@@ -178,6 +179,7 @@ struct FleckSettings {
 struct SphereMapSettings {
     std::string source{};
     EmbeddedSphereMap document{};
+    Fit fit = Fit::None;
     SphereMapUse use = SphereMapUse::Replace;
     double opacity = 1.0;
     glm::dvec3 color{0.8};
@@ -195,6 +197,7 @@ struct SphereMapSettings {
     {
         visit(Field{"source", "painted sphere map: a .spheremap file, a picture of one, or a preset; empty: none"}, self.source);
         visit(Field{"document", "a sphere map that is part of the scene, in place of the source; null: none"}, self.document);
+        visit(Field{"fit", "a picture of one that is not square: stretched, padded, or cropped about its middle; none: refused"}, self.fit);
         visit(Field{"use", "replace: shown alone, over the colour below; multiply: times that colour; over: over the reflecting material; "
                            "tint: times the reflecting material; add: its light added to the reflecting material"},
               self.use);
@@ -382,8 +385,10 @@ struct ExportTarget {
               self.kind);
         visit(Field{"parameterization", "kind of the map; painted: always a sphere map's disc"}, self.parameterization);
         visit(Field{"size", "edge of a face, disc or octahedron, or height of a latlong", 1, 16384, "texels"}, self.size);
-        visit(Field{"border", "paraboloid: texels kept free outside each disc; painted: texels between the disc and the picture's edge", 0,
-                    4096, "texels"},
+        visit(Field{"border",
+                    "paraboloid: texels kept free outside each disc; cube: texels of its neighbours around each face; painted: "
+                    "texels between the disc and the picture's edge",
+                    0, 4096, "texels"},
               self.border);
         visit(
             Field{"file", "file name, whose extension is the format; empty: NAME.exr; %s in a cube's makes six files, %d one file a level"},
@@ -396,8 +401,11 @@ struct ExportTarget {
     /// Of the map; a painted picture's own border is no part of it.
     MapLayout layout() const
     {
-        return kind == ExportKind::Painted ? MapLayout{Parameterization::Sphere, size, 0} : MapLayout{parameterization, size, border};
+        return kind == ExportKind::Painted ? MapLayout{Parameterization::Sphere, size, 0}
+                                           : MapLayout{parameterization, size, parameterization == Parameterization::Cube ? 0 : border};
     }
+    /// Texels around each face of a cube's files.
+    int faceBorder() const { return kind != ExportKind::Painted && parameterization == Parameterization::Cube ? border : 0; }
     /// `file`, or NAME.exr where that is empty.
     std::string fileName() const { return file.empty() ? name + ".exr" : file; }
 };

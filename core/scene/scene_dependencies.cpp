@@ -33,7 +33,7 @@ MeasuredWork measurementOf(const Scene& scene)
 {
     return {.probe = scene.probe.source,
             .folder = scene.folder,
-            .from = scene.probe.parameterization,
+            .reading = scene.probe.reading,
             .target = scene.map.parameterization,
             .lobe = lobe(scene.material.specular)};
 }

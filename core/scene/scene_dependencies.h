@@ -16,7 +16,7 @@ Scene shownNow(Scene made, const Scene& now);
 struct MeasuredWork {
     std::string probe{};
     std::filesystem::path folder{};
-    std::optional<Parameterization> from{};
+    ProbeReading reading{};
     Parameterization target = Parameterization::Cube;
     Lobe lobe{};
     bool operator==(const MeasuredWork&) const = default;

@@ -54,6 +54,7 @@ WorkRecord& WorkRecord::operator+=(WorkRecord more)
     for (std::string& method : more.methods)
         if (std::find(methods.begin(), methods.end(), method) == methods.end())
             methods.push_back(std::move(method));
+    notes.insert(notes.end(), more.notes.begin(), more.notes.end());
     bandLimit = std::max(bandLimit, more.bandLimit);
     predictedError = std::max(predictedError, more.predictedError);
     return *this;
@@ -67,10 +68,7 @@ std::string WorkRecord::methodText() const
     return text;
 }
 
-ProbeFile openProbeFile(const Scene& scene)
-{
-    return ProbeFile(resolved(scene, scene.probe.source), {.from = scene.probe.parameterization});
-}
+ProbeFile openProbeFile(const Scene& scene) { return ProbeFile(resolved(scene, scene.probe.source), {.reading = scene.probe.reading}); }
 
 MapLayout probeLayout(const Scene& scene) { return openProbeFile(scene).layout(); }
 
@@ -99,13 +97,13 @@ SceneProbe openProbe(std::optional<ProbeFile> file, const Plan& plan, const JobC
         return {.source = std::move(opened.source),
                 .repaired = opened.repaired,
                 .origin = opened.origin,
-                .record = {.stages = std::move(opened.stages)}};
+                .record = {.stages = std::move(opened.stages), .notes = std::move(opened.notes)}};
     }
     Probe probe = file->read(job);
     return {.environment = std::make_shared<const EnvironmentMap>(std::move(probe.map)),
             .repaired = probe.repaired,
             .origin = std::move(probe.origin),
-            .record = {.stages = std::move(probe.stages)}};
+            .record = {.stages = std::move(probe.stages), .notes = std::move(probe.notes)}};
 }
 
 BuiltMap buildMap(const MapPlan& plan, SceneProbe& probe, double exposure, const JobControl& job)

@@ -30,6 +30,7 @@ struct WorkRecord {
     std::vector<std::string> methods{}; ///< those that ran, each once: "spectral"; "paint"; empty when nothing was filtered
     int bandLimit = 0;                  ///< the largest
     double predictedError = 0.0;        ///< the largest rel_rms
+    std::vector<std::string> notes{};   ///< what of the probe's file a user should know
 
     WorkRecord& operator+=(WorkRecord more);
     /// "spectral, direct"; empty as methods

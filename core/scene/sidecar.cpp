@@ -35,8 +35,11 @@ const char* axesText(Parameterization kind)
     return "";
 }
 
-std::string borderText(const MapLayout& layout)
+std::string borderText(const MapLayout& layout, int faceBorder)
 {
+    if (faceBorder > 0)
+        return std::to_string(faceBorder) +
+               " texels around each face, copied from the neighbouring faces, at corners from one that meets there";
     if (layout.kind == Parameterization::Paraboloid)
         return "discs inscribed, with " + std::to_string(layout.border) +
                " texels kept free around each; texels outside a disc continue the paraboloid";
@@ -163,8 +166,8 @@ std::string sidecar(const Scene& scene, const ExportPlan& planned, const std::ve
     json["size"] = layout.size;
     json["width"] = layout.width();
     json["height"] = layout.height();
-    json["border"] = layout.border;
-    json["border_rule"] = borderText(layout);
+    json["border"] = target.faceBorder() > 0 ? target.faceBorder() : layout.border;
+    json["border_rule"] = borderText(layout, target.faceBorder());
     json["handedness"] = "right";
     json["up"] = "+Y";
     json["axes"] = axesText(layout.kind);

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/field_checks.h"
 #include "core/image/image_io.h"
+#include "core/image/picture_fit.h"
 #include "core/spheremap/document/presets.h"
 #include "core/spheremap/document/sphere_map_file.h"
 #include "core/spheremap/evaluation/evaluate.h"
@@ -14,26 +15,17 @@ namespace mirrorball {
 
 namespace {
 
-Image withOpacity(const Image& rgb)
+/// Its alpha is opacity.
+SphereMapTexels readPicture(const std::string& path, Fit fit, const JobControl& job)
 {
-    Image rgba(rgb.width, rgb.height, 4);
-    for (size_t i = 0; i < rgba.texels.size() / 4; ++i) {
-        std::copy_n(&rgb.texels[3 * i], 3, &rgba.texels[4 * i]);
-        rgba.texels[4 * i + 3] = 1.0f;
-    }
-    return rgba;
-}
-
-SphereMapTexels readPicture(const std::string& path, const JobControl& job)
-{
-    const auto reader = openImage(path);
+    const auto reader = openImage(path, {}, Channels::ColorAndOpacity);
     const ImageFileInfo& info = reader->info();
-    if (info.width != info.height || info.width > largestSphereMap)
+    const bool isSquare = info.width == info.height;
+    if ((!isSquare && fit == Fit::None) || squareSize(info.width, info.height, fit) > largestSphereMap)
         throw FileError(path, "is no picture of a sphere map, which is square and has at most " + std::to_string(largestSphereMap) +
-                                  " texels an edge; crop it or make a .spheremap of it");
-    Image rgb(info.width, info.height, 3);
-    reader->readRows(0, info.height, rgb.texels.data());
-    return {.levels = plainChain(withOpacity(rgb), job)};
+                                  " texels an edge; crop it, set material.sphere_map.fit to crop, or make a .spheremap of it");
+    Image rgba = readAll(*reader, job, Channels::ColorAndOpacity);
+    return {.levels = plainChain(isSquare ? std::move(rgba) : squared(rgba, fit, squareSize(info.width, info.height, fit), job), job)};
 }
 
 } // namespace
@@ -47,8 +39,10 @@ SphereMapDocument readSphereMapDocument(const Scene& scene, const std::string& f
 {
     if (isSphereMapFile(source)) {
         const std::string path = resolved(scene, source);
-        return isSphereMapPicture(source) ? SphereMapDocument{.layers = {{.content = ImageLayer{.source = path, .inset = 0.0}}}}
-                                          : loadSphereMap(path);
+        return isSphereMapPicture(source)
+                   ? SphereMapDocument{.layers = {{.content =
+                                                       ImageLayer{.source = path, .fit = scene.material.sphereMap.fit, .inset = 0.0}}}}
+                   : loadSphereMap(path);
     }
     if (const SphereMapPreset* preset = findSphereMapPreset(source))
         return preset->document;
@@ -77,7 +71,7 @@ SphereMapTexels readSphereMap(const Scene& scene, const std::string& field, cons
                               const JobControl& job)
 {
     if (isSphereMapPicture(source))
-        return readPicture(resolved(scene, source), job);
+        return readPicture(resolved(scene, source), scene.material.sphereMap.fit, job);
     return sphereMapTexels(readSphereMapDocument(scene, field, source), size, levels, job);
 }
 

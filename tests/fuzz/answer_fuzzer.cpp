@@ -9,7 +9,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
 {
     using namespace mirrorball;
     const std::string_view text(reinterpret_cast<const char*>(bytes), size);
-    openimageio::OpenedPicture picture;
+    ImageFileInfo picture;
     if (openimageio::fromWire(text, picture) && openimageio::toWire(picture).size() > size)
         __builtin_trap();
     preview::ImportedMesh mesh;

@@ -184,13 +184,39 @@ void ProbesPanelTest::offersAPictureOfEachGuess()
     }
     keepScreenshot(*shown.panel, QStringLiteral("probes-guess"));
     shown.panel->findChild<QToolButton*>(QStringLiteral("probes.guess.sphere"))->click();
-    QCOMPARE(shown.probe().parameterization, std::optional(Parameterization::Sphere));
+    QCOMPARE(shown.probe().reading.parameterization, std::optional(Parameterization::Sphere));
     QVERIFY(shown.settle());
     QCOMPARE(shown.panel->guesses().size(), 3); // the choice stays open
     QVERIFY(shown.panel->findChild<QToolButton*>(QStringLiteral("probes.guess.sphere"))->isChecked());
     QCOMPARE(shown.panel->findChild<QComboBox*>(QStringLiteral("probes.read_as"))->currentText(), QStringLiteral("Sphere"));
     shown.workspace.document.undoStack().undo();
-    QVERIFY(!shown.probe().parameterization);
+    QVERIFY(!shown.probe().reading.parameterization);
+}
+
+void ProbesPanelTest::offersAMirrorBallForAPhotograph()
+{
+    const TemporaryFolder folder;
+    Image photo(80, 60, 3, 0.02f);
+    for (int y = 0; y < 60; ++y)
+        for (int x = 0; x < 80; ++x)
+            if (std::hypot(x - 45.0, y - 31.0) < 22.0)
+                std::fill_n(photo.texel(x, y), 3, 0.8f);
+    writeImage(folder / "photo.png", photo);
+    ShownPanel shown({380, 760});
+    DropTarget target(*shown.panel, shown.workspace);
+    target.open({QString::fromStdString((folder / "photo.png").string())});
+    QTRY_VERIFY_WITH_TIMEOUT(shown.panel->findChild<QToolButton*>(QStringLiteral("probes.guess.ball")), patience);
+    QVERIFY(shown.settle());
+    auto* cross = shown.panel->findChild<QToolButton*>(QStringLiteral("probes.guess.cube"));
+    QVERIFY(cross && cross->isChecked()); // 4:3 is a cross' shape, too
+    shown.panel->findChild<QToolButton*>(QStringLiteral("probes.guess.ball"))->click();
+    QCOMPARE(shown.probe().reading.parameterization, std::optional(Parameterization::Sphere));
+    QVERIFY(shown.probe().reading.fit == Fit::Crop);
+    QVERIFY(shown.settle());
+    keepScreenshot(*shown.panel, QStringLiteral("probes-ball"));
+    QVERIFY(shown.panel->findChild<QToolButton*>(QStringLiteral("probes.guess.ball"))->isChecked());
+    shown.workspace.document.undoStack().undo();
+    QVERIFY(shown.probe().reading == ProbeReading{});
 }
 
 void ProbesPanelTest::namesWhatIsBroken()

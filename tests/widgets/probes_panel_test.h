@@ -17,6 +17,7 @@ private slots:
     void takesAFolderThatIsDroppedAndFollowsIt();
     void refusesOtherFilesInWords();
     void offersAPictureOfEachGuess();
+    void offersAMirrorBallForAPhotograph();
     void namesWhatIsBroken();
     void readsAProbeAgainThatChangedOnDisk();
     void keepsThumbnailsOnDisk();

@@ -72,7 +72,7 @@ bool DropTarget::openOne(const QString& path)
     m_workspace.library.addFile(source);
     m_workspace.document.edit(tr("Probe"), {}, [&](Scene& scene) {
         scene.probe.source = source.toStdString();
-        scene.probe.parameterization.reset();
+        scene.probe.reading = {};
     });
     return true;
 }

@@ -5,8 +5,10 @@
 
 #include <QCheckBox>
 #include <QColorDialog>
+#include <QCompleter>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QSignalBlocker>
@@ -112,6 +114,28 @@ void OptionsForm::addControl(const QString& path, const Field& field, const Fiel
     m_rows.push_back({control, std::move(show), style.isShown});
     if (style.isShown)
         m_layout->setRowVisible(control, style.isShown(m_document.scene()));
+}
+
+void OptionsForm::addText(const QString& path, const Field& field, const FieldStyle& style, const Access<std::string>& access)
+{
+    auto* control = new QLineEdit(this);
+    control->setPlaceholderText(tr("automatic"));
+    if (!style.suggestions.isEmpty()) {
+        auto* completer = new QCompleter(style.suggestions, control);
+        completer->setCaseSensitivity(Qt::CaseInsensitive);
+        control->setCompleter(completer);
+    }
+    const QString label = tr("Change %1").arg((style.label.isEmpty() ? labelText(field.name) : style.label).toLower());
+    connect(control, &QLineEdit::editingFinished, this, [this, control, access, label] {
+        const std::string text = control->text().trimmed().toStdString();
+        if (text != access.get(m_document.scene()))
+            m_document.edit(label, {}, [&](Scene& scene) { access.set(scene, text); });
+    });
+    addControl(path, field, style, control, [control, access](const Scene& scene) {
+        const QString text = QString::fromStdString(access.get(scene));
+        if (control->text() != text)
+            control->setText(text);
+    });
 }
 
 void OptionsForm::setReset(const QString& path, const FieldStyle& style, const Field& field, const std::function<void(Scene&)>& reset)

@@ -32,6 +32,7 @@ struct FieldStyle {
     std::function<bool(const Scene&)> isShown{}; ///< empty: always
     QVector<int> choices{};                      ///< whole numbers that a list offers
     bool isHidden = false;                       ///< no control at all
+    bool isText = false;                         ///< a text that is typed; others have controls made elsewhere
     QStringList suggestions{};                   ///< texts that are often wanted
     QStringList names{};                         ///< the texts that there are to choose from; empty: any
     QString fileFilter{};                        ///< a text that names a file: what its chooser shows; empty: no chooser
@@ -128,7 +129,10 @@ public:
                 addSwitch(fieldPath, field, style, access);
             else if constexpr (std::is_same_v<T, glm::dvec3>)
                 field.name == "color" ? addColor(fieldPath, field, style, access) : addVector(fieldPath, field, style, access);
-            else if constexpr (std::is_enum_v<T>)
+            else if constexpr (std::is_same_v<T, std::string>) {
+                if (style.isText)
+                    addText(fieldPath, field, style, access);
+            } else if constexpr (std::is_enum_v<T>)
                 addChoice(fieldPath, field, style, words(value),
                           {[access](const Scene& scene) { return static_cast<int>(access.get(scene)); },
                            [access](Scene& scene, const int& to) { access.set(scene, static_cast<T>(to)); }});
@@ -176,6 +180,7 @@ private:
     void addColor(const QString& path, const Field& field, const FieldStyle& style, const Access<glm::dvec3>& access);
     void addChoice(const QString& path, const Field& field, const FieldStyle& style, std::span<const std::string_view> names,
                    const Access<int>& access);
+    void addText(const QString& path, const Field& field, const FieldStyle& style, const Access<std::string>& access);
     void addVector(const QString& path, const Field& field, const FieldStyle& style, const Access<glm::dvec3>& access);
     /// What a double click on a field's label does.
     void setReset(const QString& path, const FieldStyle& style, const Field& field, const std::function<void(Scene&)>& reset);

@@ -7,6 +7,9 @@
 
 #include "core/base/error.h"
 #include "core/image/color.h"
+#include "core/image/color_space.h"
+#include "core/image/map_file.h"
+#include "core/image/reproject.h"
 
 #include <QDir>
 #include <QFileDialog>
@@ -25,6 +28,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 namespace mirrorball::studio {
 
@@ -96,6 +100,14 @@ public:
 private:
     const ProbeWatcher& m_watcher;
 };
+
+/// What of a reading the facts of a file depend on.
+ProbeReading withoutTurn(ProbeReading reading)
+{
+    reading.mirror = MirrorAxis::None;
+    reading.rotateDeg = glm::dvec3(0.0);
+    return reading;
+}
 
 QString rangeText(const ProbeStatistics& s)
 {
@@ -196,7 +208,11 @@ ProbesPanel::ProbesPanel(Workspace& workspace, QWidget* parent)
     });
     connect(&m_watcher, &ProbeWatcher::fileChanged, this, &ProbesPanel::survey);
     connect(&workspace.document, &Document::changed, this, [this](Parts parts) {
-        if (parts.testFlag(Part::Probe))
+        if (!parts.testFlag(Part::Probe))
+            return;
+        if (withoutTurn(m_workspace.document.scene().probe.reading) != m_reading)
+            survey();
+        else
             readScene();
     });
     connect(&m_survey, &JobRunner::failed, this, &ProbesPanel::showProblem);
@@ -303,11 +319,20 @@ QWidget* ProbesPanel::makeDetails()
     layout->addWidget(m_progress);
     auto* form = new OptionsForm(m_workspace.document);
     form->layout()->addRow(tr("Read as"), m_readAs);
+    QStringList colorSpaces;
+    for (const std::string& name : colorSpaceNames())
+        colorSpaces << QString::fromStdString(name);
     form->addFields("probe", [](auto& scene) -> auto& { return scene.probe; },
                     {{"source", {.isHidden = true}},
                      {"parameterization", {.isHidden = true}},
                      {"yaw", {.sliderLow = -180.0, .sliderHigh = 180.0, .step = 1.0}},
-                     {"exposure", {.sliderLow = -10.0, .sliderHigh = 10.0, .step = 0.25}}});
+                     {"exposure", {.sliderLow = -10.0, .sliderHigh = 10.0, .step = 0.25}},
+                     {"part", {.isText = true}},
+                     {"layer", {.isText = true}},
+                     {"color_space", {.isText = true, .suggestions = colorSpaces}},
+                     {"faces", {.isText = true}},
+                     {"horizontal_angle", {.step = 1.0}},
+                     {"vertical_angle", {.step = 1.0}}});
     layout->addWidget(form);
     layout->addStretch(1);
     return box;
@@ -359,7 +384,7 @@ void ProbesPanel::choose(const QModelIndex& index)
         return;
     m_workspace.document.edit(tr("Probe"), {}, [&](Scene& scene) {
         scene.probe.source = source.toStdString();
-        scene.probe.parameterization.reset();
+        scene.probe.reading = {};
     });
 }
 
@@ -380,34 +405,53 @@ void ProbesPanel::markChosen()
 
 void ProbesPanel::survey()
 {
+    m_reading = withoutTurn(m_workspace.document.scene().probe.reading);
     readScene();
     m_facts->setText(tr("Reading ..."));
     m_survey.start(
-        [source = m_watcher.source(), from = m_workspace.document.scene().probe.parameterization](const JobControl& job) {
+        [source = m_watcher.source(), reading = m_workspace.document.scene().probe.reading](const JobControl& job) {
             const bool isBuiltin = source.startsWith(QStringLiteral("builtin:"));
-            ProbeSurvey survey = surveyProbe(isBuiltin ? source.toStdString() : toPath(source).string(), {.height = 96, .from = from}, job);
-            std::vector<std::pair<Parameterization, QImage>> pictures;
+            ProbeSurvey survey =
+                surveyProbe(isBuiltin ? source.toStdString() : toPath(source).string(), {.height = 96, .reading = reading}, job);
+            std::vector<Guess> guesses;
             ReducedProbe& reduced = survey.reduced;
             // Whether the file alone says what it is: a choice that was made must stay open.
-            if (from && !isBuiltin)
+            if (reading.parameterization && !isBuiltin)
                 try {
                     reduced.detection.certain = detectLayout(reduced.info).certain;
                 } catch (const Error&) {
                     reduced.detection.certain = true;
                 }
-            if (!reduced.detection.certain)
-                for (const Parameterization kind : possibleKinds(reduced)) {
-                    const EnvironmentMap picture = thumbnailOf(reduced, 64, kind, job);
-                    const double exposure = survey.statistics.meanLuminance > 0.0 ? std::log2(0.25 / survey.statistics.meanLuminance) : 0.0;
-                    pictures.emplace_back(kind, toQImage(toDisplay(picture.image, std::clamp(exposure, -14.0, 14.0), ToneCurve::Filmic)));
-                }
-            std::sort(pictures.begin(), pictures.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-            return std::pair(std::move(survey), std::move(pictures));
+            if (!reduced.detection.certain) {
+                const double exposure = survey.statistics.meanLuminance > 0.0 ? std::log2(0.25 / survey.statistics.meanLuminance) : 0.0;
+                for (const Parameterization kind : possibleKinds(reduced))
+                    guesses.push_back(guessOf(reduced, exposure, {.parameterization = kind}, job));
+                if (reduced.info.sampleType.starts_with("uint"))
+                    guesses.push_back(guessOf(reduced, exposure, {.parameterization = Parameterization::Sphere, .fit = Fit::Crop}, job));
+            }
+            std::sort(guesses.begin(), guesses.end(),
+                      [](const Guess& a, const Guess& b) { return std::tie(a.fit, a.kind) < std::tie(b.fit, b.kind); });
+            return std::pair(std::move(survey), std::move(guesses));
         },
         [this](const auto& result) { showSurvey(result.first, result.second); });
 }
 
-void ProbesPanel::showSurvey(const ProbeSurvey& survey, const std::vector<std::pair<Parameterization, QImage>>& pictures)
+ProbesPanel::Guess ProbesPanel::guessOf(const ReducedProbe& probe, double exposure, const ProbeReading& reading, const JobControl& job)
+{
+    EnvironmentMap map;
+    if (reading.fit == Fit::Crop) {
+        ImageFileInfo small = probe.info;
+        small.width = probe.image.width;
+        small.height = probe.image.height;
+        map = reproject(toEnvironmentMap(probe.image, detectLayout(small, reading), job), {.target = {Parameterization::Latlong, 64, 0}},
+                        job);
+    } else {
+        map = thumbnailOf(probe, 64, reading.parameterization, job);
+    }
+    return {*reading.parameterization, reading.fit, toQImage(toDisplay(map.image, std::clamp(exposure, -14.0, 14.0), ToneCurve::Filmic))};
+}
+
+void ProbesPanel::showSurvey(const ProbeSurvey& survey, const std::vector<Guess>& guessed)
 {
     const ReducedProbe& probe = survey.reduced;
     const ProbeStatistics& s = survey.statistics;
@@ -421,6 +465,11 @@ void ProbesPanel::showSurvey(const ProbeSurvey& survey, const std::vector<std::p
         {tr("mean"), shortNumberText(s.meanLuminance)},
         {tr("sun"), tr("the brightest 0.01 % hold %1 % of the energy").arg(100.0 * s.sunShare, 0, 'f', 1)},
         {tr("texels"), toQString(describe(probe.repaired))}};
+    for (const Assumption& a : allAssumed(probe.info, probe.detection))
+        if (a.topic != "parameterization" && (a.certainty != Certainty::Certain || !a.others.empty()))
+            rows.push_back({toQString(a.topic), toQString(a.value)});
+    for (const std::string& note : allNotes(probe.info, probe.detection))
+        rows.push_back({tr("note"), toQString(note)});
     if (s.beyondHalf > 0)
         rows.push_back({tr("half float"), s.beyondHalf == 1 ? tr("1 value beyond 65504") : tr("%1 values beyond 65504").arg(s.beyondHalf)});
     m_facts->setText(table(rows));
@@ -428,30 +477,35 @@ void ProbesPanel::showSurvey(const ProbeSurvey& survey, const std::vector<std::p
                                      : tr("The shape fits several kinds. The right one has a level horizon and straight verticals:"));
     m_guessText->setVisible(!m_isCertain);
     qDeleteAll(m_guesses->findChildren<QToolButton*>());
-    for (const auto& [kind, picture] : pictures) {
+    for (const auto& [kind, fit, picture] : guessed) {
+        const bool isBall = fit == Fit::Crop;
+        const QString word = isBall ? tr("mirror ball") : fieldText(name(kind));
         auto* button = new QToolButton(m_guesses);
-        button->setObjectName(QStringLiteral("probes.guess.") + toQString(name(kind)));
+        button->setObjectName(QStringLiteral("probes.guess.") + (isBall ? QStringLiteral("ball") : toQString(name(kind))));
         button->setCheckable(true);
-        button->setText(fieldText(name(kind)));
-        button->setAccessibleName(tr("Read as %1").arg(fieldText(name(kind))));
-        button->setToolTip(tr("Reads the file as this kind of map"));
+        button->setText(word);
+        button->setAccessibleName(tr("Read as %1").arg(word));
+        button->setToolTip(isBall ? tr("Finds a mirror ball in the photograph and reads it as a sphere map")
+                                  : tr("Reads the file as this kind of map"));
         button->setIcon(QIcon(QPixmap::fromImage(picture)));
         button->setIconSize({80, 40});
         button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
         button->setFocusPolicy(Qt::StrongFocus);
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        connect(button, &QToolButton::clicked, this, [this, chosen = kind] { readAs(chosen); });
+        connect(button, &QToolButton::clicked, this, [this, chosen = kind, how = fit] { readAs(chosen, how); });
         m_guesses->layout()->addWidget(button);
     }
-    m_guesses->setVisible(!pictures.empty());
+    m_guesses->setVisible(!guessed.empty());
     readScene();
+    const bool isBall = probe.detection.arrangement == Arrangement::Ball;
     for (QToolButton* button : guesses())
-        button->setChecked(button->objectName().endsWith(QLatin1Char('.') + toQString(name(probe.detection.layout.kind))));
+        button->setChecked(
+            button->objectName().endsWith(u'.' + (isBall ? QStringLiteral("ball") : toQString(name(probe.detection.layout.kind)))));
 }
 
 void ProbesPanel::showProblem(const QString& message)
 {
-    m_kinds.clear();
+    m_kinds.assign(allParameterizations.begin(), allParameterizations.end()); // with a fit it may be any
     m_guessText->hide();
     m_guesses->hide();
     m_facts->setText(QStringLiteral("<span style='color:#e07a5f'>%1</span>").arg(message.toHtmlEscaped()));
@@ -460,10 +514,13 @@ void ProbesPanel::showProblem(const QString& message)
 
 QList<QToolButton*> ProbesPanel::guesses() const { return m_guesses->findChildren<QToolButton*>(); }
 
-void ProbesPanel::readAs(std::optional<Parameterization> kind)
+void ProbesPanel::readAs(std::optional<Parameterization> kind, std::optional<Fit> fit)
 {
-    m_workspace.document.edit(tr("Read probe as"), {}, [&](Scene& scene) { scene.probe.parameterization = kind; });
-    survey();
+    m_workspace.document.edit(tr("Read probe as"), {}, [&](Scene& scene) {
+        scene.probe.reading.parameterization = kind;
+        if (fit)
+            scene.probe.reading.fit = *fit;
+    });
 }
 
 void ProbesPanel::readScene()
@@ -472,7 +529,7 @@ void ProbesPanel::readScene()
     const bool isBuiltin = source.startsWith(QStringLiteral("builtin:"));
     m_name->setText(isBuiltin ? tr("%1 (built in)").arg(source.mid(8)) : QFileInfo(source).fileName());
     m_name->setToolTip(isBuiltin ? QString() : QDir::toNativeSeparators(source));
-    const auto& chosen = m_workspace.document.scene().probe.parameterization;
+    const auto& chosen = m_workspace.document.scene().probe.reading.parameterization;
     const QSignalBlocker blocker(m_readAs);
     m_readAs->clear();
     m_readAs->addItem(tr("Automatic"), -1);
@@ -483,9 +540,10 @@ void ProbesPanel::readScene()
         m_readAs->addItem(labelText(name(kind)), static_cast<int>(kind));
     m_readAs->setCurrentIndex(std::max(0, m_readAs->findData(chosen ? static_cast<int>(*chosen) : -1)));
     m_readAs->setEnabled(!isBuiltin && !kinds.empty());
+    const bool isBall = m_workspace.document.scene().probe.reading.fit == Fit::Crop;
     for (QToolButton* button : guesses())
         if (chosen)
-            button->setChecked(button->objectName().endsWith(QLatin1Char('.') + toQString(name(*chosen))));
+            button->setChecked(button->objectName().endsWith(u'.' + (isBall ? QStringLiteral("ball") : toQString(name(*chosen)))));
 }
 
 } // namespace mirrorball::studio

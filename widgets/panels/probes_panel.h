@@ -58,9 +58,16 @@ private:
     void markChosen();
     void showEmptiness();
     void survey();
-    void showSurvey(const ProbeSurvey& survey, const std::vector<std::pair<Parameterization, QImage>>& pictures);
+    /// What a file may be that does not say it.
+    struct Guess {
+        Parameterization kind;
+        Fit fit = Fit::None; ///< Crop: a mirror ball somewhere in a photograph
+        QImage picture{};
+    };
+    static Guess guessOf(const ReducedProbe& probe, double exposure, const ProbeReading& reading, const JobControl& job);
+    void showSurvey(const ProbeSurvey& survey, const std::vector<Guess>& guesses);
     void showProblem(const QString& message);
-    void readAs(std::optional<Parameterization> kind);
+    void readAs(std::optional<Parameterization> kind, std::optional<Fit> fit = {});
     void readScene();
 
     Workspace& m_workspace;
@@ -77,6 +84,7 @@ private:
     QProgressBar* m_progress;
     std::vector<Parameterization> m_kinds;
     bool m_isCertain = true;
+    ProbeReading m_reading{}; ///< what was surveyed, but for its turn
 };
 
 } // namespace mirrorball::studio

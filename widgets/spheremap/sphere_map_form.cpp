@@ -4,6 +4,8 @@
 #include "widgets/controls/form_labels.h"
 #include "widgets/controls/text.h"
 
+#include "core/scene/sphere_map_source.h"
+
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QSignalBlocker>
@@ -83,6 +85,8 @@ SphereMapForm::SphereMapForm(Workspace& workspace, QWidget* parent)
 {
     const std::string path = "material.sphere_map";
     addSource();
+    const auto isPicture = [](const Scene& scene) { return !isOwn(scene) && isSphereMapPicture(mapOf(scene).source); };
+    m_form->addFields(path, mapOf, onlyFields<SphereMapSettings>({{"fit", {.label = tr("Shape"), .isShown = isPicture}}}));
     m_form->addHeading(tr("Lookup"));
     addIndex();
     m_form->addFields(path, mapOf,

@@ -53,13 +53,13 @@ Image wholeImage(ImageReader& reader)
 ContainedTexture decodedByOpenImageIo(const std::filesystem::path& path)
 {
     ContainedTexture result{"dds", "compressed", {}};
-    const std::unique_ptr<ImageReader> first = openimageio::open(path, "DDS ", 0);
+    const std::unique_ptr<ImageReader> first = openimageio::open(path, "DDS ", {});
     const int width = first->info().width, height = first->info().height;
     const bool cube = 3 * width == 2 * height;
     result.texture.faces = cube ? 6 : 1;
     const int edge = cube ? width / 2 : width;
     for (int level = 0; level < std::max(1, first->info().levels) && std::max(1, edge >> level) >= 1; ++level) {
-        const std::unique_ptr<ImageReader> reader = level == 0 ? nullptr : openimageio::open(path, "DDS ", level);
+        const std::unique_ptr<ImageReader> reader = level == 0 ? nullptr : openimageio::open(path, "DDS ", {.level = level});
         ImageReader& source = reader ? *reader : *first;
         Image image = wholeImage(source);
         if (cube && 3 * image.width != 2 * image.height)
@@ -134,6 +134,14 @@ public:
             m_info.attributes["mirrorball:parameterization"] = "cube";
         if (areHalves(contained.texture))
             m_info.attributes["mirrorball:parameterization"] = "paraboloid";
+        assume(m_info.assumed, {"encoding", "linear, Rec.709 primaries", "texels of type " + m_info.sampleType, Certainty::Likely});
+        assume(m_info.assumed, contained.format == "env"
+                                   ? Assumption{"handedness", "mirrored and upside down faces, which is undone", "Babylon.js' loader"}
+                                   : Assumption{"handedness",
+                                                areHalves(contained.texture) ? "+X right in both halves" : "faces as OpenGL draws them",
+                                                "the format's definition; engines also store mirrored ones",
+                                                Certainty::Likely,
+                                                {"mirrored: --mirror x", "another order or turn: --faces"}});
     }
 
     const ImageFileInfo& info() const override { return m_info; }

@@ -9,11 +9,12 @@
 
 namespace mirrorball {
 
-/// An RGB picture of a disc, inscribed in its square, to be read at any size: its halvings are made once.
+/// An RGB picture of a disc, inscribed in its square, to be read at any size: its halvings are made once. With a fourth channel, opacity,
+/// its colours are multiplied by it.
 class DiscPicture {
 public:
     DiscPicture() = default;
-    explicit DiscPicture(Image rgb);
+    explicit DiscPicture(Image picture);
 
     /// The level to read where a texel of the map is `texel` radii wide.
     const Image& levelFor(double texel) const;
@@ -26,7 +27,8 @@ private:
     std::vector<Image> m_levels{};
 };
 
-/// Reads a run of texels off a picture: colours into r, g, b. The position is (x, y) times `scale`, turned by (cosine, sine).
+/// Reads a run of texels off a picture: colours into r, g, b, and where it has opacity that into a, the colours not multiplied by it. The
+/// position is (x, y) times `scale`, turned by (cosine, sine).
 struct DiscLookup {
     float scale = 1.0f; ///< below 1 keeps away from the picture's rim
     float cosine = 1.0f, sine = 0.0f;

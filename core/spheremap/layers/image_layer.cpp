@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/image/image_io.h"
+#include "core/image/picture_fit.h"
 #include "core/image/repair.h"
 #include "core/sphere/direction.h"
 
@@ -22,25 +23,40 @@ struct Passes {
     DiscPicture specular{};
 };
 
-Image checked(const std::string& path, Image image)
+/// An image without its fourth channel where that says nothing: it reads faster.
+Image withoutIdleOpacity(Image rgba)
 {
-    if (image.width != image.height)
-        throw FileError(path, "is " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-                                  " texels; the picture of a ball must be square, crop it to the ball");
-    repair(image, NegativePolicy::Clamp);
-    return image;
+    for (size_t i = 3; i < rgba.texels.size(); i += 4)
+        if (rgba.texels[i] < 1.0f)
+            return rgba;
+    Image rgb(rgba.width, rgba.height, 3);
+    for (size_t i = 0; i < rgb.texels.size() / 3; ++i)
+        std::copy_n(&rgba.texels[4 * i], 3, &rgb.texels[3 * i]);
+    return rgb;
 }
 
-Passes readPasses(const std::string& path)
+Image checked(const std::string& path, Fit fit, Image image)
+{
+    if (image.width != image.height && fit != Fit::None)
+        image = squared(image, fit, squareSize(image.width, image.height, fit));
+    if (image.width != image.height)
+        throw FileError(path, "is " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+                                  " texels; the picture of a ball must be square, crop it to the ball or set fit to crop");
+    repair(image, NegativePolicy::Clamp);
+    return withoutIdleOpacity(std::move(image));
+}
+
+Passes readPasses(const std::string& path, Fit fit)
 {
     Passes passes;
-    auto diffuse = readImagePass(path, "diffuse"), specular = readImagePass(path, "specular");
+    auto diffuse = readImagePass(path, "diffuse", Channels::ColorAndOpacity),
+         specular = readImagePass(path, "specular", Channels::ColorAndOpacity);
     if (!diffuse && !specular)
-        diffuse = readImage(path);
+        diffuse = readImage(path, ProbeReading{}, Channels::ColorAndOpacity);
     if (diffuse)
-        passes.diffuse = DiscPicture(checked(path, std::move(*diffuse)));
+        passes.diffuse = DiscPicture(checked(path, fit, std::move(*diffuse)));
     if (specular)
-        passes.specular = DiscPicture(checked(path, std::move(*specular)));
+        passes.specular = DiscPicture(checked(path, fit, std::move(*specular)));
     return passes;
 }
 
@@ -65,11 +81,12 @@ SpanGenerator prepare(const ImageLayer& layer, const Level& level)
     if (layer.source.empty())
         throw InvalidArgument("source: must be an image file; it is empty");
     const std::string path = assetPath(level, layer.source);
-    const auto passes = level.assets->get<Passes>("image|" + assetKey(path), [&] {
-        Passes read = readPasses(path);
-        const size_t bytes = read.diffuse.bytes() + read.specular.bytes();
-        return SphereMapAssets::Made<Passes>{std::move(read), bytes};
-    });
+    const auto passes =
+        level.assets->get<Passes>("image|" + std::string(words(layer.fit)[static_cast<size_t>(layer.fit)]) + "|" + assetKey(path), [&] {
+            Passes read = readPasses(path, layer.fit);
+            const size_t bytes = read.diffuse.bytes() + read.specular.bytes();
+            return SphereMapAssets::Made<Passes>{std::move(read), bytes};
+        });
     const double turn = layer.turnDeg * pi / 180.0;
     const DiscLookup lookup{static_cast<float>(1.0 - layer.inset), static_cast<float>(std::cos(turn)), static_cast<float>(std::sin(turn))};
     const glm::vec3 tint(layer.tint * std::exp2(layer.exposure));

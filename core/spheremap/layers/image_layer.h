@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/image/probe_reading.h"
 #include "core/spheremap/document/layer_kind.h"
 #include "core/spheremap/math/level.h"
 #include "core/spheremap/math/span.h"
@@ -15,7 +16,7 @@ namespace mirrorball {
 enum class ImagePass { All, Diffuse, Specular };
 std::span<const std::string_view> words(ImagePass); // all diffuse specular
 
-/// A picture of a ball from a file: any matcap. Shows tint * diffuse + specular.
+/// A picture of a ball from a file: any matcap. Shows tint * diffuse + specular. Its alpha is opacity.
 struct ImageLayer {
     static constexpr LayerKind kind{"image", "Image", "a picture of a ball from a file, such as a matcap"};
     std::string source{};
@@ -24,6 +25,7 @@ struct ImageLayer {
     double exposure = 0.0;
     double turnDeg = 0.0;
     bool flip = false;
+    Fit fit = Fit::None;
     double inset = 0.01;
     UnknownKeys unknown{};
 
@@ -37,11 +39,12 @@ struct ImageLayer {
         visit(Field{"exposure", "brightness: times 2^exposure", -64, 64, "EV"}, self.exposure);
         visit(Field{"turn", "counterclockwise", -360, 360, "degrees"}, self.turnDeg);
         visit(Field{"flip", "exchanges left and right"}, self.flip);
+        visit(Field{"fit", "a picture that is not square: stretched, padded, or cropped about its middle; none: refused"}, self.fit);
         visit(Field{"inset", "how much of the picture's rim is cut away, where it is cut out badly", 0, 0.5, "disc radii"}, self.inset);
     }
 };
 
-/// @throws FileError for a file that is missing, damaged or not square
+/// @throws FileError for a file that is missing, damaged, or not square where layer.fit is none
 SpanGenerator prepare(const ImageLayer& layer, const Level& level);
 
 /// A path of a document as it can be opened: relative ones start at the level's folder; "builtin:NAME" and absolute ones stay.

@@ -1,6 +1,8 @@
 #include "core/image/repair.h"
 
+#include "core/base/error.h"
 #include "core/image/image_io.h"
+#include "core/image/repaired_reader.h"
 #include "support/shared_data.h"
 
 #include <gtest/gtest.h>
@@ -36,6 +38,25 @@ std::vector<float> repaired(const std::vector<float>& values, NegativePolicy pol
     repair(image, policy);
     return red(image);
 }
+
+/// An image as a stream.
+class HeldRows final : public ImageReader {
+public:
+    explicit HeldRows(const Image& image) : m_image(image)
+    {
+        m_info.width = image.width;
+        m_info.height = image.height;
+    }
+    const ImageFileInfo& info() const override { return m_info; }
+    void readRows(int firstRow, int rows, float* texels) override
+    {
+        std::copy_n(m_image.row(firstRow), static_cast<size_t>(rows * m_image.width) * 3, texels);
+    }
+
+private:
+    Image m_image;
+    ImageFileInfo m_info{};
+};
 
 TEST(Repair, LeavesASoundImageAlone)
 {
@@ -102,16 +123,41 @@ TEST(Repair, OfBlocksOfRowsEqualsRepairOfTheWhole)
         const size_t hash = i * 2654435761u >> 7;
         whole.texels[i] = hash % 11 == 0 ? nan : hash % 13 == 0 ? inf : hash % 17 == 0 ? -inf : static_cast<float>(hash % 19) - 3.0f;
     }
-    Image blocks = whole;
+    // Rows without a value: of all channels at both ends and in the middle, and of one channel.
+    for (const int y : {0, 1, 12, 13, 14, 39})
+        std::fill_n(whole.row(y), 64 * 3, nan);
+    for (int x = 0; x < 64; ++x)
+        whole.texel(x, 20)[1] = whole.texel(x, 15)[2] = x % 2 ? nan : inf;
+    const Image blocks = whole;
     const RepairReport atOnce = repair(whole, NegativePolicy::Keep);
-    RepairReport merged;
-    for (int y = 0; y < blocks.height;) {
-        const int rows = std::min(1 + y % 7, blocks.height - y);
-        merged += repairRows(blocks.row(y), blocks.width, rows, NegativePolicy::Keep);
-        y += rows;
+    for (const int block : {1, 2, 7, 40}) {
+        RepairedReader stream(std::make_unique<HeldRows>(blocks), NegativePolicy::Keep);
+        Image streamed(whole.width, whole.height, 3);
+        for (int y = 0; y < whole.height; y += block)
+            stream.readRows(y, std::min(block, whole.height - y), streamed.row(y));
+        EXPECT_EQ(stream.report(), atOnce) << block;
+        EXPECT_EQ(streamed, whole) << block;
     }
-    EXPECT_EQ(merged, atOnce);
-    EXPECT_EQ(blocks, whole);
+}
+
+TEST(Repair, FillsRowsWithoutAValueBetweenTheirNeighbours)
+{
+    Image image(2, 6, 3, nan);
+    for (int x = 0; x < 2; ++x)
+        for (int c = 0; c < 3; ++c) {
+            image.texel(x, 1)[c] = 1.0f;
+            image.texel(x, 4)[c] = 4.0f;
+        }
+    EXPECT_EQ(repair(image, NegativePolicy::Keep).filledRows, 4 * 3);
+    for (int y = 0; y < 6; ++y)
+        EXPECT_EQ(image.texel(1, y)[2], std::vector<float>({1, 1, 2, 3, 4, 4})[static_cast<size_t>(y)]) << y;
+}
+
+TEST(Repair, RefusesAStreamWithoutAFiniteValue)
+{
+    RepairedReader stream(std::make_unique<HeldRows>(Image(4, 2, 3, inf)), NegativePolicy::Keep);
+    Image read(4, 2, 3);
+    EXPECT_THROW(stream.readRows(0, 2, read.row(0)), FileError);
 }
 
 TEST(Repair, DescribesWhatItFoundInOneLine)

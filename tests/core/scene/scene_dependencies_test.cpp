@@ -18,7 +18,6 @@ enum class Touches { Nothing, Maps, MapsAndMeasurement };
 const std::map<std::string, Touches> classes = [] {
     using enum Touches;
     std::map<std::string, Touches> all{{"probe.source", MapsAndMeasurement},
-                                       {"probe.parameterization", MapsAndMeasurement},
                                        {"probe.yaw", Nothing}, // in world space
                                        {"map.parameterization", MapsAndMeasurement},
                                        {"material.specular.lobe", MapsAndMeasurement},
@@ -49,6 +48,7 @@ const std::map<std::string, Touches> classes = [] {
                               "material.lambda_grazing",
                               "material.lod_bias",
                               "material.sphere_map.source",
+                              "material.sphere_map.fit",
                               "material.sphere_map.use",
                               "material.sphere_map.opacity",
                               "material.sphere_map.color",
@@ -81,6 +81,9 @@ const std::map<std::string, Touches> classes = [] {
                               "view.width",
                               "view.height"})
         all.emplace(field, Maps);
+    ProbeReading reading;
+    ProbeReading::visitFields(reading,
+                              [&](const Field& field, auto&) { all.emplace("probe." + std::string(field.name), MapsAndMeasurement); });
     ParaboloidKnobs knobs;
     ParaboloidKnobs::visitFields(knobs, [&](const Field& field, auto&) { all.emplace("filter." + std::string(field.name), Maps); });
     return all;
