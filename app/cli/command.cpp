@@ -38,7 +38,11 @@ void writeStats(const std::filesystem::path& path, const Stats& stats)
     const nlohmann::json record{{"stages", stages},
                                 {"method", stats.method},
                                 {"band_limit", stats.bandLimit},
-                                {"predicted_error", stats.predictedError},
+                                {"predicted_error", stats.predicted.relRms},
+                                {"predicted_rel_rms", stats.predicted.relRms},
+                                {"predicted_median_rel", stats.predicted.medianRel},
+                                {"predicted_p99_rel", stats.predicted.p99Rel},
+                                {"promised", stats.promised},
                                 {"threads", stats.threads},
                                 {"peak_bytes", static_cast<std::int64_t>(usage.ru_maxrss) * 1024}};
     const std::string text = record.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";

@@ -2,6 +2,7 @@
 
 #include "core/base/job.h"
 #include "core/base/stage.h"
+#include "core/filter/promise.h"
 #include "core/sphere/parameterization.h"
 
 #include <CLI/CLI.hpp>
@@ -29,12 +30,13 @@ Parameterization parseKind(const std::string& option, const std::string& word);
 inline double radians(double degrees) { return degrees * pi / 180.0; }
 
 /// The record that `--stats FILE` writes: {"stages":[{"name","seconds","left_out","why"}], "method", "band_limit", "predicted_error",
-/// "threads", "peak_bytes"}, as in DESIGN 6.
+/// "predicted_rel_rms", "predicted_median_rel", "predicted_p99_rel", "promised", "threads", "peak_bytes"}, as in DESIGN 6.
 struct Stats {
     std::vector<Stage> stages{};
     std::string method{};
     int bandLimit = 0;
-    double predictedError = 0.0;
+    PredictedErrors predicted{}; ///< the largest of each over all maps that were filtered
+    bool promised = true;        ///< all of them keep the tolerance
     int threads = 1;
 };
 /// Writes it as JSON, whole or not at all.

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <map>
 #include <memory>
 #include <sstream>
@@ -25,7 +26,7 @@ struct Options {
     std::map<std::string, std::string> paraboloid; ///< by option, as typed
     int size = 0, border = 0, threads = 0;
     double yawDeg = 0.0, tolerance = 1e-5;
-    bool mips = false, half = false, explain = false;
+    bool toleranceGiven = false, mips = false, half = false, explain = false;
 };
 
 void refuse(bool given, const std::string& option, const std::string& because)
@@ -145,6 +146,8 @@ std::vector<PrefilterOptions> parseJobs(const Options& o)
     for (const auto& [option, value] : o.paraboloid)
         refuse(!value.empty() && *method != Method::Paraboloid, option, "belongs to --method paraboloid, not to '" + o.method + "'");
     ParaboloidKnobs::visitFields(knobs.paraboloid, KnobParser{o.paraboloid});
+    refuse(o.toleranceGiven && !keepsTolerance(*method), "--tolerance",
+           "'" + o.method + "' promises none; leave it out, or take auto, spectral, direct, hierarchical or reference");
     if (!(o.tolerance > 0.0 && o.tolerance <= 1.0))
         throw InvalidArgument("--tolerance: must lie in (0, 1]");
     const MapLayout base{.kind = parseKind("--to", o.to), .size = o.size, .border = o.border};
@@ -162,6 +165,15 @@ std::vector<PrefilterOptions> parseJobs(const Options& o)
                         .knobs = knobs});
     }
     return jobs;
+}
+
+std::string notPromised(const PrefilterOptions& options, const PrefilterOutcome& outcome)
+{
+    std::ostringstream text;
+    text.precision(2);
+    text << "filter: " << describe(options.lobe) << " by '" << name(outcome.method) << "' is not promised; predicted are rel_rms "
+         << outcome.predictedError << ", median_rel " << outcome.predictedMedianRel << ", p99_rel " << outcome.predictedP99Rel;
+    return text.str();
 }
 
 std::string sizeText(const MapLayout& layout)
@@ -186,7 +198,7 @@ void run(const Options& o)
     if (o.explain) {
         std::vector<Stage> plan = stats.stages;
         for (const PrefilterOptions& options : jobs) {
-            const PrefilterPlan p = planPrefilter(options, traits(opened.source));
+            const PrefilterPlan p = settlePrefilter(opened.source, options, job);
             std::ostringstream why;
             why.precision(3);
             if (p.filtered)
@@ -194,7 +206,10 @@ void run(const Options& o)
             else
                 why << p.why;
             if (p.filtered && p.method == Method::Spectral)
-                why << "; band limit " << p.bandLimit << " at most";
+                why << "; band limit " << p.bandLimit;
+            if (p.filtered)
+                why << (p.promised ? "; promised: " : "; not promised: ") << "rel_rms " << p.predictedError << ", median_rel "
+                    << p.predictedMedianRel << ", p99_rel " << p.predictedP99Rel << " predicted";
             plan.push_back({.name = "filter " + describe(options.lobe),
                             .leftOut = !p.filtered,
                             .why = why.str(),
@@ -214,10 +229,14 @@ void run(const Options& o)
             stage.name += jobs.size() > 1 ? " " + describe(options.lobe) : "";
             stats.stages.push_back(std::move(stage));
         }
-        if (outcome.filtered)
+        if (outcome.filtered) {
             stats.method = name(outcome.method);
+            stats.promised = stats.promised && outcome.promised;
+            if (!outcome.promised)
+                std::cerr << notPromised(options, outcome) << '\n';
+        }
         stats.bandLimit = std::max(stats.bandLimit, outcome.bandLimit);
-        stats.predictedError = std::max(stats.predictedError, outcome.predictedError);
+        stats.predicted = largest(stats.predicted, {outcome.predictedError, outcome.predictedMedianRel, outcome.predictedP99Rel});
         maps.push_back(std::move(outcome.map));
         roughnesses += (roughnesses.empty() ? "" : " ") + describe(options.lobe);
     }
@@ -251,7 +270,9 @@ void addFilterCommand(CLI::App& program)
     command->add_flag("--mips", o->mips,
                       "every mip level, down to one texel; ggx without a roughness makes the chain of roughness 0 to 1 from base to top");
     command->add_option("--method", o->method, "auto, reference, spectral, direct, hierarchical, importance, paraboloid, mip or sh9");
-    command->add_option("--tolerance", o->tolerance, "largest rel_rms error against the reference sum, in (0, 1]");
+    CLI::Option* tolerance = command->add_option(
+        "--tolerance", o->tolerance,
+        "what is promised, in (0, 1]: rel_rms and median_rel against the reference sum, five times it for p99_rel, and no negative light");
     command->add_option("--samples", o->samples, "importance: samples of the lobe a texel (1024)");
     command->add_option("--lambda", o->lambda, "mip: least level of detail of the environment; without it matched to the lobe by width");
     command->add_option("--mip-filtering", o->mipFiltering, "mip: across-seams, or per-face as the hardware of 2002 did");
@@ -263,7 +284,10 @@ void addFilterCommand(CLI::App& program)
     command->add_flag("--half", o->half, "16-bit floats (.exr, .tif)");
     command->add_flag("--explain", o->explain, "print what is done, what is left out, and why; then do it");
     command->add_option("--stats", o->stats, "write times, method and predicted error to this JSON file");
-    command->callback([o] { run(*o); });
+    command->callback([o, tolerance] {
+        o->toleranceGiven = tolerance->count() > 0;
+        run(*o);
+    });
 }
 
 } // namespace mirrorball::cli

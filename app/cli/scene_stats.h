@@ -12,7 +12,8 @@ inline Stats sceneStats(const Plan& plan, const WorkRecord& record, int threads)
     Stats stats{.stages = record.stages,
                 .method = record.method.empty() ? "lookup" : record.method,
                 .bandLimit = record.bandLimit,
-                .predictedError = record.predictedError,
+                .predicted = record.predicted,
+                .promised = record.promised,
                 .threads = threads};
     for (const Stage& stage : plan.stages)
         if (stage.leftOut)

@@ -102,19 +102,27 @@ int RingGrid::ringsFor(const std::vector<double>& share, double tolerance)
             return rings;
 }
 
+int RingGrid::leastRings(int bandLimit) { return goodRings(bandLimit + 1); }
+
+double RingGrid::leakage(int degree, int rings)
+{
+    // The strongest alias of a frequency x (in samples) that a spline of degree 5 lets through, (x/(1-x))^6; one from either side, along
+    // the azimuth and along the meridian.
+    const double x = static_cast<double>(degree) / (2.0 * rings), alias = x / (1.0 - x);
+    const double alias4 = alias * alias * alias * alias;
+    return 4.0 * alias4 * alias4 * alias4;
+}
+
 double RingGrid::interpolationError(const std::vector<double>& share, int rings)
 {
     double lost = 0.0;
-    for (size_t l = 0; l < share.size(); ++l) {
-        // The strongest alias of a frequency x (in samples) that a spline of degree 5 lets through, (x/(1-x))^6; one from either
-        // side, along the azimuth and along the meridian.
-        const double x = static_cast<double>(l) / (2.0 * rings);
-        lost += 4.0 * std::pow(x / (1.0 - x), 12) * share[l];
-    }
+    for (size_t l = 0; l < share.size(); ++l)
+        lost += leakage(static_cast<int>(l), rings) * share[l];
     return std::sqrt(lost);
 }
 
-RingGrid::RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int rings, double yaw, const JobControl& job)
+RingGrid::RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int rings, double yaw, const JobControl& job,
+                   const std::vector<double>& longer)
     : m_rings(rings), m_stride(2 * rings + haloBefore + haloAfter)
 {
     const int samples = 2 * rings;
@@ -127,7 +135,20 @@ RingGrid::RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int r
         // Azimuth runs against longitude, so turning the map by +yaw is a shift by -yaw along it.
         azimuth[i] = std::polar(120.0 / (66.0 + 52.0 * std::cos(w) + 2.0 * std::cos(2.0 * w)), m * yaw);
     }
-    const FilteredRings filtered = synthesise(spectrum, k, theta, samples, 0.0, azimuth, job);
+    FilteredRings filtered = synthesise(spectrum, k, theta, samples, 0.0, azimuth, job);
+    m_mean = filtered.mean;
+    // The zonal norm has its own line of samples: it repeats with the probe's rows, which may be finer than the rings.
+    const std::vector<double>& factors = longer.empty() ? k : longer;
+    std::vector<double> zonal = zonalNorm(spectrum, k, theta);
+    for (size_t i = 0; i < filtered.norm.size(); ++i)
+        filtered.norm[i] -= zonal[i / static_cast<size_t>(samples)];
+    const size_t places = 16 * static_cast<size_t>(zonalNormLimit(spectrum, factors)) + 64; // so dense that lines between them do
+    std::vector<double> line; // the northern half; the southern is its mirror image
+    for (size_t i = 0; 2 * i <= places; ++i)
+        line.push_back(pi * static_cast<double>(i) / static_cast<double>(places));
+    line = zonalNorm(spectrum, factors, line);
+    for (size_t i = 0; i <= places; ++i)
+        m_zonal.push_back(static_cast<float>(line[std::min(i, places - i)] - 1.0));
 
     m_texels.resize(4 * static_cast<size_t>(rings + haloBefore + haloAfter) * static_cast<size_t>(m_stride));
     const auto at = [&](int row, int x) {
@@ -197,6 +218,14 @@ MIRRORBALL_CLONES // the loop over taps is the hot one of every export
 void RingGrid::read(std::span<const SpherePoint> points, float* rgbn) const
 {
     interpolate(m_texels.data(), m_stride, m_rings / pi, points, rgbn);
+    const auto last = static_cast<double>(m_zonal.size() - 1);
+    for (const SpherePoint& p : points) {
+        const double at = std::clamp(p.colatitude / pi * last, 0.0, last);
+        const auto i = std::min(static_cast<size_t>(at), m_zonal.size() - 2);
+        const auto f = static_cast<float>(at - static_cast<double>(i));
+        rgbn[3] += (1.0f - f) * m_zonal[i] + f * m_zonal[i + 1];
+        rgbn += 4;
+    }
 }
 
 std::vector<SpherePoint> spherePoints(const MapLayout& layout, const JobControl& job)

@@ -27,19 +27,30 @@ public:
     /// (0 .. band limit); at least one more than the band limit, a length FFTs like.
     static int ringsFor(const std::vector<double>& share, double tolerance);
 
+    /// Share of a degree's power that the interpolation gets wrong, at most.
+    static double leakage(int degree, int rings);
+    /// Rings that hold a function of this band limit, a length FFTs like: at least one more than it.
+    static int leastRings(int bandLimit);
+
     /// That error for a number of rings, at most.
     static double interpolationError(const std::vector<double>& share, int rings);
 
     /// @param yaw radians, as yawed(): the function is turned about +Y
-    RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int rings, double yaw, const JobControl& job = {});
+    /// @param longer  k followed further, for the norm; empty: k
+    RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int rings, double yaw, const JobControl& job = {},
+             const std::vector<double>& longer = {});
 
-    /// Numerators and norm (FilteredRings) at many places, 4 floats each.
+    /// FilteredRings::rgb and norm - 1 at many places, 4 floats each.
     void read(std::span<const SpherePoint> points, float* rgbn) const;
+    const glm::dvec3& mean() const { return m_mean; } ///< FilteredRings::mean
 
 private:
     int m_rings;
-    int m_stride;                ///< samples a row of m_texels, halo included
-    std::vector<float> m_texels; ///< spline coefficients of RGB and the norm, with a halo so that no tap needs wrapping
+    int m_stride; ///< samples a row of m_texels, halo included
+    std::vector<float>
+        m_texels;               ///< spline coefficients of RGB and what of the norm is not zonal, with a halo so that no tap needs wrapping
+    std::vector<float> m_zonal; ///< zonal norm - 1, from pole to pole
+    glm::dvec3 m_mean{0.0};
 };
 
 /// The places of a layout's texels on the sphere, row by row: worth keeping when several lobes are read off in the same layout.

@@ -77,7 +77,8 @@ void exportOne(const Scene& scene, const ExportPlan& planned, SceneProbe& probe,
     if (record.method.find(work.method) == std::string::npos)
         record.method += (record.method.empty() ? "" : ", ") + work.method;
     record.bandLimit = std::max(record.bandLimit, work.bandLimit);
-    record.predictedError = std::max(record.predictedError, work.predictedError);
+    record.predicted = largest(record.predicted, work.predicted);
+    record.promised = record.promised && work.promised;
 }
 
 } // namespace

@@ -48,7 +48,8 @@ void WorkRecord::add(const PrefilterOutcome& outcome)
     if (const std::string_view ran = name(outcome.method); method.find(ran) == std::string::npos)
         method += (method.empty() ? "" : ", ") + std::string(ran);
     bandLimit = std::max(bandLimit, outcome.bandLimit);
-    predictedError = std::max(predictedError, outcome.predictedError);
+    predicted = largest(predicted, {outcome.predictedError, outcome.predictedMedianRel, outcome.predictedP99Rel});
+    promised = promised && outcome.promised;
 }
 
 MapLayout probeLayout(const Scene& scene)

@@ -26,7 +26,8 @@ struct WorkRecord {
     std::vector<Stage> stages{};
     std::string method{};        ///< those that ran: "spectral, direct"; empty when nothing was filtered
     int bandLimit = 0;           ///< the largest
-    double predictedError = 0.0; ///< the largest rel_rms
+    PredictedErrors predicted{}; ///< the largest of each
+    bool promised = true;        ///< all maps that were filtered keep their tolerance
 
     void add(const PrefilterOutcome& outcome);
 };
