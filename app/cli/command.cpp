@@ -11,6 +11,9 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <functional>
+#include <iostream>
+#include <map>
 #include <memory>
 
 #include <sys/resource.h>
@@ -28,27 +31,98 @@ Parameterization parseKind(const std::string& option, const std::string& word)
     throw InvalidArgument(option + ": '" + word + "' is no parameterization; choose one of " + known);
 }
 
-void writeStats(const std::filesystem::path& path, const Stats& stats)
+namespace {
+
+std::string shown(double number)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.9g", number);
+    return text.data();
+}
+
+/// What `isRight` refuses is answered with what the number must be.
+CLI::Validator numbers(std::function<bool(double)> isRight, const std::string& must)
+{
+    return CLI::Validator(
+        [isRight = std::move(isRight), must](std::string& typed) {
+            double number = 0.0;
+            const bool isNumber = CLI::detail::lexical_cast(typed, number);
+            return isNumber && isRight(number) ? std::string() : "must be " + must + "; it is " + typed;
+        },
+        "");
+}
+
+} // namespace
+
+CLI::Validator within(double low, double high)
+{
+    return numbers([=](double n) { return n >= low && n <= high; }, "a number from " + shown(low) + " to " + shown(high));
+}
+
+CLI::Validator above(double low, double high)
+{
+    return numbers([=](double n) { return n > low && n <= high; }, "a number above " + shown(low) + " and up to " + shown(high));
+}
+
+CLI::Validator anAngle() { return within(-360000.0, 360000.0); }
+CLI::Validator aThreadCount() { return within(0, 1024); }
+CLI::Validator anEdge() { return within(1, 65536); }
+
+void refuseInfinities(CLI::App& program)
+{
+    for (CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
+        for (CLI::Option* option : command->get_options())
+            if (option->get_type_name().find("FLOAT") != std::string::npos)
+                option->check(numbers([](double n) { return std::isfinite(n); }, "a finite number"));
+}
+
+void checkOutputsDiffer(const std::vector<NamedOutput>& outputs)
+{
+    std::map<std::filesystem::path, std::string> seen;
+    for (const NamedOutput& output : outputs)
+        for (const std::filesystem::path& file : output.files) {
+            std::error_code ignored;
+            const auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(file), ignored);
+            const auto [first, isNew] = seen.emplace(place, output.option);
+            if (!isNew)
+                throw InvalidArgument(output.option + ": " + file.string() + " is " +
+                                      (first->second == output.option ? "named twice" : "what " + first->second + " writes, too") +
+                                      "; give each output a name of its own");
+        }
+}
+
+void writeStats(const std::filesystem::path& path, const std::vector<Stage>& plan, const WorkRecord& work, int threads)
 {
     nlohmann::json stages = nlohmann::json::array();
-    for (const Stage& stage : stats.stages)
+    const auto add = [&](const Stage& stage) {
         stages.push_back({{"name", stage.name}, {"seconds", stage.seconds}, {"left_out", stage.leftOut}, {"why", stage.why}});
+    };
+    std::for_each(work.stages.begin(), work.stages.end(), add);
+    for (const Stage& stage : plan)
+        if (stage.leftOut)
+            add(stage);
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     const nlohmann::json record{{"stages", stages},
-                                {"method", stats.method},
-                                {"band_limit", stats.bandLimit},
-                                {"predicted_error", stats.predicted.relRms},
-                                {"predicted_rel_rms", stats.predicted.relRms},
-                                {"predicted_median_rel", stats.predicted.medianRel},
-                                {"predicted_p99_rel", stats.predicted.p99Rel},
-                                {"promised", stats.promised},
-                                {"threads", stats.threads},
+                                {"method", work.methods.empty() ? "lookup" : work.methodText()},
+                                {"band_limit", work.bandLimit},
+                                {"predicted_error", work.predicted.relRms},
+                                {"predicted_rel_rms", work.predicted.relRms},
+                                {"predicted_median_rel", work.predicted.medianRel},
+                                {"predicted_p99_rel", work.predicted.p99Rel},
+                                {"promised", work.unpromised.empty()},
+                                {"threads", threads},
                                 {"peak_bytes", static_cast<std::int64_t>(usage.ru_maxrss) * 1024}};
     const std::string text = record.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
     AtomicFile file(path);
     file.write(text.data(), text.size());
     file.commit();
+}
+
+void sayUnpromised(const std::string& command, const WorkRecord& record)
+{
+    for (const std::string& map : record.unpromised)
+        std::cerr << command << ": " << map << '\n';
 }
 
 namespace {

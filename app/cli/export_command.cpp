@@ -1,5 +1,4 @@
 #include "command.h"
-#include "scene_stats.h"
 
 #include "core/base/error.h"
 #include "core/scene/engine_scene_export.h"
@@ -7,6 +6,7 @@
 #include "core/scene/scene_file.h"
 #include "core/scene/scene_maps.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -37,27 +37,21 @@ Scene sceneOf(const Options& o)
     return scene;
 }
 
-/// The folder's own name where --name is left out, as cmgen names its files.
-std::string exportName(const Options& o)
-{
-    if (!o.name.empty())
-        return o.name;
-    const std::filesystem::path folder = std::filesystem::absolute(o.folder).lexically_normal();
-    std::string name = (folder.has_filename() ? folder : folder.parent_path()).filename().string();
-    for (char& c : name)
-        if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_')
-            c = '_';
-    return name.empty() || name.front() == '-' ? "light" : name.substr(0, 100);
-}
-
 EngineExportOptions engineOptions(const Options& o, const EngineProfile& profile)
 {
-    EngineExportOptions options{.size = o.size, .name = exportName(o), .compressKtx2 = o.zstd};
+    EngineExportOptions options{.size = o.size, .name = o.name.empty() ? engineExportName(o.folder) : o.name, .compressKtx2 = o.zstd};
     for (const std::string& word : o.encode) {
-        if (profile.word != "playcanvas" || (word != "rgbp" && word != "rgbm"))
+        if (profile.word == "playcanvas" && (word == "rgbp" || word == "rgbm")) {
+            options.atlas = word == "rgbm" ? PackedColor::Rgbm : PackedColor::Rgbp;
+            continue;
+        }
+        const auto formats = allTexelFormats();
+        const auto named = [&](TexelFormat format) { return traits(format).name == word; };
+        const auto found = std::find_if(formats.begin(), formats.end(), named);
+        if (profile.word != "bevy" || found == formats.end())
             throw InvalidArgument("--encode: '" + word + "' is none of " + std::string(profile.title) +
-                                  "; PlayCanvas' atlas takes rgbp or rgbm, other profiles have one encoding");
-        options.atlas = word == "rgbm" ? PackedColor::Rgbm : PackedColor::Rgbp;
+                                  "; PlayCanvas takes rgbp or rgbm, Bevy rgba16f, rgba32f, r11g11b10 or e5b9g9r9, others have one");
+        options.texels = *found;
     }
     return options;
 }
@@ -91,7 +85,7 @@ void runForEngine(const Options& o)
     for (const std::string& warning : done.warnings)
         std::fprintf(stderr, "mirrorball: note: %s\n", warning.c_str());
     if (!o.stats.empty())
-        writeStats(o.stats, {.stages = done.stages, .method = "auto", .threads = job.threadCount()});
+        writeStats(o.stats, {}, {.stages = done.stages, .methods = {"auto"}}, job.threadCount());
 }
 
 void run(const Options& o)
@@ -105,15 +99,16 @@ void run(const Options& o)
             "--size, --name, --probe, --yaw, --encode and --zstd: belong to --for ENGINE; a scene's exports say these themselves");
     const Scene scene = sceneOf(o);
     const JobControl job = jobWithProgress("export", o.threads);
-    const PlanRequest request{.picture = false, .exports = o.only};
-    const Plan plan = makePlan(scene, probeLayout(scene, request), request);
+    PlannedScene planned = planExports(scene, {.only = o.only});
+    const std::vector<Stage> plan = planned.plan.stages;
     if (o.explain)
-        printStages(plan.stages);
-    const ExportOutcome outcome = exportScene(scene, o.folder, {.only = o.only}, job);
+        printStages(plan);
+    const ExportOutcome outcome = exportPlanned(std::move(planned), o.folder, job);
+    sayUnpromised("export", outcome.record);
     for (const std::filesystem::path& file : outcome.files)
         std::printf("%s\n", file.string().c_str());
     if (!o.stats.empty())
-        writeStats(o.stats, sceneStats(plan, outcome.record, job.threadCount()));
+        writeStats(o.stats, plan, outcome.record, job.threadCount());
 }
 
 } // namespace
@@ -130,12 +125,14 @@ void addExportCommand(CLI::App& program)
         known += (known.empty() ? "" : ", ") + std::string(profile.word);
     command->add_option("--for", o->engine, "write the light as this engine takes it: " + known);
     command->add_option("--probe", o->probe, "with --for: a probe in place of a scene");
-    command->add_option("--size", o->size, "with --for: edge of the largest cube face, or height of the latlong, in texels");
+    command->add_option("--size", o->size, "with --for: edge of the largest cube face, or height of the latlong, in texels")
+        ->check(anEdge());
     command->add_option("--name", o->name, "with --for: names the files; the folder's name where it is left out");
-    command->add_option("--yaw", o->yawDeg, "with --for: turns the environment about +Y, counterclockwise from above, in degrees");
-    command->add_option("--encode", o->encode, "with --for playcanvas: rgbp or rgbm");
+    command->add_option("--yaw", o->yawDeg, "with --for: turns the environment about +Y, counterclockwise from above, in degrees")
+        ->check(anAngle());
+    command->add_option("--encode", o->encode, "with --for playcanvas: rgbp or rgbm; bevy: rgba16f, rgba32f, r11g11b10 or e5b9g9r9");
     command->add_flag("--zstd", o->zstd, "with --for: compress .ktx2 files with Zstandard");
-    command->add_option("--threads", o->threads, "threads; 0: one per core")->check(CLI::Range(0, 1024));
+    command->add_option("--threads", o->threads, "threads; 0: one per core")->check(aThreadCount());
     command->add_flag("--explain", o->explain, "print what is done, what is left out, and why; then do it");
     command->add_option("--stats", o->stats, "write times, method and predicted error to this JSON file");
     command->callback([o] { run(*o); });

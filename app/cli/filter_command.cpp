@@ -1,14 +1,16 @@
 #include "command.h"
+#include "engine_words.h"
+#include "filter_brdf.h"
 
 #include "core/base/error.h"
 #include "core/filter/source_file.h"
 #include "core/image/map_file.h"
 #include "core/image/mip_pyramid.h"
 #include "core/preview/paraboloid_blur.h"
+#include "core/scene/scene_maps.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <map>
 #include <memory>
 #include <sstream>
@@ -19,14 +21,17 @@ namespace mirrorball::cli {
 namespace {
 
 struct Options {
-    std::string probe, out, lobe, to, from, method = "auto", stats;
+    std::string probe, out, lobe, to, from, method = "auto", stats, law, engine, encode;
+    std::optional<int> levels;
     std::optional<double> exponent, roughness, alpha, lambda;
     std::optional<int> samples;
     std::optional<std::string> mipFiltering;
     std::map<std::string, std::string> paraboloid; ///< by option, as typed
     int size = 0, border = 0, threads = 0;
-    double yawDeg = 0.0, tolerance = 1e-5;
-    bool toleranceGiven = false, mips = false, half = false, explain = false;
+    double yawDeg = 0.0, azimuthDeg = 0.0;
+    std::optional<double> viewDeg, tolerance; ///< tolerance: 1e-5 of a lobe
+    std::string brdf{};
+    bool mips = false, half = false, explain = false;
 };
 
 void refuse(bool given, const std::string& option, const std::string& because)
@@ -125,6 +130,23 @@ struct KnobParser {
     }
 };
 
+/// How many levels are made: one, all of them (--mips), or as many as --levels says of a chain by --law.
+int chainLength(const Options& o, const MapLayout& base)
+{
+    refuse(o.levels && o.law.empty(), "--levels", "belongs to --law, whose chain it counts; give one, e.g. --law filament");
+    if (o.law.empty())
+        return o.mips ? levelCount(base) : 1;
+    refuse(!o.lobe.empty() && o.lobe != "ggx", "--lobe", "is ggx for every --law; leave it out");
+    refuse(o.roughness || o.alpha || o.exponent, "--law",
+           "says the roughness of every level; leave --roughness, --alpha and --exponent out");
+    parseLaw(o.law);
+    const int most = levelCount(base);
+    if (o.levels && (*o.levels < 2 || *o.levels > most))
+        throw InvalidArgument("--levels: a chain from " + std::to_string(base.size) + " texels has 2 to " + std::to_string(most) +
+                              " levels; it is " + std::to_string(*o.levels));
+    return o.levels.value_or(most);
+}
+
 /// One filter job a level.
 std::vector<PrefilterOptions> parseJobs(const Options& o)
 {
@@ -146,108 +168,100 @@ std::vector<PrefilterOptions> parseJobs(const Options& o)
     for (const auto& [option, value] : o.paraboloid)
         refuse(!value.empty() && *method != Method::Paraboloid, option, "belongs to --method paraboloid, not to '" + o.method + "'");
     ParaboloidKnobs::visitFields(knobs.paraboloid, KnobParser{o.paraboloid});
-    refuse(o.toleranceGiven && !keepsTolerance(*method), "--tolerance",
+    refuse(o.tolerance && !keepsTolerance(*method), "--tolerance",
            "'" + o.method + "' promises none; leave it out, or take auto, spectral, direct, hierarchical or reference");
-    if (!(o.tolerance > 0.0 && o.tolerance <= 1.0))
+    const double tolerance = o.tolerance.value_or(1e-5);
+    if (!(tolerance > 0.0 && tolerance <= 1.0))
         throw InvalidArgument("--tolerance: must lie in (0, 1]");
     const MapLayout base{.kind = parseKind("--to", o.to), .size = o.size, .border = o.border};
     validate(base);
-    const std::optional<Lobe> lobe = parseLobe(o);
-    const int levels = o.mips ? levelCount(base) : 1;
+    const std::optional<Lobe> lobe = o.law.empty() ? parseLobe(o) : std::nullopt;
+    const int levels = chainLength(o, base);
     std::vector<PrefilterOptions> jobs;
     for (int i = 0; i < levels; ++i) {
-        const double r = chainRoughness(i, levels);
+        const double r = o.law.empty() ? chainRoughness(i, levels) : levelRoughness(parseLaw(o.law), i, levels, base.size);
         jobs.push_back({.lobe = lobe ? *lobe : ggxLobe(r * r),
                         .target = levelLayout(base, i),
                         .method = *method,
-                        .tolerance = o.tolerance,
-                        .yaw = radians(o.yawDeg),
+                        .tolerance = tolerance,
+                        .yaw = radians(o.yawDeg + engineTurn(o.engine, base.kind).yawDeg),
                         .knobs = knobs});
     }
     return jobs;
 }
 
-std::string notPromised(const PrefilterOptions& options, const PrefilterOutcome& outcome)
+void runBrdf(const Options& o)
 {
-    std::ostringstream text;
-    text.precision(2);
-    text << "filter: " << describe(options.lobe) << " by '" << name(outcome.method) << "' is not promised; predicted are rel_rms "
-         << outcome.predictedError << ", median_rel " << outcome.predictedMedianRel << ", p99_rel " << outcome.predictedP99Rel;
-    return text.str();
-}
-
-std::string sizeText(const MapLayout& layout)
-{
-    std::ostringstream text;
-    text << name(layout.kind) << ' ' << layout.width() << " x " << layout.height();
-    return text.str();
+    refuse(!o.lobe.empty(), "--lobe", "given beside --brdf; give one of them");
+    refuse(o.exponent || o.roughness || o.alpha, "--brdf", "takes its parameters in its own text, e.g. --brdf ggx:alpha=0.1");
+    refuse(o.samples || o.lambda || o.mipFiltering, "--brdf",
+           "takes none of the lobes' methods; choose sum, stack, lookups:K or split-sum");
+    refuse(o.mips, "--mips", "is a chain of lobes; --brdf makes one map");
+    refuse(!o.law.empty() || !o.engine.empty() || !o.encode.empty(), "--brdf", "takes no --law, --for and --encode");
+    filterByBrdf({.probe = o.probe,
+                  .out = o.out,
+                  .brdf = o.brdf,
+                  .to = o.to,
+                  .from = o.from,
+                  .stats = o.stats,
+                  .method = o.method,
+                  .viewDeg = o.viewDeg,
+                  .tolerance = o.tolerance,
+                  .azimuthDeg = o.azimuthDeg,
+                  .yawDeg = o.yawDeg,
+                  .size = o.size,
+                  .border = o.border,
+                  .threads = o.threads,
+                  .half = o.half,
+                  .explain = o.explain});
 }
 
 void run(const Options& o)
 {
-    const std::vector<PrefilterOptions> jobs = parseJobs(o);
-    checkMapFile(o.out, jobs.front().target);
+    if (!o.brdf.empty()) {
+        runBrdf(o);
+        return;
+    }
+    refuse(o.lobe.empty() && o.law.empty(), "--lobe",
+           "is missing; give phong, diffuse or ggx, a BRDF by --brdf, or an engine's chain by --law");
+    refuse(o.viewDeg.has_value(), "--view", "belongs to --brdf");
+    const std::vector<PrefilterOptions> levels = parseJobs(o);
+    checkMapFile(o.out, levels.front().target);
+    const ByteEncoding bytes = parseEncode(o.encode, o.out);
     ReadProbeOptions read;
     if (!o.from.empty())
         read.from = parseKind("--from", o.from);
+    std::vector<MapLayout> layouts;
+    for (const PrefilterOptions& level : levels)
+        layouts.push_back(level.target);
+    checkOutputsDiffer({{"--output", mapFiles(o.out, layouts)}, {"--stats", filesOf(o.stats)}});
     const JobControl job = jobWithProgress("filter", o.threads);
-    Stats stats{.threads = job.threadCount()};
-    OpenedSource opened = openFilterSource(o.probe, read, jobs, job, stats.stages);
+    WorkRecord record;
+    ProbeFile file(o.probe, read);
+    const Plan plan = timedStage(record.stages, "plan", [&] { return planFilters(o.probe, file.layout(), levels, o.out); });
+    if (o.explain)
+        printStages(plan.stages);
+
+    OpenedSource opened = openFilterSource(file, levels, job);
     opened.source.useParaboloidDevice(std::make_shared<preview::ParaboloidBlur>()); // starts no GPU before it is asked
+    record += {.stages = std::move(opened.stages)};
+    SceneProbe probe{.source = std::move(opened.source)};
+    BuiltMap built = buildMap(plan.exports.front().map, probe, 0.0, job);
+    record += std::move(built.record);
+    sayUnpromised("filter", record);
 
-    if (o.explain) {
-        std::vector<Stage> plan = stats.stages;
-        for (const PrefilterOptions& options : jobs) {
-            const PrefilterPlan p = settlePrefilter(opened.source, options, job);
-            std::ostringstream why;
-            why.precision(3);
-            if (p.filtered)
-                why << "to " << sizeText(options.target) << " by " << name(p.method) << ": " << p.why;
-            else
-                why << p.why;
-            if (p.filtered && p.method == Method::Spectral)
-                why << "; band limit " << p.bandLimit;
-            if (p.filtered)
-                why << (p.promised ? "; promised: " : "; not promised: ") << "rel_rms " << p.predictedError << ", median_rel "
-                    << p.predictedMedianRel << ", p99_rel " << p.predictedP99Rel << " predicted";
-            plan.push_back({.name = "filter " + describe(options.lobe),
-                            .leftOut = !p.filtered,
-                            .why = why.str(),
-                            .expected = {p.predictedSeconds, std::int64_t{12} * options.target.width() * options.target.height()}});
-        }
-        if (!o.mips)
-            plan.push_back({.name = "mip levels", .leftOut = true, .why = "not asked for (--mips)"});
-        plan.push_back({.name = "save map", .why = o.out});
-        printStages(plan);
-    }
-
-    std::vector<EnvironmentMap> maps;
-    std::string roughnesses;
-    for (const PrefilterOptions& options : jobs) {
-        PrefilterOutcome outcome = prefilter(opened.source, options, job);
-        for (Stage& stage : outcome.stages) {
-            stage.name += jobs.size() > 1 ? " " + describe(options.lobe) : "";
-            stats.stages.push_back(std::move(stage));
-        }
-        if (outcome.filtered) {
-            stats.method = name(outcome.method);
-            stats.promised = stats.promised && outcome.promised;
-            if (!outcome.promised)
-                std::cerr << notPromised(options, outcome) << '\n';
-        }
-        stats.bandLimit = std::max(stats.bandLimit, outcome.bandLimit);
-        stats.predicted = largest(stats.predicted, {outcome.predictedError, outcome.predictedMedianRel, outcome.predictedP99Rel});
-        maps.push_back(std::move(outcome.map));
-        roughnesses += (roughnesses.empty() ? "" : " ") + describe(options.lobe);
-    }
-    if (stats.method.empty())
-        stats.method = "lookup";
-    WriteOptions write{.sampleType = o.half ? SampleType::Half : SampleType::Float};
-    write.attributes["mirrorball:lobes"] = roughnesses;
-    write.attributes["mirrorball:indexed_by"] = jobs.front().lobe.kind == LobeKind::Diffuse ? "normal" : "reflection";
-    timedStage(stats.stages, "save map", [&] { writeMap(o.out, maps, write); });
+    store(built.levels, engineTurn(o.engine, levels.front().target.kind).orientation);
+    std::string lobes;
+    for (const PrefilterOptions& level : levels)
+        lobes += (lobes.empty() ? "" : " ") + describe(level.lobe);
+    const WriteOptions write{
+        .sampleType = o.half ? SampleType::Half : SampleType::Float,
+        .attributes = {{"mirrorball:lobes", lobes},
+                       {"mirrorball:indexed_by", levels.front().lobe.kind == LobeKind::Diffuse ? "normal" : "reflection"}},
+        .bytes = bytes};
+    timedStage(record.stages, "save map", [&] { writeMap(o.out, built.levels, write); });
     if (!o.stats.empty())
-        writeStats(o.stats, stats);
+        writeStats(o.stats, plan.stages, record, job.threadCount());
 }
 
 } // namespace
@@ -258,36 +272,50 @@ void addFilterCommand(CLI::App& program)
     CLI::App* command = program.add_subcommand("filter", "Prefilter a probe with a lobe");
     command->add_option("PROBE", o->probe, "file or builtin:NAME")->required();
     command->add_option("-o,--output", o->out, "output file; %s in the name of a cube makes six files, %d one file a level")->required();
-    command->add_option("--lobe", o->lobe, "phong, diffuse or ggx")->required();
-    command->add_option("--exponent", o->exponent, "phong: exponent, at least 0");
-    command->add_option("--roughness", o->roughness, "ggx: alpha is its square; phong: the exponent is its inverse");
-    command->add_option("--alpha", o->alpha, "ggx: width in [0, 1]; 0 is a mirror");
+    command->add_option("--lobe", o->lobe, "phong, diffuse or ggx; ggx with --law");
+    command->add_option("--law", o->law,
+                        "a chain of ggx levels whose roughness follows this engine: three, filament, babylon, playcanvas, "
+                        "bevy, unity, unreal");
+    command->add_option("--levels", o->levels, "of the chain by --law; without it down to one texel");
+    command->add_option("--for", o->engine, "turn and mirror the map as this engine looks it up (latlong or cube)");
+    command->add_option("--encode", o->encode, "of 8-bit formats: filmic (as without it), srgb, or in a .png rgbe, rgbm, rgbd, rgbp");
+    command->add_option("--brdf", o->brdf, "in place of a lobe: MODEL[:key=value,...] or a measured file, as `mirrorball brdf` takes it");
+    command->add_option("--view", o->viewDeg, "brdf: the angle between normal and view, in degrees")->check(within(0, 90));
+    command->add_option("--azimuth", o->azimuthDeg, "brdf: of the normal about r, 0 where it lies towards +Y of r's meridian, in degrees")
+        ->check(anAngle());
+    command->add_option("--exponent", o->exponent, "phong: exponent, at least 0")->check(within(0, 1e300));
+    command->add_option("--roughness", o->roughness, "ggx: alpha is its square; phong: the exponent is its inverse")->check(within(0, 1));
+    command->add_option("--alpha", o->alpha, "ggx: width in [0, 1]; 0 is a mirror")->check(within(0, 1));
     command->add_option("--to", o->to, "parameterization of the output (KIND)")->required();
-    command->add_option("--size", o->size, "face edge, disc edge, latlong height or octahedral edge, in texels")->required();
+    command->add_option("--size", o->size, "face edge, disc edge, latlong height or octahedral edge, in texels")
+        ->check(anEdge())
+        ->required();
     command->add_option("--from", o->from, "parameterization of the input, where it is not to be found out (KIND)");
-    command->add_option("--yaw", o->yawDeg, "turn the environment about +Y, counterclockwise from above, in degrees");
-    command->add_option("--border", o->border, "texels kept free outside each disc of a paraboloid map");
+    command->add_option("--yaw", o->yawDeg, "turn the environment about +Y, counterclockwise from above, in degrees")->check(anAngle());
+    command->add_option("--border", o->border, "texels kept free outside each disc of a paraboloid map")->check(within(0, 4096));
     command->add_flag("--mips", o->mips,
                       "every mip level, down to one texel; ggx without a roughness makes the chain of roughness 0 to 1 from base to top");
-    command->add_option("--method", o->method, "auto, reference, spectral, direct, hierarchical, importance, paraboloid, mip or sh9");
-    CLI::Option* tolerance = command->add_option(
-        "--tolerance", o->tolerance,
-        "what is promised, in (0, 1]: rel_rms and median_rel against the reference sum, five times it for p99_rel, and no negative light");
-    command->add_option("--samples", o->samples, "importance: samples of the lobe a texel (1024)");
-    command->add_option("--lambda", o->lambda, "mip: least level of detail of the environment; without it matched to the lobe by width");
+    command->add_option("--method", o->method,
+                        "auto, reference, spectral, direct, hierarchical, importance, paraboloid, mip or sh9; brdf: sum, stack, "
+                        "lookups:K, split-sum or round");
+    command
+        ->add_option("--tolerance", o->tolerance,
+                     "what is promised, in (0, 1]: rel_rms and median_rel against the reference sum, five times it for p99_rel, and no "
+                     "negative light")
+        ->check(above(0, 1));
+    command->add_option("--samples", o->samples, "importance: samples of the lobe a texel (1024)")->check(within(1, 1 << 20));
+    command->add_option("--lambda", o->lambda, "mip: least level of detail of the environment; without it matched to the lobe by width")
+        ->check(within(0, 32));
     command->add_option("--mip-filtering", o->mipFiltering, "mip: across-seams, or per-face as the hardware of 2002 did");
     ParaboloidKnobs knobs;
     ParaboloidKnobs::visitFields(knobs, [&](const Field& field, auto&) {
         command->add_option(optionOf(field), o->paraboloid[optionOf(field)], std::string(field.help));
     });
-    command->add_option("--threads", o->threads, "threads; 0: one per core")->check(CLI::Range(0, 1024));
-    command->add_flag("--half", o->half, "16-bit floats (.exr, .tif)");
+    command->add_option("--threads", o->threads, "threads; 0: one per core")->check(aThreadCount());
+    command->add_flag("--half", o->half, "16-bit floats, where the format has them");
     command->add_flag("--explain", o->explain, "print what is done, what is left out, and why; then do it");
     command->add_option("--stats", o->stats, "write times, method and predicted error to this JSON file");
-    command->callback([o, tolerance] {
-        o->toleranceGiven = tolerance->count() > 0;
-        run(*o);
-    });
+    command->callback([o] { run(*o); });
 }
 
 } // namespace mirrorball::cli

@@ -1,7 +1,8 @@
 #include "command.h"
 
-#include "core/image/map_file.h"
+#include "core/image/probe_file.h"
 #include "core/image/probe_statistics.h"
+#include "core/preview/mesh_file.h"
 
 #include <nlohmann/json.hpp>
 
@@ -18,13 +19,29 @@ struct Options {
     bool json = false;
 };
 
+void tellMesh(const Options& o)
+{
+    const preview::MeshFacts facts = preview::readMeshFile(o.probe, jobWithProgress("info", o.threads)).facts;
+    if (o.json)
+        std::printf("%s\n", nlohmann::json{{"mesh", o.probe},
+                                           {"triangles", facts.triangles},
+                                           {"dropped", facts.dropped},
+                                           {"extent", facts.extent},
+                                           {"description", describe(facts)}}
+                                .dump(2, ' ', false, nlohmann::json::error_handler_t::replace)
+                                .c_str());
+    else
+        std::printf("mesh              %s\n", describe(facts).c_str());
+}
+
 void run(const Options& o)
 {
+    if (preview::isMeshFile(o.probe))
+        return tellMesh(o);
     ReadProbeOptions read;
     if (!o.from.empty())
         read.from = parseKind("--from", o.from);
-    std::vector<Stage> stages;
-    const Probe probe = readProbe(o.probe, read, jobWithProgress("info", o.threads), stages);
+    const Probe probe = readProbe(o.probe, read, jobWithProgress("info", o.threads));
     const ProbeStatistics s = statistics(probe.map);
     const MapLayout& layout = probe.map.layout;
     const std::string kind(name(layout.kind));
@@ -66,8 +83,9 @@ void run(const Options& o)
 void addInfoCommand(CLI::App& program)
 {
     const auto o = std::make_shared<Options>();
-    CLI::App* command = program.add_subcommand("info", "Tell what a probe holds: size, parameterization, range, sun, broken texels");
-    command->add_option("PROBE", o->probe, "file or builtin:NAME")->required();
+    CLI::App* command = program.add_subcommand(
+        "info", "Tell what a probe holds: size, parameterization, range, sun, broken texels; of a mesh its triangles and size");
+    command->add_option("PROBE", o->probe, "file, builtin:NAME or a mesh file")->required();
     command->add_option("--from", o->from, "parameterization, where it is not to be found out (KIND)");
     command->add_flag("--json", o->json, "as JSON");
     command->callback([o] { run(*o); });

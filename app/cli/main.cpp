@@ -1,18 +1,46 @@
 #include "command.h"
 
 #include "core/base/error.h"
+#include "core/base/temporary_path.h"
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
+#include <iostream>
 #include <new>
+#include <system_error>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace {
 
-/// The one place where errors end: one line on stderr, and the exit status of DESIGN 6.
+/// The one place where errors end: one line on stderr, and the exit status (docs/conventions.md).
 int fail(const char* message, int status)
 {
     std::fprintf(stderr, "mirrorball: %s\n", message);
     return status;
+}
+
+/// A caller may have closed a standard stream; the next file opened would take its number and its output. What stands in for stdout here
+/// cannot be written, so that results that go nowhere are an error as ever.
+void openStandardStreams()
+{
+    for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (::fcntl(number, F_GETFD) < 0 && errno == EBADF)
+            static_cast<void>(::open("/dev/null", number == STDERR_FILENO ? O_WRONLY : O_RDONLY)); // the lowest free number is this one
+}
+
+/// @throws WorkError when something that was printed did not arrive
+void checkPrinted()
+{
+    errno = 0;
+    std::cout.flush();
+    const bool failed = std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout;
+    if (failed)
+        throw mirrorball::WorkError(std::string("stdout: cannot be written: ") +
+                                    (errno != 0 ? std::strerror(errno) : "not all of it arrived") + "; free some space or print elsewhere");
 }
 
 /// CLI11 calls a command that it does not know a missing one. @throws InvalidArgument naming the known ones
@@ -34,6 +62,8 @@ void checkCommand(const CLI::App& program, int argc, char** argv)
 int main(int argc, char** argv)
 {
     using namespace mirrorball;
+    openStandardStreams();
+    removeTemporariesOnSignals();
     CLI::App program{"Materials with environment maps: convert, filter, render and export light probes.", "mirrorball"};
     program.set_version_flag("--version", MIRRORBALL_VERSION);
     program.require_subcommand(1);
@@ -43,22 +73,33 @@ int main(int argc, char** argv)
     cli::addInfoCommand(program);
     cli::addConvertCommand(program);
     cli::addFilterCommand(program);
+    cli::addBrdfCommand(program);
     cli::addRenderCommand(program);
     cli::addExportCommand(program);
     cli::addPaintCommand(program);
     cli::addPresetsCommand(program);
     cli::addReportCommand(program, argc, argv);
+    cli::addDoctorCommand(program);
+    cli::refuseInfinities(program);
     try {
-        checkCommand(program, argc, argv);
-        program.parse(argc, argv);
-    } catch (const CLI::Success& e) { // --help, --version
-        return program.exit(e);
+        try {
+            checkCommand(program, argc, argv);
+            program.parse(argc, argv);
+        } catch (const CLI::Success& e) { // --help, --version
+            program.exit(e);
+        }
+        checkPrinted();
     } catch (const CLI::ParseError& e) {
         return fail((std::string(e.what()) + "; see mirrorball --help").c_str(), 2);
     } catch (const InvalidArgument& e) {
         return fail(e.what(), 2);
     } catch (const std::bad_alloc&) {
         return fail("not enough memory for this size", 1);
+    } catch (const std::system_error& e) {
+        return fail(e.code() == std::errc::resource_unavailable_try_again
+                        ? "no thread can be started; allow more processes or memory, or give --threads 1"
+                        : e.what(),
+                    1);
     } catch (const std::exception& e) {
         return fail(e.what(), 1);
     }

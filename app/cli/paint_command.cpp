@@ -39,6 +39,11 @@ void run(const Options& o)
     if (!o.specular.empty())
         passFormat(o.out);
     checkMapFile(o.out, {Parameterization::Sphere, std::max(o.size, 1), 0});
+    const MapLayout layout{.kind = Parameterization::Sphere, .size = o.size};
+    if (!o.levels)
+        checkOutputsDiffer({{"--output", mapFiles(o.out, {layout})}, {"--save-document", filesOf(o.saved)}, {"--stats", filesOf(o.stats)}});
+    else
+        checkOutputsDiffer({{"--output", {o.out}}, {"--save-document", filesOf(o.saved)}, {"--stats", filesOf(o.stats)}});
     std::vector<Stage> stages;
     const SphereMapDocument document = timedStage(stages, "read document", [&] { return findDocument(o.document); });
     const JobControl job = jobWithProgress("paint", o.threads);
@@ -50,7 +55,7 @@ void run(const Options& o)
         if (!o.saved.empty())
             saveSphereMap(document, o.saved);
         if (!o.stats.empty())
-            writeStats(o.stats, {.stages = stages, .method = "paint", .threads = job.threadCount()});
+            writeStats(o.stats, {}, {.stages = stages, .methods = {"paint"}}, job.threadCount());
     };
     if (!o.specular.empty()) {
         const MatcapPasses passes =
@@ -79,7 +84,7 @@ void addPaintCommand(CLI::App& program)
         ->add_option("-o,--output", o->out,
                      "output file: .exr and .tif keep linear light, .png shows it clipped; %d in the name: one file a level")
         ->required();
-    command->add_option("--size", o->size, "edge of the map, in texels")->required();
+    command->add_option("--size", o->size, "edge of the map, in texels")->check(anEdge())->required();
     CLI::Option* levels = command->add_flag(
         "--levels", o->levels,
         "the whole mip chain, as the document makes it: in one .exr or .tif, else NAME.LEVEL.EXT, or where the name has a %d");
@@ -87,7 +92,7 @@ void addPaintCommand(CLI::App& program)
         ->add_option(
             "--border", o->border,
             "texels between the disc and the picture's edge, in the rim's colours; Blender looks 0.8 percent inside the edge, 2 at 512")
-        ->check(CLI::Range(0, 4096))
+        ->check(within(0, 4096))
         ->excludes(levels);
     command
         ->add_option("--specular", o->specular,
@@ -96,7 +101,7 @@ void addPaintCommand(CLI::App& program)
         ->excludes(levels);
     command->add_flag("--half", o->half, "16-bit floats (.exr, .tif)");
     command->add_option("--save-document", o->saved, "also write the document to this .spheremap file, to start from a preset");
-    command->add_option("--threads", o->threads, "threads; 0: one per core")->check(CLI::Range(0, 1024));
+    command->add_option("--threads", o->threads, "threads; 0: one per core")->check(aThreadCount());
     command->add_option("--stats", o->stats, "write times to this JSON file");
     command->callback([o] { run(*o); });
 }

@@ -88,11 +88,9 @@ Image geometrySheet(const std::string& geometry, int size, const JobControl& job
         scene.view.camera.distance = 2.6;
         scene.view.background.kind = Backdrop::None;
         scene.material.sphereMap.source = map.name;
-        const Plan plan = makePlan(scene, probeLayout(scene));
-        WorkRecord record;
-        SceneProbe probe = openProbe(scene, plan, job, record);
-        pictures.push_back(
-            renderer.renderRadiance(preview::renderSettings(scene, plan), preview::renderMaps(buildMaps(scene, plan, probe, job, record))));
+        PlannedScene planned = planScene(scene);
+        const preview::RenderSettings settings = preview::renderSettings(scene, planned.plan);
+        pictures.push_back(renderer.renderRadiance(settings, preview::renderMaps(buildMaps(std::move(planned), job))));
     }
     return contactSheet(pictures, sheetLayout(pictures.size()).columns, ground);
 }
@@ -137,7 +135,7 @@ void addPresetsCommand(CLI::App& program)
                         "instead of the list, write a picture of each sphere map into this folder: NAME.png");
     command->add_option("--geometry", o->geometry, "sheet: show them on a teapot, torus, sphere or box in place of balls")
         ->check(CLI::IsMember({"teapot", "torus", "sphere", "box"}));
-    command->add_option("--size", o->size, "sheet, thumbnails: width of one picture, in pixels")->check(CLI::Range(16, 2048));
+    command->add_option("--size", o->size, "sheet, thumbnails: width of one picture, in pixels")->check(within(16, 2048));
     command->callback([o] { run(*o); });
 }
 

@@ -1,5 +1,4 @@
 #include "command.h"
-#include "scene_stats.h"
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
@@ -158,18 +157,19 @@ void run(const Options& o)
 {
     writableFormat(o.out);
     checkTarget(o.out);
+    checkOutputsDiffer({{"--output", {o.out}}, {"--save-scene", filesOf(o.saved)}, {"--stats", filesOf(o.stats)}});
     const Scene scene = makeScene(o);
     const JobControl job = jobWithProgress("render", o.threads);
-    const Plan plan = makePlan(scene, probeLayout(scene));
+    PlannedScene planned = planScene(scene);
+    const std::vector<Stage> plan = planned.plan.stages;
     if (o.explain)
-        printStages(plan.stages);
-
-    WorkRecord record;
-    preview::savePicture(scene, plan, o.out, job, record);
+        printStages(plan);
+    const WorkRecord record = preview::savePicture(std::move(planned), o.out, job);
+    sayUnpromised("render", record);
     if (!o.saved.empty())
         saveScene(scene, o.saved);
     if (!o.stats.empty())
-        writeStats(o.stats, sceneStats(plan, record, job.threadCount()));
+        writeStats(o.stats, plan, record, job.threadCount());
 }
 
 /// The name that an option's value has in the help: its words or its range.
@@ -207,7 +207,7 @@ void addRenderCommand(CLI::App& program)
     command->add_option("--set", o->set, "FIELD=VALUE: any field of the scene file, such as view.background.blur=0.5")
         ->allow_extra_args(false);
     command->add_option("--save-scene", o->saved, "write the scene that was drawn, options and all, to this .mirrorball file");
-    command->add_option("--threads", o->threads, "threads; 0: one per core")->check(CLI::Range(0, 1024));
+    command->add_option("--threads", o->threads, "threads; 0: one per core")->check(aThreadCount());
     command->add_flag("--explain", o->explain, "print what is done, what is left out, and why; then do it");
     command->add_option("--stats", o->stats, "write times, method and predicted error to this JSON file");
     command->callback([o] { run(*o); });

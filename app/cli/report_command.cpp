@@ -117,16 +117,17 @@ void addReportCommand(CLI::App& program, int argc, const char* const* argv)
     command->add_option("--lobes", o->lobes, "phong:EXPONENT, ggx:ALPHA and diffuse, with commas (" + o->lobes + ")");
     command->add_option("--methods", o->methods, "names with commas; without it all");
     command->add_option("--to", o->to, "parameterization of the filtered maps (KIND)");
-    command->add_option("--size", o->size, "size of the filtered maps, as in filter");
+    command->add_option("--size", o->size, "size of the filtered maps, as in filter")->check(anEdge());
     command->add_flag("--stability", o->stability, "add the table of extreme cases");
     command->add_flag("--quick", o->quick, "few settings and repeats, a coarse reference, no growth of cost: seconds instead of minutes");
     ReportOptions::visitFields(o->report, [&](const Field& field, auto& member) {
         std::string help(field.help);
         if (!field.unit.empty())
             help += " (" + std::string(field.unit) + ")";
-        command->add_option("--" + std::string(field.name), member, help + "; " + shortNumber(static_cast<double>(member)));
+        command->add_option("--" + std::string(field.name), member, help + "; " + shortNumber(static_cast<double>(member)))
+            ->check(within(field.low, field.high));
     });
-    command->add_option("--threads", o->threads, "threads; 0: one per core")->check(CLI::Range(0, 1024));
+    command->add_option("--threads", o->threads, "threads; 0: one per core")->check(aThreadCount());
     command->callback([o, command] { run(*o, *command); });
 }
 

@@ -360,8 +360,7 @@ void MainWindow::savePicture(const QString& path)
 {
     m_pictures.start(
         [scene = m_workspace->document.scene(), path = toPath(path)](const JobControl& job) {
-            WorkRecord record;
-            preview::savePicture(scene, makePlan(scene, probeLayout(scene)), path, job, record);
+            preview::savePicture(planScene(scene), path, job);
             return path;
         },
         [this](const std::filesystem::path& written) {

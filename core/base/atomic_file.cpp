@@ -2,10 +2,10 @@
 
 #include "error.h"
 
-#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <string>
+#include <system_error>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -38,44 +38,58 @@ WorkError writeError(const std::filesystem::path& path, int error)
     return WorkError(path.string() + ": cannot be written: " + std::strerror(error) + "; " + remedy(error));
 }
 
-/// A name that no other writer of this or another process uses: O_EXCL decides, the counter only makes a clash unlikely.
-std::filesystem::path temporaryName(const std::filesystem::path& target)
+void syncFolder(const std::filesystem::path& folder)
 {
-    static std::atomic<unsigned> counter{0};
-    // The name of a target may use up all that the file system allows, so only part of it is repeated.
-    std::string name = target.filename().string().substr(0, 200);
-    name.insert(0, 1, '.');
-    name.append(".tmp").append(std::to_string(::getpid())).append("-").append(std::to_string(counter++));
-    return target.parent_path() / name;
+    const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0)
+        return;                             // a folder may be written to that may not be read
+    static_cast<void>(::fsync(descriptor)); // not every file system can
+    ::close(descriptor);
 }
 
 } // namespace
 
-AtomicFile::AtomicFile(const std::filesystem::path& target) : m_named(target), m_target(target)
+std::filesystem::path replaceableTarget(const std::filesystem::path& named)
 {
+    std::filesystem::path target = named;
     std::error_code ignored;
-    for (int links = 0; links < 40 && std::filesystem::is_symlink(m_target, ignored); ++links)
-        m_target = m_target.parent_path() / std::filesystem::read_symlink(m_target, ignored);
+    for (int links = 0; links < 40 && std::filesystem::is_symlink(target, ignored); ++links)
+        target = target.parent_path() / std::filesystem::read_symlink(target, ignored);
     struct stat existing {};
-    const bool exists = ::stat(m_target.c_str(), &existing) == 0;
-    if (exists && !S_ISREG(existing.st_mode))
-        throw WorkError(target.string() + ": cannot be written: it is " + (S_ISDIR(existing.st_mode) ? "a folder" : "not a regular file") +
+    if (::stat(target.c_str(), &existing) == 0 && !S_ISREG(existing.st_mode))
+        throw WorkError(named.string() + ": cannot be written: it is " + (S_ISDIR(existing.st_mode) ? "a folder" : "not a regular file") +
                         "; name a file");
+    return target;
+}
 
-    int descriptor = -1;
-    do {
-        m_temporary = temporaryName(m_target);
-        descriptor = ::open(m_temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    } while (descriptor < 0 && errno == EEXIST);
-    if (descriptor < 0)
-        throw writeError(target, errno);
-    if (exists)
-        static_cast<void>(::fchmod(descriptor, existing.st_mode & 07777)); // best effort: the bytes matter more than the mode
-    m_file = ::fdopen(descriptor, "w+b");
+void takeOwnership(int descriptor, const std::filesystem::path& existing)
+{
+    struct stat old {
+    }, now{};
+    if (::stat(existing.c_str(), &old) != 0 || ::fstat(descriptor, &now) != 0)
+        return;
+    if (old.st_uid != now.st_uid)
+        static_cast<void>(::fchown(descriptor, old.st_uid, static_cast<gid_t>(-1)));
+    const bool keepsGroup = old.st_gid == now.st_gid || ::fchown(descriptor, static_cast<uid_t>(-1), old.st_gid) == 0;
+    static_cast<void>(::fchmod(descriptor, old.st_mode & (keepsGroup ? 0777 : 0707))); // best effort: the bytes matter more
+}
+
+AtomicFile::AtomicFile(const std::filesystem::path& target, Durability durability)
+    : m_named(target), m_target(replaceableTarget(target)), m_durability(durability)
+{
+    try {
+        m_temporary.emplace(m_target, TemporaryPath::Kind::File);
+    } catch (const std::system_error& error) {
+        throw writeError(target, error.code().value());
+    }
+    takeOwnership(m_temporary->descriptor(), m_target);
+    // The stream gets a descriptor of its own: closing it tells the last errors, while the lock is held on until the file has its name.
+    const int descriptor = ::fcntl(m_temporary->descriptor(), F_DUPFD_CLOEXEC, 0);
+    m_file = descriptor < 0 ? nullptr : ::fdopen(descriptor, "w+b");
     if (!m_file) {
         const int error = errno;
-        ::close(descriptor);
-        ::unlink(m_temporary.c_str());
+        if (descriptor >= 0)
+            ::close(descriptor);
         throw writeError(target, error);
     }
 }
@@ -86,8 +100,6 @@ AtomicFile::~AtomicFile()
 {
     if (m_file)
         std::fclose(m_file);
-    if (!m_temporary.empty())
-        ::unlink(m_temporary.c_str());
 }
 
 void AtomicFile::fail(int error)
@@ -120,11 +132,16 @@ void AtomicFile::commit()
     errno = 0;
     std::FILE* const file = m_file;
     m_file = nullptr;
+    const bool synced = m_durability == Durability::Buffered || (std::fflush(file) == 0 && ::fsync(::fileno(file)) == 0);
+    if (!synced)
+        m_error = errno;
     if (std::fclose(file) != 0 || m_error != 0)
         fail(errno);
-    if (std::rename(m_temporary.c_str(), m_target.c_str()) != 0)
+    if (std::rename(m_temporary->path().c_str(), m_target.c_str()) != 0)
         fail(errno);
-    m_temporary.clear();
+    m_temporary->release();
+    if (m_durability == Durability::Synced)
+        syncFolder(m_target.parent_path());
 }
 
 } // namespace mirrorball

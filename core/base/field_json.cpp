@@ -159,6 +159,46 @@ namespace {
     throw InvalidArgument("holds more than " + std::to_string(largestFile >> 20) + " MiB; this is no " + std::string(what));
 }
 
+void appendUtf8(std::string& text, std::uint32_t code)
+{
+    const auto tail = [&](int shift) { return static_cast<char>(0x80 | (code >> shift & 0x3f)); };
+    if (code < 0x80)
+        text += static_cast<char>(code);
+    else if (code < 0x800)
+        text += {static_cast<char>(0xc0 | code >> 6), tail(0)};
+    else if (code < 0x10000)
+        text += {static_cast<char>(0xe0 | code >> 12), tail(6), tail(0)};
+    else
+        text += {static_cast<char>(0xf0 | code >> 18), tail(12), tail(6), tail(0)};
+}
+
+/// Text that begins with the byte order mark of UTF-16, as some editors and shells of Windows write it, as UTF-8; other text as it is.
+/// @throws InvalidArgument for half characters
+std::string fromUtf16(std::string text)
+{
+    const bool little = text.starts_with("\xff\xfe"), big = text.starts_with("\xfe\xff");
+    if (!little && !big)
+        return text;
+    const auto unit = [&](size_t at) -> std::uint32_t {
+        const auto first = static_cast<unsigned char>(text[at]), second = static_cast<unsigned char>(text[at + 1]);
+        return little ? first | second << 8u : first << 8u | second;
+    };
+    std::string utf8;
+    for (size_t at = 2; at + 1 < text.size(); at += 2) {
+        std::uint32_t code = unit(at);
+        if (code >> 10 == 0x36 && at + 3 < text.size() && unit(at + 2) >> 10 == 0x37) { // a pair of surrogates
+            code = 0x10000 + ((code & 0x3ff) << 10) + (unit(at + 2) & 0x3ff);
+            at += 2;
+        }
+        if (code >> 11 == 0x1b)
+            throw InvalidArgument("is UTF-16 with half characters in it; save it as UTF-8");
+        appendUtf8(utf8, code);
+    }
+    if (text.size() % 2 != 0)
+        throw InvalidArgument("is UTF-16 and cut short; save it as UTF-8");
+    return utf8;
+}
+
 /// What reading the text again would refuse, before it takes the place of a good file.
 void checkReadable(const std::string& text, const std::filesystem::path& path, std::string_view what)
 {
@@ -205,6 +245,7 @@ std::string readText(const std::filesystem::path& path, std::string_view what)
         throw InvalidArgument("cannot be read; check the disk");
     if (text.size() > largestFile)
         refuseSize(what);
+    text = fromUtf16(std::move(text));
     if (text.find_first_not_of(" \t\r\n") == std::string::npos)
         throw InvalidArgument("is empty; write a " + std::string(what) + " into it or load another file");
     return text;
@@ -241,7 +282,7 @@ void save(const OrderedJson& json, const std::filesystem::path& path, std::strin
                               " is not UTF-8 and cannot be saved; rename the file it names");
     }
     checkReadable(text, path, what);
-    AtomicFile file(path);
+    AtomicFile file(path, Durability::Synced);
     file.write(text.data(), text.size());
     file.commit();
 }
@@ -271,6 +312,16 @@ std::string rebased(const std::string& path, const std::filesystem::path& from, 
     if (moved.empty() || (std::filesystem::exists(whole, none) && !std::filesystem::equivalent(to / moved, whole, none)))
         return whole.string();
     return asFile(moved.string());
+}
+
+std::string withSlashes(const std::string& path, const std::filesystem::path& folder)
+{
+    std::error_code none;
+    if (path.find('\\') == std::string::npos || std::filesystem::exists(folder / path, none))
+        return path;
+    std::string slashed = path;
+    std::replace(slashed.begin(), slashed.end(), '\\', '/');
+    return slashed;
 }
 
 std::string storedPath(const std::string& path, const std::filesystem::path& from, const std::filesystem::path& to)

@@ -172,7 +172,8 @@ private:
 /// @param what  "scene": for messages. @throws InvalidArgument
 Json parse(const std::string& text, std::string_view what);
 
-/// The text of a file. @throws InvalidArgument without the file's name (see namingFile)
+/// The text of a file as UTF-8, which it is or, by its byte order mark, UTF-16. @throws InvalidArgument without the file's name (see
+/// namingFile)
 std::string readText(const std::filesystem::path& path, std::string_view what);
 
 /// Checks the member "version". @throws InvalidArgument for a file of a newer version or none
@@ -201,6 +202,9 @@ std::filesystem::path folderOf(const std::filesystem::path& file);
 /// that
 /// ".." leads elsewhere than it reads, it becomes absolute. Both folders must be absolute.
 std::string rebased(const std::string& path, const std::filesystem::path& from, const std::filesystem::path& to);
+
+/// A path of a file of Windows, with `/` for every `\`; others stay, and so does the name of a file of `folder` that has a `\` in it.
+std::string withSlashes(const std::string& path, const std::filesystem::path& folder);
 
 /// A path as a file in the folder `to` keeps it: rebased(), and relative where it is absolute but lies in `to` or below, so that the folder
 /// can be moved as a whole.

@@ -7,6 +7,8 @@
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -34,6 +36,30 @@ JobControl partOf(const JobControl& job, float from, float to)
             progress(from + (to - from) * *reached);
         };
     return part;
+}
+
+void needThreads(int threads)
+{
+    thread_local int proven = 1; // OpenMP keeps the threads that it has started, for each thread that starts some
+    if (threads <= proven)
+        return;
+#if !defined(__SANITIZE_THREAD__)
+    const std::lock_guard serial([]() -> std::mutex& {
+        static std::mutex mutex;
+        return mutex;
+    }());
+    std::mutex gate;
+    std::vector<std::jthread> trial;
+    const std::unique_lock closed(gate); // all of them at a time; opened before they are joined
+    try {
+        for (int i = 1; i < threads; ++i)
+            trial.emplace_back([&gate] { const std::lock_guard pass(gate); });
+    } catch (const std::system_error&) {
+        throw WorkError("only " + std::to_string(trial.size() + 1) + " of " + std::to_string(threads) +
+                        " threads can be started; allow more processes or memory, or ask for fewer threads");
+    }
+#endif
+    proven = threads;
 }
 
 void parallelRows(int rows, const JobControl& job, const std::function<void(int, int)>& body, int grain)
@@ -83,6 +109,7 @@ void parallelRows(int rows, const JobControl& job, const std::function<void(int,
     work();
     others.clear(); // joins
 #else
+    needThreads(workers);
 #pragma omp parallel num_threads(workers) if (workers > 1)
     work();
 #endif

@@ -22,6 +22,10 @@ struct JobControl {
 /// however often the part starts to count anew.
 JobControl partOf(const JobControl& job, float from, float to);
 
+/// Asks the system once whether so many threads can run at a time: OpenMP ends the process where it can start none.
+/// @throws WorkError
+void needThreads(int threads);
+
 /// The one loop driver: calls `body(first, last)` for disjoint row ranges that cover [0, rows), on job.threadCount() threads.
 /// Ranges are handed out in chunks of `grain` rows, so rows may cost differently. The first exception of a body is rethrown here
 /// after all workers have stopped; a stop request ends in Cancelled. Progress counts finished rows.

@@ -164,7 +164,7 @@ std::string cubeBytes(const EngineFile& file, const std::string& named, Light& l
         levels = light.chain();
         break;
     }
-    Texture texture = storedTexture(levels, light.profile().cube, file.texels);
+    Texture texture = storedTexture(levels, light.profile().cube, light.options().texels.value_or(file.texels));
     if (light.profile().word == "filament" && file.content == EngineContent::SpecularCube)
         texture.metadata["sh"] = filamentMetadata(light.sh());
     return containerBytes(named, texture, light.options());
@@ -304,7 +304,7 @@ std::vector<EngineFilePlan> planEngineExport(const EngineProfile& profile, const
             for (int level = 0; chain && level < row.levels; ++level)
                 row.roughness.push_back(levelRoughness(*profile.law, level, row.levels, row.size));
             const bool png = file.content == EngineContent::BabylonEnv; // which saves about a third of smooth levels
-            row.bytes = cubeTexels(row.size, row.levels) * (png ? 3 : traits(file.texels).bytes) + 300;
+            row.bytes = cubeTexels(row.size, row.levels) * (png ? 3 : traits(options.texels.value_or(file.texels)).bytes) + 300;
         } else if (file.content == EngineContent::Latlong) {
             row.size = height;
             row.levels = 1;

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct EngineExportOptions {
     double yaw = 0.0;                      ///< radians; of the scene, beside what the profile turns
     double tolerance = 1e-4;               ///< of the filtered maps, rel_rms; the formats round to 5e-4 and more
     PackedColor atlas = PackedColor::Rgbp; ///< of PlayCanvas' atlas; Rgbm is the other one it takes
+    std::optional<TexelFormat> texels{};   ///< of Bevy's cubes, in place of the profile's
     bool compressKtx2 = false;             ///< Zstandard
 };
 

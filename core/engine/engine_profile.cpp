@@ -16,9 +16,10 @@ EngineFile text(std::string_view file) { return {.content = EngineContent::Text,
 
 EngineFile shJson() { return {.content = EngineContent::Sh, .file = "{name}_sh.json"}; }
 
-// Orientations, laws and containers: seen in the programs (tests/engines), but for those without `proven`, which follow from their sources:
-// Bevy's environment_map.wgsl samples (x, y, -z), its last level is roughness 1; Unity's skybox shader has longitude atan2(z, x), and its
-// glTF importers negate x; Unreal's LookupLongLatDouble has atan2(x, -z) after its swap of y and z, which is also its glTF importer's.
+// Orientations, laws and containers: seen in the programs (tests/engines), but for those without `proven`. model-viewer looks latlongs up
+// as three.js does, Godot as ours stand. The others follow from their sources: Bevy's environment_map.wgsl samples (x, y, -z), its last
+// level is roughness 1; Unity's skybox shader has longitude atan2(z, x), and its glTF importers negate x; Unreal's LookupLongLatDouble has
+// atan2(x, -z) after its swap of y and z, which is also its glTF importer's.
 std::vector<EngineProfile> makeProfiles()
 {
     std::vector<EngineProfile> rows;
@@ -36,7 +37,6 @@ std::vector<EngineProfile> makeProfiles()
          .note = "KTX2Loader of three.js ignores the faces of cubes with float texels; use the lines in the script."});
     rows.push_back({.word = "model-viewer",
                     .title = "model-viewer",
-                    .proven = "4.4.0",
                     .how = "The latlong, turned as its environment lookup asks; it filters by itself.",
                     .files = {latlongHdr, text("{name}.html")},
                     .latlongYawDeg = -90.0});
@@ -48,6 +48,7 @@ std::vector<EngineProfile> makeProfiles()
                               {.content = EngineContent::Skybox, .file = "{name}_skybox.ktx", .texels = TexelFormat::R11G11B10},
                               {.content = EngineContent::Sh, .file = "{name}_sh.txt"},
                               text("{name}_filament.js")},
+                    .takesLatlong = false,
                     .law = RoughnessLaw::Filament,
                     .smallest = 32,
                     .lastSize = 16,
@@ -77,6 +78,7 @@ std::vector<EngineProfile> makeProfiles()
                     .files = {{.content = EngineContent::DiffuseCube, .file = "{name}_diffuse.ktx2", .size = 32},
                               {.content = EngineContent::SpecularCube, .file = "{name}_specular.ktx2"},
                               text("{name}_bevy.rs")},
+                    .takesLatlong = false,
                     .cube = mirroredInZ(),
                     .law = RoughnessLaw::Linear});
     rows.push_back({.word = "blender",
@@ -87,7 +89,6 @@ std::vector<EngineProfile> makeProfiles()
                     .latlongYawDeg = -90.0});
     rows.push_back({.word = "godot",
                     .title = "Godot",
-                    .proven = "3.2.3",
                     .how = "The latlong for a PanoramaSky; Godot filters by itself.",
                     .files = {latlongHdr, text("{name}_godot.gd")}});
     rows.push_back({.word = "unity",

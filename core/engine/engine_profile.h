@@ -44,6 +44,7 @@ struct EngineProfile {
     std::string_view how{};    ///< one sentence: what the engine does with the files
     std::vector<EngineFile> files{};
 
+    bool takesLatlong = true;
     double latlongYawDeg = 0.0;        ///< turns the environment so that the engine's latlong lookup shows it unturned
     CubeOrientation cube{};            ///< how cubes are stored
     std::optional<RoughnessLaw> law{}; ///< of the chain; empty: the engine filters by itself

@@ -33,7 +33,7 @@ std::string filamentMetadata(const RadianceSh& sh);
 /// Nine lines as cmgen writes into sh.txt.
 std::string filamentText(const RadianceSh& sh);
 
-/// What the nine lose of the exact irradiance: rel_rms (DESIGN 4) over the texels of an exact diffuse map.
+/// What the nine lose of the exact irradiance: rel_rms (docs/conventions.md) over the texels of an exact diffuse map.
 double shError(const RadianceSh& sh, const EnvironmentMap& exactDiffuse);
 
 /// Every convention and how good the coefficients are, as JSON.

@@ -1,8 +1,8 @@
 #include "importance.h"
 
 #include "mip_blur.h"
-#include "multiversion.h"
 
+#include "core/base/multiversion.h"
 #include "core/image/mip_pyramid.h"
 #include "core/image/spline_lookup.h"
 

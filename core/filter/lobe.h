@@ -61,13 +61,14 @@ private:
 };
 
 /// A lobe is unresolved by a latlong map of this width when its full width at half maximum is under 1.5 texels of the equator:
-/// the reference sum would then read single texels, so the filtered map is the bilinear lookup (DESIGN 3).
+/// the reference sum would then read single texels, so the filtered map is the bilinear lookup (docs/conventions.md).
 bool isUnresolved(const Lobe& lobe, int latlongWidth);
 
 /// The factors of a radial convolution, e_lm = k_l a_lm, for l = 0 .. bandLimit:
 ///   k_l = 2 pi integral of k(c) P_l(c) over [0, 1];  k_0 = 1
-/// Phong and diffuse in closed form, k_l = k_(l-2) (n-l+2)/(n+l+1) with k_1 = (n+1)/(n+2); the others by Gauss-Legendre quadrature
-/// on panels that follow both the peak and the oscillation of P_l (relative error about 1e-13 of k_0).
+/// Phong and diffuse in closed form, k_l = k_(l-2) (n-l+2)/(n+l+1) with k_1 = (n+1)/(n+2); ggx by its recurrence (lobe_coefficients.h),
+/// tabulated ones by Gauss-Legendre quadrature on panels that follow both the peak and the oscillation of P_l (relative error about 1e-13
+/// of k_0).
 std::vector<double> legendreCoefficients(const Lobe& lobe, int bandLimit);
 
 } // namespace mirrorball

@@ -26,9 +26,7 @@ namespace {
 template <typename Predicting>
 void setPredicted(Predicting& p, const PredictedErrors& errors, bool promised)
 {
-    p.predictedError = errors.relRms;
-    p.predictedMedianRel = errors.medianRel;
-    p.predictedP99Rel = errors.p99Rel;
+    p.predicted = errors;
     p.promised = promised;
 }
 
@@ -230,7 +228,7 @@ PrefilterPlan cheapestPlan(const PrefilterOptions& options, const ProbeTraits& p
 
     std::ostringstream why;
     why.precision(3);
-    PrefilterPlan closest{.predictedError = std::numeric_limits<double>::infinity()};
+    PrefilterPlan closest{.predicted = {.relRms = std::numeric_limits<double>::infinity()}};
     for (const Candidate& candidate : candidates) {
         PrefilterPlan plan = planOf(candidate.method, options, probe);
         why << (candidate.method == candidates.front().method ? "predicted " : ", ") << plan.predictedSeconds * 1e3 << " ms "
@@ -239,8 +237,8 @@ PrefilterPlan cheapestPlan(const PrefilterOptions& options, const ProbeTraits& p
             plan.why = why.str();
             return plan;
         }
-        why << " (error " << plan.predictedError << ')';
-        if (plan.predictedError < closest.predictedError)
+        why << " (error " << plan.predicted.relRms << ')';
+        if (plan.predicted.relRms < closest.predicted.relRms)
             closest = plan;
     }
     closest.why = why.str() + ": none meets the tolerance, " + std::string(name(closest.method)) + " comes closest";
@@ -317,18 +315,6 @@ std::string cannotKeep(const PrefilterOptions& options, const SettledSpectral& s
 
 } // namespace
 
-PrefilterPlan settlePrefilter(FilterSource& source, const PrefilterOptions& options, const JobControl& job)
-{
-    const PrefilterPlan plan = planPrefilter(options, traits(source));
-    if (!plan.filtered || plan.method != Method::Spectral)
-        return plan;
-    const SettledSpectral settled = settleSpectral(source, options, job);
-    PrefilterPlan result = afterSettling(plan, settled, options, traits(source));
-    if (!result.promised)
-        throw InvalidArgument(cannotKeep(options, settled, traits(source)));
-    return result;
-}
-
 PrefilterOutcome prefilter(FilterSource& source, const PrefilterOptions& options, const JobControl& job)
 {
     PrefilterPlan plan = planPrefilter(options, traits(source));
@@ -336,7 +322,7 @@ PrefilterOutcome prefilter(FilterSource& source, const PrefilterOptions& options
     if (!plan.filtered) {
         outcome.method = plan.method;
         outcome.why = plan.why;
-        setPredicted(outcome, {plan.predictedError, plan.predictedMedianRel, plan.predictedP99Rel}, plan.promised);
+        setPredicted(outcome, plan.predicted, plan.promised);
         if (!source.latlong())
             throw InvalidArgument("lobe: too narrow to filter a probe that is read row by row; use convert");
         outcome.stages.push_back({.name = "filter", .leftOut = true, .why = plan.why});
@@ -364,22 +350,32 @@ PrefilterOutcome prefilter(FilterSource& source, const PrefilterOptions& options
     outcome.method = plan.method;
     outcome.why = plan.why;
     if (!map) {
-        setPredicted(outcome, {plan.predictedError, plan.predictedMedianRel, plan.predictedP99Rel}, plan.promised);
+        setPredicted(outcome, plan.predicted, plan.promised);
         map = run(plan.method, source, options, job, outcome);
     }
     outcome.map = std::move(*map);
     return outcome;
 }
 
-double informedError(const PrefilterOutcome& outcome, const PrefilterOptions& options, FilterSource& source, const JobControl& job)
+PredictedErrors informedErrors(const PrefilterOutcome& outcome, const PrefilterOptions& options, FilterSource& source,
+                               const JobControl& job)
 {
     const Method method = outcome.method;
     if (!outcome.filtered || (method != Method::Importance && method != Method::Mip && method != Method::Sh9))
-        return outcome.predictedError;
+        return outcome.predicted;
     constexpr int enough = 256; // beyond it a spectrum goes on at the level of its last degrees
     if (source.latlong())
         source.spectrum(enough, job);
-    return predictedError(method, options, traits(source));
+    return predictedErrors(method, options, traits(source));
+}
+
+std::string unpromisedText(const PrefilterOptions& options, const PrefilterOutcome& outcome)
+{
+    std::ostringstream text;
+    text.precision(2);
+    text << describe(options.lobe) << " by '" << name(outcome.method) << "' is not promised; predicted are rel_rms "
+         << outcome.predicted.relRms << ", median_rel " << outcome.predicted.medianRel << ", p99_rel " << outcome.predicted.p99Rel;
+    return text.str();
 }
 
 double chainRoughness(int level, int levels) { return levels > 1 ? static_cast<double>(level) / (levels - 1) : 0.0; }

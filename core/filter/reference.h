@@ -10,7 +10,7 @@
 
 namespace mirrorball {
 
-/// The reference sum (DESIGN 3): every texel of a latlong map against every direction, in double precision.
+/// The reference sum (docs/conventions.md): every texel of a latlong map against every direction, in double precision.
 ///
 ///   E(r) = sum_j L_j w_j k(r.d_j) / sum_j w_j k(r.d_j)
 ///

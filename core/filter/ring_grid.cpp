@@ -1,6 +1,6 @@
 #include "ring_grid.h"
 
-#include "multiversion.h"
+#include "core/base/multiversion.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 #include "prefilter.h"
 
-#include "core/image/map_file.h"
+#include "core/image/probe_file.h"
 
 #include <span>
 #include <string>
@@ -16,16 +16,16 @@ struct OpenedSource {
     RepairReport repaired{};
     std::string origin{}; ///< how the parameterization was found, in words
     bool streamed = false;
+    std::vector<Stage> stages{}; ///< what opening it took
 };
 
 /// Probes of more texels than this are streamed where the lobes allow it (33 million: 400 MB as floats).
 inline constexpr std::int64_t streamedFrom = std::int64_t{1} << 25;
 
-/// Opens `probe` for the given filter jobs. A latlong file of more than streamedFrom texels is never held: its rows go through a
+/// Makes a probe ready for the given filter jobs. A latlong file of more than streamedFrom texels is never held: its rows go through a
 /// SpectrumBuilder at the band limit that the jobs need, which is exact, in little memory. That asks for lobes which are resolved and
-/// for the method spectral or auto; otherwise, and for other probes, it is read whole. Appends its stages.
+/// for the method spectral or auto; otherwise, and for other probes, it is read whole.
 /// @throws FileError, InvalidArgument, Cancelled
-OpenedSource openFilterSource(const std::string& probe, const ReadProbeOptions& options, std::span<const PrefilterOptions> jobs,
-                              const JobControl& job, std::vector<Stage>& stages);
+OpenedSource openFilterSource(ProbeFile& probe, std::span<const PrefilterOptions> jobs, const JobControl& job);
 
 } // namespace mirrorball

@@ -53,7 +53,11 @@ Coefficients triangle(int bandLimit)
 /// libsharp takes its number of threads from OpenMP's setting for the calling thread; this sets it for a scope.
 class OpenMpThreads {
 public:
-    explicit OpenMpThreads(int threads) : m_before(omp_get_max_threads()) { omp_set_num_threads(threads); }
+    explicit OpenMpThreads(int threads) : m_before(omp_get_max_threads())
+    {
+        needThreads(threads);
+        omp_set_num_threads(threads);
+    }
     ~OpenMpThreads() { omp_set_num_threads(m_before); }
     OpenMpThreads(const OpenMpThreads&) = delete;
     OpenMpThreads& operator=(const OpenMpThreads&) = delete;

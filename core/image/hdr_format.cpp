@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <locale>
 #include <optional>
@@ -130,6 +131,16 @@ glm::dvec3 parseGain(const std::string& path, const std::string& key, const std:
     return count == 3 ? glm::dvec3(values[0], values[1], values[2]) : glm::dvec3(values[0]);
 }
 
+/// A row of 16384 texels of one colour takes 1 kB. A header of 60 bytes that claims 2^28 texels costs memory before the rows are missed.
+void checkLength(const std::string& path, long long texels)
+{
+    std::error_code unknown;
+    const auto bytes = static_cast<long long>(std::filesystem::file_size(path, unknown));
+    if (!unknown && texels > std::max(1LL << 24, 128 * bytes))
+        throw FileError(path, "the file is too short: its header claims " + std::to_string(texels) + " texels in " + std::to_string(bytes) +
+                                  " bytes; export or download it again");
+}
+
 void parseResolution(const std::string& path, const std::string& line, Header& header)
 {
     std::array<char, 2> signs{};
@@ -145,6 +156,7 @@ void parseResolution(const std::string& path, const std::string& line, Header& h
     header.order.leftward = signs[x] == '-';
     header.order.upward = signs[1 - x] == '+';
     checkImageSize(path, sizes[x], sizes[1 - x]);
+    checkLength(path, sizes[x] * sizes[1 - x]);
     header.width = static_cast<int>(sizes[x]);
     header.height = static_cast<int>(sizes[1 - x]);
 }

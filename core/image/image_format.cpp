@@ -9,6 +9,7 @@
 #include "container/dds.h"
 #include "container/ktx1.h"
 #include "container/ktx2.h"
+#include "container/png_codec.h"
 
 #include "core/base/error.h"
 
@@ -59,14 +60,34 @@ ImageFormat withAttributes(ImageFormat format)
     return format;
 }
 
+ImageFormat withWriter(ImageFormat format, decltype(ImageFormat::write) write)
+{
+    format.write = write;
+    return format;
+}
+
 ImageFormat withoutAlpha(ImageFormat format)
 {
     format.alpha = false;
     return format;
 }
 
-/// A row of a texture container, which is only read.
-ImageFormat containerFormat(std::string_view label, std::vector<std::string_view> extensions, bool (*recognizes)(std::string_view))
+/// A .png is a picture to look at, or radiance packed into its four channels.
+void writePng(AtomicFile& file, const std::filesystem::path& named, const std::vector<Image>& levels, const WriteOptions& options)
+{
+    if (options.encoding == Encoding::Display || options.bytes == ByteEncoding::Filmic || options.bytes == ByteEncoding::Srgb) {
+        openimageio::write(file, named, levels, options);
+        return;
+    }
+    const Image& image = levels.front();
+    const auto form = static_cast<PackedColor>(static_cast<int>(options.bytes) - static_cast<int>(ByteEncoding::Rgbe));
+    const std::string bytes = png::encode(png::packed(image, form));
+    file.write(bytes.data(), bytes.size());
+}
+
+/// A row of a texture container. One without `write` is made by exports for its engine only, which know what else is in it.
+ImageFormat containerFormat(std::string_view label, std::vector<std::string_view> extensions, bool (*recognizes)(std::string_view),
+                            decltype(ImageFormat::write) write = nullptr)
 {
     return {.label = label,
             .extensions = std::move(extensions),
@@ -75,7 +96,8 @@ ImageFormat containerFormat(std::string_view label, std::vector<std::string_view
             .levels = true,
             .faces = true,
             .recognizes = recognizes,
-            .open = &openContainer};
+            .open = &openContainer,
+            .write = write};
 }
 
 // Ratios: means over four 1k probes (studio, sky, night, interior) as cube and latlong of 256, `smooth` filtered with phong 50, and over
@@ -114,15 +136,15 @@ std::vector<ImageFormat> makeFormats()
          .ratios = {0.72, 0.56, 0.72},
          .halfRatios = {0.6, 0.27, 0.31},
          .write = &openimageio::write},
-        withAttributes(displayFormat("PNG", {".png"}, {0.38, 0.12, 0.19})),
+        withWriter(withAttributes(displayFormat("PNG", {".png"}, {0.38, 0.12, 0.19})), &writePng),
         withAttributes(withoutAlpha(displayFormat("JPEG", {".jpg", ".jpeg"}, {0.13, 0.04, 0.1}))),
         displayFormat("WebP", {".webp"}, {0.09, 0.014, 0.06}),
         withAttributes(displayFormat("TGA", {".tga"}, {0.92, 0.6, 0.5})),
         displayFormat("BMP", {".bmp"}, {}),
         withoutAlpha(displayFormat("PPM", {".ppm"}, {})),
-        containerFormat("KTX", {".ktx"}, &ktx1::hasSignature),
-        containerFormat("KTX 2", {".ktx2"}, &ktx2::hasSignature),
-        containerFormat("DDS", {".dds"}, &dds::hasSignature),
+        containerFormat("KTX", {".ktx"}, &ktx1::hasSignature, &writeKtx1),
+        containerFormat("KTX 2", {".ktx2"}, &ktx2::hasSignature, &writeKtx2),
+        containerFormat("DDS", {".dds"}, &dds::hasSignature, &writeDds),
         containerFormat("Babylon environment", {".env"}, &babylon_env::hasSignature),
     };
     return formats;

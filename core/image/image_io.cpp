@@ -55,28 +55,6 @@ std::unique_ptr<ImageReader> openLevel(const std::filesystem::path& path, int le
     return openimageio::open(path, signature, level);
 }
 
-Image readAll(ImageReader& reader, const JobControl& job)
-{
-    const int width = reader.info().width;
-    const int height = reader.info().height;
-    const auto rowFloats = 3 * static_cast<size_t>(width);
-    Image image;
-    image.width = width;
-    image.height = height;
-    // Reserved but touched only as rows arrive: a damaged file costs no more memory than the rows it really holds.
-    image.texels.reserve(rowFloats * static_cast<size_t>(height));
-    const int blockRows = std::max(1, blockTexels / width);
-    for (int y = 0; y < height; y += blockRows) {
-        job.checkStop();
-        const int rows = std::min(blockRows, height - y);
-        image.texels.resize(rowFloats * static_cast<size_t>(y + rows));
-        reader.readRows(y, rows, image.row(y));
-        if (job.progress)
-            job.progress(static_cast<float>(y + rows) / static_cast<float>(height));
-    }
-    return image;
-}
-
 /// Averages over the area that each texel of the smaller level covers; texels cut by its edge count in part.
 Image boxHalved(const Image& image)
 {
@@ -123,9 +101,49 @@ void checkWritable(const std::filesystem::path& path, const Image& image)
 
 } // namespace
 
+std::span<const std::string_view> words(ByteEncoding)
+{
+    static constexpr std::array<std::string_view, 6> all{"filmic", "srgb", "rgbe", "rgbm", "rgbd", "rgbp"};
+    return all;
+}
+
+void checkBytes(const std::filesystem::path& path, ByteEncoding bytes)
+{
+    const ImageFormat& format = writableFormat(path);
+    const bool packed = bytes != ByteEncoding::Filmic && bytes != ByteEncoding::Srgb;
+    const std::string word(words(bytes)[static_cast<size_t>(bytes)]);
+    if (format.samples != StoredSamples::Byte)
+        throw InvalidArgument("--encode: '" + word + "' is for formats of 8 bits a channel; " + path.filename().string() +
+                              " holds linear light as it is, so leave it out");
+    if (packed && format.extensions.front() != ".png")
+        throw InvalidArgument("--encode: '" + word + "' needs four channels without loss; write a .png");
+}
+
 std::unique_ptr<ImageReader> openImage(const std::filesystem::path& path) { return openLevel(path, 0); }
 
-Image readImage(const std::filesystem::path& path, const JobControl& job) { return readAll(*openLevel(path, 0), job); }
+Image readImage(ImageReader& reader, const JobControl& job)
+{
+    const int width = reader.info().width;
+    const int height = reader.info().height;
+    const auto rowFloats = 3 * static_cast<size_t>(width);
+    Image image;
+    image.width = width;
+    image.height = height;
+    // Reserved but touched only as rows arrive: a damaged file costs no more memory than the rows it really holds.
+    image.texels.reserve(rowFloats * static_cast<size_t>(height));
+    const int blockRows = std::max(1, blockTexels / width);
+    for (int y = 0; y < height; y += blockRows) {
+        job.checkStop();
+        const int rows = std::min(blockRows, height - y);
+        image.texels.resize(rowFloats * static_cast<size_t>(y + rows));
+        reader.readRows(y, rows, image.row(y));
+        if (job.progress)
+            job.progress(static_cast<float>(y + rows) / static_cast<float>(height));
+    }
+    return image;
+}
+
+Image readImage(const std::filesystem::path& path, const JobControl& job) { return readImage(*openLevel(path, 0), job); }
 
 std::string encodePng(const Image& display) { return openimageio::encodePng(display); }
 
@@ -136,10 +154,10 @@ std::optional<Image> readImagePass(const std::filesystem::path& path, const std:
     const std::unique_ptr<ImageReader> reader = exr::openPass(path, pass);
     if (!reader)
         return std::nullopt;
-    return readAll(*reader, job);
+    return readImage(*reader, job);
 }
 
-Image readLevel(const std::filesystem::path& path, int level) { return readAll(*openLevel(path, level), {}); }
+Image readLevel(const std::filesystem::path& path, int level) { return readImage(*openLevel(path, level)); }
 
 void writeImage(const std::filesystem::path& path, const Image& image, const WriteOptions& options)
 {

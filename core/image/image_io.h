@@ -8,7 +8,9 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// Reading and writing image files. What is written is a row of the table of formats (image_format.h), chosen by the extension; what is
@@ -50,6 +52,8 @@ std::unique_ptr<ImageReader> openImage(const std::filesystem::path& path);
 
 /// The whole image as linear RGB. @throws FileError
 Image readImage(const std::filesystem::path& path, const JobControl& job = {});
+/// The same of a file that is open and was not read yet.
+Image readImage(ImageReader& reader, const JobControl& job = {});
 
 /// A pass of a layered OpenEXR file (Blender's matcaps have `diffuse` and `specular`), as linear RGB. Nothing where the file has no pass of
 /// that name, which no other format has. @throws FileError
@@ -61,15 +65,31 @@ enum class SampleType { Float, Half };
 /// for a display (color.h), in [0, 1] and not multiplied, which only 8-bit formats take and which goes into them as it is.
 enum class Encoding { Linear, Display };
 
+/// What the bytes of a format of 8 bits a channel stand for, where linear light goes into it.
+enum class ByteEncoding {
+    Filmic, ///< a picture to look at: filmic tone curve, then sRGB (color.h)
+    Srgb,   ///< clipped to [0, 1], then sRGB: what 8-bit textures are taken for
+    Rgbe,   ///< radiance with a shared exponent or multiplier in alpha (container/packed_texel.h); .png only
+    Rgbm,
+    Rgbd,
+    Rgbp,
+};
+std::span<const std::string_view> words(ByteEncoding); // filmic srgb rgbe rgbm rgbd rgbp
+
 struct WriteOptions {
     SampleType sampleType = SampleType::Float;       ///< .exr and .tif; half is clamped to +-65504 first
     std::map<std::string, std::string> attributes{}; ///< stored where the format can hold strings (not .hdr)
     Encoding encoding = Encoding::Linear;
+    ByteEncoding bytes = ByteEncoding::Filmic; ///< .png and its like; see checkBytes()
     int faces =
         1; ///< 6: the picture is the stacked faces of a cube, for a format that keeps those as such; levels then halve a face's edge
 };
 
-/// Writes linear RGB. A fourth channel is left out where the format has none. .png is tone-mapped (color.h) and sRGB-encoded; .hdr takes no
+/// Whether a file can hold the encoding. @throws InvalidArgument naming the formats that can
+void checkBytes(const std::filesystem::path& path, ByteEncoding bytes);
+
+/// Writes linear RGB. A fourth channel is left out where the format has none. .png is tone-mapped (color.h) and
+/// sRGB-encoded unless options.bytes says otherwise; .hdr takes no
 /// negative values (clamped to 0). The file appears whole or not at all: it is written under a temporary name beside the target and
 /// renamed.
 /// @throws InvalidArgument for an extension that cannot be written, or that takes no display picture; WorkError when writing fails

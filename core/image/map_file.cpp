@@ -1,9 +1,7 @@
 #include "map_file.h"
 
-#include "builtin_probes.h"
 #include "color.h"
 #include "image_format.h"
-#include "layout_detection.h"
 #include "opacity.h"
 
 #include "core/base/atomic_file.h"
@@ -17,30 +15,19 @@ namespace mirrorball {
 
 namespace {
 
-constexpr std::string_view builtinPrefix = "builtin:";
 constexpr std::array<std::string_view, 6> faceNames{"px", "nx", "py", "ny", "pz", "nz"};
-constexpr std::string_view faceMark = "%s", levelMark = "%d";
-
-/// The file with the first `mark` of its name replaced; nothing when it has none.
-std::optional<std::filesystem::path> withMarkReplaced(const std::filesystem::path& path, std::string_view mark, std::string_view word)
-{
-    std::string file = path.filename().string();
-    const size_t at = file.find(mark);
-    if (at == std::string::npos)
-        return {};
-    return path.parent_path() / file.replace(at, mark.size(), word);
-}
 
 /// NAME.LEVEL.EXT, or where the name has a `%d` the level in its place.
-std::filesystem::path withLevel(const std::filesystem::path& path, size_t level)
+std::filesystem::path withLevel(const std::filesystem::path& path, std::string_view face, size_t level)
 {
-    if (auto named = withMarkReplaced(path, levelMark, std::to_string(level)))
-        return *named;
-    std::filesystem::path result = path;
+    if (namesLevels(path))
+        return fileNamed(path, {.face = face, .level = static_cast<int>(level)});
+    const std::filesystem::path whole = fileNamed(path, {.face = face});
+    std::filesystem::path result = whole;
     result.replace_extension();
     result += '.';
     result += std::to_string(level);
-    result += path.extension();
+    result += whole.extension();
     return result;
 }
 
@@ -57,44 +44,43 @@ bool halveExactly(const std::vector<Edges>& levels)
     return true;
 }
 
-/// The files of one chain of images: one where it holds them all, else one a level.
-std::vector<std::filesystem::path> levelFiles(const std::filesystem::path& out, const std::vector<Edges>& levels)
+/// The files of one chain of images, of one face where `face` names it: one where it holds them all, else one a level.
+std::vector<std::filesystem::path> levelFiles(const std::filesystem::path& out, std::string_view face, const std::vector<Edges>& levels)
 {
     if (!namesLevels(out) && (levels.size() == 1 || (holdsMips(out) && halveExactly(levels))))
-        return {out};
+        return {fileNamed(out, {.face = face})};
     std::vector<std::filesystem::path> files;
     for (size_t i = 0; i < levels.size(); ++i)
-        files.push_back(withLevel(out, i));
+        files.push_back(withLevel(out, face, i));
     return files;
 }
 
-std::vector<std::filesystem::path> writeLevels(const std::filesystem::path& out, const std::vector<Image>& levels,
+std::vector<std::filesystem::path> writeLevels(const std::filesystem::path& out, std::string_view face, const std::vector<Image>& levels,
                                                const WriteOptions& options)
 {
     std::vector<Edges> edges;
     for (const Image& level : levels)
         edges.push_back({level.width, level.height / options.faces});
-    std::vector<std::filesystem::path> files = levelFiles(out, edges);
+    if (levels.size() == 1)
+        refuseDoubtfulLevel(out);
+    std::vector<std::filesystem::path> files = levelFiles(out, face, edges);
     if (files.size() < levels.size())
-        writeMips(out, levels, options);
+        writeMips(files.front(), levels, options);
     else
         for (size_t i = 0; i < levels.size(); ++i)
             writeImage(files[i], levels[i], options);
     return files;
 }
 
-/// NAME with its `%s` replaced by the word of each face; empty when it has none.
-std::vector<std::filesystem::path> faceFiles(const std::filesystem::path& out, Parameterization kind)
+/// The words of the faces that a name with `%s` stands for; a single empty one for a name without.
+std::vector<std::string_view> facesOf(const std::filesystem::path& out, Parameterization kind)
 {
     if (!namesFaces(out))
-        return {};
+        return {std::string_view()};
     if (kind != Parameterization::Cube)
         throw InvalidArgument("output: '%s' stands for the six faces of a cube, but this map is a " + std::string(name(kind)) +
                               " map; give a plain name, or '%d' for one file a level");
-    std::vector<std::filesystem::path> files;
-    for (const std::string_view word : faceNames)
-        files.push_back(*withMarkReplaced(out, faceMark, word));
-    return files;
+    return {faceNames.begin(), faceNames.end()};
 }
 
 bool keepsFaces(const ImageFormat& format, const MapLayout& layout) { return format.faces && layout.kind == Parameterization::Cube; }
@@ -106,46 +92,28 @@ Image face(const Image& cube, int index)
     return result;
 }
 
-} // namespace
-
-Probe readProbe(const std::string& probe, const ReadProbeOptions& options, const JobControl& job, std::vector<Stage>& stages)
-{
-    Probe result;
-    if (probe.starts_with(builtinPrefix)) {
-        result.map = timedStage(stages, "compute probe",
-                                [&] { return renderBuiltinProbe(probe.substr(builtinPrefix.size()), builtinProbeLayout, job); });
-        result.origin = "built in";
-        return result;
-    }
-    const Detection detection = detectLayout(openImage(probe)->info(), options.from);
-    Image image = timedStage(stages, "read probe", [&] { return readImage(probe, job); });
-    result.repaired = timedStage(stages, "repair", [&] { return repair(image, options.negatives); });
-    stages.back().why = describe(result.repaired);
-    result.origin = detection.reason;
-    result.certain = detection.certain;
-    result.map = toEnvironmentMap(std::move(image), detection, job);
-    return result;
-}
-
-bool namesLevels(const std::filesystem::path& out) { return out.filename().string().find(levelMark) != std::string::npos; }
-
-bool namesFaces(const std::filesystem::path& out) { return out.filename().string().find(faceMark) != std::string::npos; }
-
-std::vector<std::filesystem::path> mapFiles(const std::filesystem::path& out, const std::vector<MapLayout>& levels)
+std::vector<std::filesystem::path> filesOfMap(const std::filesystem::path& out, const std::vector<MapLayout>& levels)
 {
     const ImageFormat& format = writableFormat(out);
     std::vector<Edges> edges;
-    const std::vector<std::filesystem::path> faces = faceFiles(out, levels.front().kind);
-    const bool areFaces = !faces.empty() || keepsFaces(format, levels.front());
+    const std::vector<std::string_view> faces = facesOf(out, levels.front().kind);
+    const bool areFaces = faces.size() > 1 || keepsFaces(format, levels.front());
     for (const MapLayout& level : levels)
         edges.push_back({level.width(), areFaces ? level.width() : level.height()});
-    if (faces.empty())
-        return levelFiles(out, edges);
     std::vector<std::filesystem::path> files;
-    for (const std::filesystem::path& faceFile : faces)
-        for (std::filesystem::path& file : levelFiles(faceFile, edges))
+    for (const std::string_view word : faces)
+        for (std::filesystem::path& file : levelFiles(out, word, edges))
             files.push_back(std::move(file));
     return files;
+}
+
+} // namespace
+
+std::vector<std::filesystem::path> mapFiles(const std::filesystem::path& out, const std::vector<MapLayout>& levels)
+{
+    if (levels.size() == 1)
+        refuseDoubtfulLevel(out);
+    return filesOfMap(out, levels);
 }
 
 std::vector<std::filesystem::path> writeMap(const std::filesystem::path& out, const std::vector<EnvironmentMap>& levels,
@@ -157,21 +125,21 @@ std::vector<std::filesystem::path> writeMap(const std::filesystem::path& out, co
     if (layout.border > 0)
         described.attributes["mirrorball:border"] = std::to_string(layout.border);
 
-    const std::vector<std::filesystem::path> faces = faceFiles(out, layout.kind);
+    const std::vector<std::string_view> faces = facesOf(out, layout.kind);
     std::vector<Image> images;
-    if (faces.empty()) {
+    if (faces.size() == 1) {
         described.faces = keepsFaces(writableFormat(out), layout) ? 6 : 1;
         for (const EnvironmentMap& level : levels)
             images.push_back(level.image);
-        return writeLevels(out, images, described);
+        return writeLevels(out, {}, images, described);
     }
     std::vector<std::filesystem::path> files;
     for (size_t i = 0; i < faces.size(); ++i) {
         images.clear();
         for (const EnvironmentMap& level : levels)
             images.push_back(face(level.image, static_cast<int>(i)));
-        described.attributes["mirrorball:parameterization"] = "cube face " + std::string(faceNames[i]);
-        for (auto& written : writeLevels(faces[i], images, described))
+        described.attributes["mirrorball:parameterization"] = "cube face " + std::string(faces[i]);
+        for (auto& written : writeLevels(out, faces[i], images, described))
             files.push_back(std::move(written));
     }
     return files;
@@ -180,18 +148,18 @@ std::vector<std::filesystem::path> writeMap(const std::filesystem::path& out, co
 std::vector<std::filesystem::path> writePictures(const std::filesystem::path& out, const std::vector<Image>& levels,
                                                  const WriteOptions& options)
 {
-    faceFiles(out, Parameterization::Sphere); // says that a picture has no faces
+    facesOf(out, Parameterization::Sphere); // says that a picture has no faces
     const ImageFormat& format = writableFormat(out);
     if (format.samples != StoredSamples::Byte)
-        return writeLevels(out, levels, options);
+        return writeLevels(out, {}, levels, options);
     std::vector<Image> shown;
     for (const Image& level : levels)
         shown.push_back(toDisplay(level.channels == 4 && !format.alpha ? withoutOpacity(level) : level, 0.0, ToneCurve::None));
     WriteOptions display = options;
     display.encoding = Encoding::Display;
-    return writeLevels(out, shown, display);
+    return writeLevels(out, {}, shown, display);
 }
 
-void checkMapFile(const std::filesystem::path& out, const MapLayout& base) { checkTarget(mapFiles(out, {base}).front()); }
+void checkMapFile(const std::filesystem::path& out, const MapLayout& base) { checkTarget(filesOfMap(out, {base}).front()); }
 
 } // namespace mirrorball

@@ -1,45 +1,18 @@
 #pragma once
 
 #include "environment_map.h"
+#include "file_names.h"
 #include "image_io.h"
-#include "repair.h"
-
-#include "core/base/job.h"
-#include "core/base/stage.h"
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
-/// Environment maps as files: what the command line, scenes and the studio read and write alike.
+/// Environment maps as files: what the command line, scenes and the studio write alike.
 namespace mirrorball {
 
-struct ReadProbeOptions {
-    std::optional<Parameterization> from{}; ///< forces the parameterization; empty: found out from the file
-    NegativePolicy negatives = NegativePolicy::Keep;
-};
-
-struct Probe {
-    EnvironmentMap map{};
-    RepairReport repaired{};
-    std::string origin{}; ///< how the parameterization was found, in words
-    bool certain = true;  ///< false: a guess by shape alone (a square may be angular, sphere or octahedral)
-};
-
-/// Reads `probe`, a path or `builtin:NAME`, repairs it (repair.h) and finds out its parameterization (layout_detection.h).
-/// Appends its stages ("read probe", "compute probe", "repair").
-/// @throws FileError, InvalidArgument
-Probe readProbe(const std::string& probe, const ReadProbeOptions& options, const JobControl& job, std::vector<Stage>& stages);
-
-/// Whether the file's name has a `%d`, which stands for the number of a level: one file a level then, of any format.
-bool namesLevels(const std::filesystem::path& out);
-
-/// Whether the file's name has a `%s`, which stands for the word of a cube's face: six files.
-bool namesFaces(const std::filesystem::path& out);
-
 /// The files that writeMap() makes of levels of these layouts, in its order; nothing is opened.
-/// @throws InvalidArgument for an extension that cannot be written, or a `%s` in the name of a map that is no cube
+/// @throws InvalidArgument for an extension that cannot be written, or a `%s` in the name of a map that is no cube; refuseDoubtfulLevel()
 std::vector<std::filesystem::path> mapFiles(const std::filesystem::path& out, const std::vector<MapLayout>& levels);
 
 /// Whether a map could be written to `out`, asked before it is made: the format, the marks in the name, the folder.
@@ -47,8 +20,9 @@ std::vector<std::filesystem::path> mapFiles(const std::filesystem::path& out, co
 void checkMapFile(const std::filesystem::path& out, const MapLayout& base);
 
 /// Writes a map, or a chain of levels (each its own map, largest first), to `out`: one file; the levels inside it where the format
-/// holds them (.exr, .tif), else one file a level, NAME.0.EXT, NAME.1.EXT, ... A `%d` in the name stands for the level's number and makes
-/// one file a level of any format; a `%s` in the name of a cube makes six files, px nx py ny pz nz. The parameterization and border are
+/// holds them (.exr, .tif), else one file a level, NAME.0.EXT, NAME.1.EXT, ... A `%d` or `%0Nd` in the name stands for the level's number
+/// and makes one file a level of any format; a `%s` in the name of a cube makes six files, px nx py ny pz nz; `%%` is a percent sign
+/// (file_names.h). The parameterization and border are
 /// stored in the file's attributes where it can hold them, beside those in `options`. Each file appears whole or not at all. @return the
 /// files written, in order
 std::vector<std::filesystem::path> writeMap(const std::filesystem::path& out, const std::vector<EnvironmentMap>& levels,

@@ -1,9 +1,9 @@
 #include "openimageio_loader.h"
 
 #include "color.h"
+#include "foreign_reader.h"
 #include "image_format.h"
-#include "input_checks.h"
-#include "openimageio_module.h"
+#include "openimageio_library.h"
 
 #include "core/base/error.h"
 
@@ -12,50 +12,10 @@
 #include <cstdint>
 #include <fstream>
 
-#include <dlfcn.h>
-
 namespace mirrorball::openimageio {
 namespace {
 
 constexpr float largestHalf = 65504.0f;
-constexpr const char* moduleFile = "libmirrorball_openimageio.so";
-
-/// Beside the running program as installed or as built, then where this build installs to.
-std::vector<std::filesystem::path> moduleFolders()
-{
-    std::error_code ignored;
-    const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
-    return {program / MIRRORBALL_MODULE_FROM_BIN, program / "../lib/mirrorball", program / "../lib", MIRRORBALL_MODULE_INSTALLED};
-}
-
-const Module& loadModule()
-{
-    std::string reason = "it is not installed";
-    for (const std::filesystem::path& folder : moduleFolders()) {
-        const auto file = folder / moduleFile;
-        std::error_code ignored;
-        if (!std::filesystem::exists(file, ignored))
-            continue;
-        void* const library = ::dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL);
-        if (!library) {
-            reason = oneLine(::dlerror());
-            continue;
-        }
-        const auto entry = reinterpret_cast<const Module* (*)()>(::dlsym(library, entryPoint));
-        if (entry && entry()->version == moduleVersion)
-            return *entry(); // stays loaded: OpenImageIO does not survive being unloaded
-        reason = file.string() + " is of another version";
-    }
-    throw WorkError("formats other than .exr and .hdr need " + std::string(moduleFile) + ", which cannot be loaded (" + reason +
-                    "); reinstall Mirrorball or convert the image to .exr");
-}
-
-const Module& module()
-{
-    static const Module& loaded = loadModule(); // a failure is tried again on the next use
-    return loaded;
-}
-
 struct Signature {
     std::string_view bytes;
     size_t offset;
@@ -64,27 +24,46 @@ struct Signature {
 
 using namespace std::string_view_literals;
 
-constexpr std::array<Signature, 23> signatures{{
-    {"\x89PNG\r\n"sv, 0, "png"}, {"\xff\xd8\xff"sv, 0, "jpeg"},
-    {"II*\0"sv, 0, "tiff"},      {"MM\0*"sv, 0, "tiff"},
-    {"II+\0"sv, 0, "tiff"},      {"MM\0+"sv, 0, "tiff"},
-    {"GIF8"sv, 0, "gif"},        {"BM"sv, 0, "bmp"},
-    {"WEBP"sv, 8, "webp"},       {"8BPS"sv, 0, "psd"},
-    {"DDS "sv, 0, "dds"},        {"SDPX"sv, 0, "dpx"},
-    {"XPDS"sv, 0, "dpx"},        {"\xff\x4f\xff\x51"sv, 0, "jpeg2000"},
-    {"jP  "sv, 4, "jpeg2000"},   {"ftyp"sv, 4, "heif"},
-    {"P1"sv, 0, "pnm"},          {"P2"sv, 0, "pnm"},
-    {"P3"sv, 0, "pnm"},          {"P5"sv, 0, "pnm"},
-    {"P6"sv, 0, "pnm"},          {"Pf"sv, 0, "pnm"},
-    {"PF"sv, 0, "pnm"},
+/// The formats that people have pictures in. Each more is one more decoder that files of strangers reach.
+constexpr std::array<Signature, 14> signatures{{
+    {"\x89PNG\r\n"sv, 0, "png"},
+    {"\xff\xd8\xff"sv, 0, "jpeg"},
+    {"II*\0"sv, 0, "tiff"},
+    {"MM\0*"sv, 0, "tiff"},
+    {"II+\0"sv, 0, "tiff"}, // BigTIFF
+    {"MM\0+"sv, 0, "tiff"},
+    {"BM"sv, 0, "bmp"},
+    {"WEBP"sv, 8, "webp"},
+    {"8BPS"sv, 0, "psd"},
+    {"DDS "sv, 0, "dds"},
+    {"ftyp"sv, 4, "heif"}, // and AVIF
+    {"Pf\n"sv, 0, "pnm"},  // PFM, in which light probes are handed on
+    {"PF\n"sv, 0, "pnm"},
+    {"P6"sv, 0, "pnm"},
 }};
+constexpr std::string_view knownFormats = ".exr, .hdr, .png, .tif, .jpg, .webp, .bmp, .tga, .psd, .heic, .avif, .dds, .pfm or .ppm";
 
-std::string formatOf(std::string_view firstBytes)
+std::string lowerExtension(const std::filesystem::path& path)
+{
+    std::string text = path.extension().string();
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+/// A .tga file has no signature: its name says what it is, and its first bytes may not contradict.
+bool looksLikeTarga(std::string_view bytes, const std::string& extension)
+{
+    constexpr std::string_view kinds("\1\2\3\11\12\13");
+    return extension == ".tga" && bytes.size() > 2 && static_cast<unsigned char>(bytes[1]) < 2 && kinds.find(bytes[2]) != kinds.npos;
+}
+
+/// OpenImageIO's name of the format that the content is in; empty for none that is read.
+std::string formatOf(std::string_view firstBytes, const std::string& extension)
 {
     for (const Signature& signature : signatures)
         if (firstBytes.size() > signature.offset && firstBytes.substr(signature.offset).starts_with(signature.bytes))
             return signature.format;
-    return {};
+    return looksLikeTarga(firstBytes, extension) ? "targa" : "";
 }
 
 /// Walks the chunks of a PNG file and compares their checksums: libpng reports damage on stderr, past everyone.
@@ -200,15 +179,15 @@ private:
 
 std::unique_ptr<ImageReader> open(const std::filesystem::path& path, std::string_view firstBytes, int level)
 {
-    std::string format = formatOf(firstBytes);
+    std::string format = formatOf(firstBytes, lowerExtension(path));
     const ImageFormat* const named = findFormat(path);
     if (format.empty() && named && named->label == "PNG")
         format = "png"; // for checkPng() to refuse
-    if (format.empty() && (!path.has_extension() || (named && named->recognizes)))
-        throw FileError(path.string(), "this is no image of a known format; export or download it again");
+    if (format.empty())
+        throw FileError(path.string(), "this is no image of a known format; export it as " + std::string(knownFormats));
     if (format == "png")
         checkPng(path);
-    return std::make_unique<LinearReader>(module().open(path, format, level));
+    return std::make_unique<LinearReader>(openForeign(path, format, level));
 }
 
 void write(AtomicFile& file, const std::filesystem::path& named, const std::vector<Image>& levels, const WriteOptions& options)
@@ -220,7 +199,9 @@ void write(AtomicFile& file, const std::filesystem::path& named, const std::vect
     for (const Image& image : levels) {
         raw.push_back({image.width, image.height, image.channels, image.texels.data(), nullptr});
         if (!floats) {
-            const Image display = options.encoding == Encoding::Display ? image : toDisplay(image, 0.0, ToneCurve::Filmic);
+            const Image display = options.encoding == Encoding::Display
+                                      ? image
+                                      : toDisplay(image, 0.0, options.bytes == ByteEncoding::Srgb ? ToneCurve::None : ToneCurve::Filmic);
             bytes.emplace_back(display.texels.size());
             std::transform(display.texels.begin(), display.texels.end(), bytes.back().begin(), toByte);
             raw.back().bytes = bytes.back().data();

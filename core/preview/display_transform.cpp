@@ -1,6 +1,7 @@
 #include "display_transform.h"
 
 #include "core/base/error.h"
+#include "core/image/input_checks.h"
 
 #include <OpenColorIO/OpenColorIO.h>
 
@@ -13,11 +14,15 @@ namespace ocio = OCIO_NAMESPACE;
 
 namespace {
 
-std::string oneLine(std::string text)
+/// All of a library's text in one line: the first line of a compiler's message alone says too little.
+std::string inOneLine(std::string text)
 {
     std::replace_if(
         text.begin(), text.end(), [](unsigned char c) { return c < 32; }, ' ');
-    return text.substr(0, 240);
+    std::string line = oneLine(text);
+    while (line.find("  ") != std::string::npos)
+        line.erase(line.find("  "), 1);
+    return line.size() > 240 ? oneLine(line.substr(0, 240)) : line;
 }
 
 /// Runs `work`; what OpenColorIO has to say becomes an error of the field.
@@ -27,7 +32,7 @@ auto namingField(const std::string& field, Work&& work)
     try {
         return work();
     } catch (const ocio::Exception& error) {
-        throw InvalidArgument(field + ": " + oneLine(error.what()));
+        throw InvalidArgument(field + ": " + inOneLine(error.what()));
     }
 }
 
@@ -88,7 +93,7 @@ std::string choose(const std::string& field, const std::string& wanted, const st
     if (wanted.empty())
         return known.front();
     if (std::find(known.begin(), known.end(), wanted) == known.end())
-        throw InvalidArgument(field + ": '" + oneLine(wanted) + "' is not in the configuration; it has " + listed(known));
+        throw InvalidArgument(field + ": '" + inOneLine(wanted) + "' is not in the configuration; it has " + listed(known));
     return wanted;
 }
 

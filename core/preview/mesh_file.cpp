@@ -1,17 +1,17 @@
 #include "mesh_file.h"
 
-#include "mesh_import.h"
+#include "mesh_wire.h"
 
 #include "core/base/error.h"
-#include "core/base/isolated.h"
+#include "core/base/helper_process.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <cstring>
+#include <cstdio>
 #include <numeric>
-#include <optional>
+#include <string>
 #include <tuple>
 
 namespace mirrorball::preview {
@@ -19,48 +19,6 @@ namespace mirrorball::preview {
 namespace {
 
 constexpr std::array<std::string_view, 9> extensions{".obj", ".ply", ".stl", ".off", ".gltf", ".glb", ".fbx", ".dae", ".3ds"};
-
-template <class Element>
-void put(std::string& bytes, const std::vector<Element>& elements)
-{
-    const std::uint64_t count = elements.size();
-    bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
-    bytes.append(reinterpret_cast<const char*>(elements.data()), count * sizeof(Element));
-}
-
-template <class Element>
-bool take(std::string_view& bytes, std::vector<Element>& elements)
-{
-    std::uint64_t count = 0;
-    if (bytes.size() < sizeof count)
-        return false;
-    std::memcpy(&count, bytes.data(), sizeof count);
-    bytes.remove_prefix(sizeof count);
-    if (count > bytes.size() / sizeof(Element))
-        return false;
-    elements.resize(count);
-    std::memcpy(elements.data(), bytes.data(), count * sizeof(Element));
-    bytes.remove_prefix(count * sizeof(Element));
-    return true;
-}
-
-std::string packed(const Mesh& mesh)
-{
-    std::string bytes;
-    put(bytes, mesh.positions);
-    put(bytes, mesh.normals);
-    put(bytes, mesh.texCoords);
-    put(bytes, mesh.indices);
-    return bytes;
-}
-
-// What a crashing importer may have written is not trusted.
-bool unpack(std::string_view bytes, Mesh& mesh)
-{
-    return take(bytes, mesh.positions) && take(bytes, mesh.normals) && take(bytes, mesh.texCoords) && take(bytes, mesh.indices) &&
-           mesh.normals.size() == mesh.positions.size() && mesh.texCoords.size() == mesh.positions.size() && mesh.indices.size() % 3 == 0 &&
-           std::all_of(mesh.indices.begin(), mesh.indices.end(), [&](std::uint32_t i) { return i < mesh.positions.size(); });
-}
 
 // Vertices that no triangle uses would widen the bounds: a damaged one may lie anywhere.
 void dropUnused(Mesh& mesh)
@@ -140,7 +98,81 @@ bool isMeshFile(const std::filesystem::path& path)
     return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
-Mesh readMesh(const std::filesystem::path& path, const JobControl& job, const MeshLimits& limits)
+namespace {
+
+/// Reads a file of some 100 kB in a moment or not at all: what takes longer is made to.
+HelperLimits helperLimits(std::uintmax_t fileBytes, const MeshLimits& limits)
+{
+    constexpr std::uintmax_t mib = std::uintmax_t{1} << 20;
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    constexpr double slower = 20.0;
+#else
+    constexpr double slower = 1.0;
+#endif
+    return {.seconds = slower * std::min<double>(limits.seconds, 1.4 + 5.0 * static_cast<double>(fileBytes) / static_cast<double>(mib)),
+            .memoryBytes = std::min(limits.memoryBytes, 512 * mib + 64 * fileBytes)};
+}
+
+ImportedMesh importedBy(const std::filesystem::path& path, std::uintmax_t fileBytes, const JobControl& job, const MeshLimits& limits)
+{
+    WireWriter request;
+    request << std::string_view(path.native()) << std::uint64_t{limits.fileBytes} << std::uint64_t{limits.triangles};
+    const HelperLimits allowed = helperLimits(fileBytes, limits);
+    ImportedMesh imported;
+    try {
+        Helper helper(HelperWork::Meshes);
+        if (fromWire(helper.ask(helper::Request::ReadMesh, std::move(request).bytes(), &allowed, job), imported))
+            return imported;
+        throw HelperEnded("it breaks the reader");
+    } catch (const HelperEnded& ended) {
+        throw FileError(path.string(), std::string("the mesh is damaged or does harm, because ") + ended.what() +
+                                           "; export it again or reduce it in a modeller");
+    } catch (const InvalidArgument& refusal) {
+        throw FileError(path.string(), refusal.what());
+    }
+}
+
+/// "68 644": thousands apart.
+std::string grouped(std::uint64_t number)
+{
+    std::string text = std::to_string(number);
+    for (size_t at = text.size(); at > 3; at -= 3)
+        text.insert(at - 3, " ");
+    return text;
+}
+
+/// A length in metres in the unit that suits it, two digits.
+std::string lengthText(double metres)
+{
+    struct Unit {
+        double metres;
+        const char* name;
+    };
+    constexpr std::array<Unit, 5> units{{{1e3, "km"}, {1.0, "m"}, {1e-2, "cm"}, {1e-3, "mm"}, {1e-6, "um"}}};
+    const Unit* unit = &units.back();
+    for (const Unit& candidate : units)
+        if (metres >= candidate.metres) {
+            unit = &candidate;
+            break;
+        }
+    std::array<char, 32> text{};
+    const double number = metres / unit->metres;
+    std::snprintf(text.data(), text.size(), number < 9.95 ? "%.1f %s" : "%.0f %s", number, unit->name);
+    return text.data();
+}
+
+} // namespace
+
+std::string describe(const MeshFacts& facts)
+{
+    std::string text = grouped(facts.triangles) + (facts.triangles == 1 ? " triangle, " : " triangles, ") + lengthText(facts.extent) +
+                       (facts.isMetric ? "" : " if its unit is the metre");
+    if (facts.dropped > 0)
+        text += "; " + grouped(facts.dropped) + (facts.dropped == 1 ? " bad face" : " bad faces") + " left out";
+    return text;
+}
+
+MeshFile readMeshFile(const std::filesystem::path& path, const JobControl& job, const MeshLimits& limits)
 {
     std::error_code error;
     const auto refuse = [&](const std::string& message) { throw FileError(path.string(), message); };
@@ -154,26 +186,31 @@ Mesh readMesh(const std::filesystem::path& path, const JobControl& job, const Me
             known += ' ' + std::string(extension);
         refuse("is no mesh file that can be read; export it as one of" + known);
     }
-    if (std::filesystem::file_size(path, error) > limits.fileBytes)
+    const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+    if (error || bytes > limits.fileBytes)
         refuse("holds more than " + std::to_string(limits.fileBytes >> 20) + " MiB; reduce the mesh in a modeller");
 
-    std::optional<std::string> bytes;
-    try {
-        bytes = runIsolated({.memoryBytes = limits.memoryBytes, .seconds = limits.seconds}, job,
-                            [&] { return packed(importMesh(path, limits)); });
-    } catch (const InvalidArgument& refusal) {
-        refuse(refusal.what());
-    }
-    Mesh mesh;
-    if (!bytes || !unpack(*bytes, mesh))
-        refuse("the mesh is damaged or takes too much memory or time to read; export it again or reduce it");
+    ImportedMesh imported = importedBy(path, bytes, job, limits);
+    Mesh& mesh = imported.mesh;
     if (mesh.indices.empty())
         refuse("the file holds no triangle; export the surfaces, not curves or points");
     dropUnused(mesh);
+    const BoundingBox box = boundingBox(mesh);
+    const glm::dvec3 size = glm::dvec3(box.high) - glm::dvec3(box.low);
     if (!fitUnitSphere(mesh))
         refuse("the mesh has no extent; export it again");
     mesh.openFrom = isClosed(mesh) ? mesh.indices.size() : 0;
-    return mesh;
+    const std::string extension = path.extension().string();
+    const MeshFacts facts{.triangles = mesh.indices.size() / 3,
+                          .dropped = imported.dropped,
+                          .extent = std::max({size.x, size.y, size.z}),
+                          .isMetric = extension == ".gltf" || extension == ".glb"};
+    return {std::move(mesh), facts};
+}
+
+Mesh readMesh(const std::filesystem::path& path, const JobControl& job, const MeshLimits& limits)
+{
+    return readMeshFile(path, job, limits).mesh;
 }
 
 } // namespace mirrorball::preview

@@ -26,8 +26,10 @@ void divideByOpacity(Image& rgba)
 
 } // namespace
 
-void savePicture(const Scene& scene, const Plan& plan, const std::filesystem::path& path, const JobControl& job, WorkRecord& record)
+WorkRecord savePicture(PlannedScene planned, const std::filesystem::path& path, const JobControl& job)
 {
+    const Scene& scene = planned.scene;
+    WorkRecord record = std::move(planned.record);
     const ImageFormat& format = writableFormat(path);
     const bool radiance = format.samples != StoredSamples::Byte;
     checkTarget(path);
@@ -37,9 +39,11 @@ void savePicture(const Scene& scene, const Plan& plan, const std::filesystem::pa
     std::shared_ptr<const Mesh> mesh;
     if (const auto file = meshFile(scene))
         mesh = timedStage(record.stages, "read mesh", [&] { return std::make_shared<const Mesh>(readMesh(*file, job)); });
-    const RenderSettings settings = renderSettings(scene, plan, std::move(mesh), std::move(display));
-    SceneProbe probe = openProbe(scene, plan, job, record);
-    const RenderMaps maps = renderMaps(buildMaps(scene, plan, probe, job, record));
+    const RenderSettings settings = renderSettings(scene, planned.plan, std::move(mesh), std::move(display));
+    SceneProbe probe = openProbe(std::move(planned.probe), planned.plan, job);
+    SceneMaps made = buildMaps(scene, planned.plan, probe, job);
+    record += std::move(made.record);
+    const RenderMaps maps = renderMaps(made);
     job.checkStop();
     Image picture = timedStage(record.stages, "draw", [&] {
         OffscreenContext context;
@@ -53,6 +57,7 @@ void savePicture(const Scene& scene, const Plan& plan, const std::filesystem::pa
     job.checkStop();
     timedStage(record.stages, "save picture",
                [&] { writeImage(path, picture, {.encoding = radiance ? Encoding::Linear : Encoding::Display}); });
+    return record;
 }
 
 } // namespace mirrorball::preview

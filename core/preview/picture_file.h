@@ -9,8 +9,8 @@ namespace mirrorball::preview {
 
 /// Draws a scene at its picture's size into a file: radiance into formats of linear light, the display picture
 /// (exposed, tone-mapped, sRGB) into the others. Makes an OpenGL context of its own, so that any thread can call it. The opacity is
-/// written only where the background is none. Appends its stages. What `mirrorball render` and the studio's "Save picture" do.
+/// written only where the background is none. What `mirrorball render` and the studio's "Save picture" do.
 /// @throws FileError, InvalidArgument, WorkError, Cancelled
-void savePicture(const Scene& scene, const Plan& plan, const std::filesystem::path& path, const JobControl& job, WorkRecord& record);
+WorkRecord savePicture(PlannedScene planned, const std::filesystem::path& path, const JobControl& job = {});
 
 } // namespace mirrorball::preview

@@ -42,6 +42,7 @@ enum class PaintUse {
     Multiply, ///< (M + 1 - a) C
     Over,     ///< M + (1 - a) R: the two passes of 003 section 6.1
     Tint,     ///< (M + 1 - a) R
+    Add,      ///< M + R: a map of highlights or lights over what the surface shows already, 003 section 5
 };
 
 /// Where the place in the sphere map is computed: at every pixel, or at vertices and interpolated between them as in 1999.

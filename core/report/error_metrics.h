@@ -8,7 +8,7 @@
 
 namespace mirrorball {
 
-/// Error of values E against reference values R at the same directions, over all channels, weighted by solid angle (DESIGN 4).
+/// Error of values E against reference values R at the same directions, over all channels, weighted by solid angle (docs/conventions.md).
 struct ErrorMetrics {
     double relRms = 0.0; ///< rms(E - R) / rms(R); 0 where both are 0
     double maxAbs = 0.0; ///< max|E - R| / rms(R)

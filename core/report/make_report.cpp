@@ -9,7 +9,7 @@
 #include "verdicts.h"
 
 #include "core/base/error.h"
-#include "core/image/map_file.h"
+#include "core/image/probe_file.h"
 #include "core/image/probe_statistics.h"
 
 #include <cmath>
@@ -53,15 +53,15 @@ OpenProbe openProbe(const ReportOptions& options, const std::string& name, const
 {
     JobControl inner = job;
     inner.progress = nullptr;
-    if (!name.starts_with("builtin:")) {
-        const auto info = openImage(name)->info();
+    ProbeFile file(name, {});
+    if (!file.isBuiltin()) {
+        const ImageFileInfo& info = file.rows().info();
         if (std::int64_t{info.width} * info.height > largestReportProbe)
             throw InvalidArgument(
                 name + ": has " + std::to_string(info.width) + " x " + std::to_string(info.height) +
                 " texels, more than a report holds; give a smaller one, and --growth-to 16384 to see how large ones stream");
     }
-    std::vector<Stage> stages;
-    Probe probe = readProbe(name, {}, inner, stages);
+    Probe probe = file.read(inner);
     const ProbeStatistics s = statistics(probe.map);
     ReportProbe record{.name = name,
                        .origin = probe.origin,

@@ -202,11 +202,14 @@ public:
     Csv& cell(std::string_view text)
     {
         separate();
-        if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
+        const bool isFormula = !text.empty() && std::string_view("=+-@\t").find(text.front()) != std::string_view::npos;
+        if (!isFormula && text.find_first_of(",\"\r\n") == std::string_view::npos) {
             m_text += text;
             return *this;
         }
         m_text += '"';
+        if (isFormula) // spreadsheets would run it; a file's name may be anything
+            m_text += '\'';
         for (const char c : text)
             m_text += c == '"' ? "\"\"" : std::string(1, c);
         m_text += '"';

@@ -247,7 +247,7 @@ StabilityRow runStability(const StabilityCase& test, Method method, const JobCon
     const auto start = std::chrono::steady_clock::now();
     const PrefilterOutcome outcome = prefilter(source, options, job);
     row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    row.predictedError = informedError(outcome, options, source, job);
+    row.predictedError = informedErrors(outcome, options, source, job).relRms;
     const std::vector<float>& values = outcome.map.image.texels;
     row.finite = std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
     if (!row.finite) {

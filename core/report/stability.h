@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-/// The extreme cases of filtering (DESIGN 8), and what must hold in each of them for every method that does not refuse it. The tests
+/// The extreme cases of filtering, and what must hold in each of them for every method that does not refuse it. The tests
 /// and `report --stability` run the same table.
 namespace mirrorball {
 
@@ -40,7 +40,7 @@ struct StabilityBounds {
     double energy = 0.0;                ///< largest |energy - 1|
     double negative = 0.0;              ///< largest -lowest, see StabilityRow
 };
-/// @param predictedError  the method's own, see informedError()
+/// @param predictedError  the method's own, see informedErrors()
 StabilityBounds stabilityBounds(Method method, const StabilityCase& test, double predictedError);
 
 /// What a method did in a case.

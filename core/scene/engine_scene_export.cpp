@@ -3,8 +3,7 @@
 #include "export.h"
 #include "scene_maps.h"
 
-#include "core/image/map_file.h"
-
+#include <cctype>
 #include <cmath>
 
 namespace mirrorball {
@@ -23,21 +22,49 @@ void addMatcap(const Scene& scene, const std::string& name, const std::filesyste
     done.stages.insert(done.stages.end(), outcome.record.stages.begin(), outcome.record.stages.end());
 }
 
+/// The scene's probe as its light is exported: with its exposure, but not yet turned.
+Probe exposedProbe(const Scene& scene, ProbeFile& file, const JobControl& job)
+{
+    Probe probe = file.read(job);
+    if (scene.probe.exposure != 0.0)
+        for (float& value : probe.map.image.texels)
+            value *= static_cast<float>(std::exp2(scene.probe.exposure));
+    return probe;
+}
+
 } // namespace
+
+EngineEstimate estimateForEngine(const Scene& scene, const EngineProfile& profile, const EngineExportOptions& options,
+                                 const JobControl& job)
+{
+    ProbeFile probe = openProbeFile(scene);
+    EngineEstimate estimate{.files = planEngineExport(profile, options, probe.layout())};
+    for (const EngineFilePlan& file : estimate.files)
+        estimate.bytes += file.bytes;
+    estimate.warnings = engineWarnings(profile, statistics(exposedProbe(scene, probe, job).map));
+    return estimate;
+}
+
+std::string engineExportName(const std::filesystem::path& folder)
+{
+    const std::filesystem::path whole = std::filesystem::absolute(folder).lexically_normal();
+    std::string name = (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+    for (char& c : name)
+        if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_')
+            c = '_';
+    return name.empty() || name.front() == '-' ? "light" : name.substr(0, 100);
+}
 
 EngineExport exportForEngine(const Scene& scene, const EngineProfile& profile, EngineExportOptions options,
                              const std::filesystem::path& folder, const JobControl& job)
 {
-    planEngineExport(profile, options, probeLayout(scene)); // refuses before any work
+    ProbeFile file = openProbeFile(scene);
+    planEngineExport(profile, options, file.layout()); // refuses before any work
     options.yaw = scene.probe.yawDeg * pi / 180.0;
-    std::vector<Stage> stages;
-    Probe probe = readProbe(resolved(scene, scene.probe.source), {.from = scene.probe.parameterization}, partOf(job, 0.0f, 0.2f), stages);
-    if (scene.probe.exposure != 0.0)
-        for (float& value : probe.map.image.texels)
-            value *= static_cast<float>(std::exp2(scene.probe.exposure));
+    Probe probe = exposedProbe(scene, file, partOf(job, 0.0f, 0.2f));
     FilterSource source(std::move(probe.map), job);
     EngineExport done = exportForEngine(source, profile, options, folder, partOf(job, 0.2f, 1.0f));
-    done.stages.insert(done.stages.begin(), stages.begin(), stages.end());
+    done.stages.insert(done.stages.begin(), probe.stages.begin(), probe.stages.end());
     if (profile.word == "blender" && !scene.material.sphereMap.isNone())
         addMatcap(scene, options.name, folder, job, done);
     return done;

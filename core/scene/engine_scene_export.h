@@ -15,4 +15,16 @@ namespace mirrorball {
 EngineExport exportForEngine(const Scene& scene, const EngineProfile& profile, EngineExportOptions options,
                              const std::filesystem::path& folder, const JobControl& job = {});
 
+/// What that will write, and what the files cannot hold of the scene's light; nothing is filtered. @throws as exportForEngine()
+struct EngineEstimate {
+    std::vector<EngineFilePlan> files{};
+    std::vector<std::string> warnings{};
+    std::int64_t bytes = 0; ///< in all, about
+};
+EngineEstimate estimateForEngine(const Scene& scene, const EngineProfile& profile, const EngineExportOptions& options,
+                                 const JobControl& job = {});
+
+/// The name that an export gets where none is given: the folder's own, as cmgen names its files; what no name may have becomes _.
+std::string engineExportName(const std::filesystem::path& folder);
+
 } // namespace mirrorball

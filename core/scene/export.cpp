@@ -4,10 +4,12 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/base/file_transaction.h"
 #include "core/image/map_file.h"
 #include "core/spheremap/evaluation/painted_pictures.h"
 
 #include <algorithm>
+#include <set>
 #include <system_error>
 
 namespace mirrorball {
@@ -25,84 +27,106 @@ void writeText(const std::filesystem::path& path, const std::string& text)
 struct Written {
     std::vector<std::filesystem::path> files{};
     std::string description{};
+    WorkRecord record{};
 };
 
 SampleType samplesOf(const ExportTarget& target) { return target.half ? SampleType::Half : SampleType::Float; }
 
 Written writeFiltered(const Scene& scene, const ExportPlan& planned, SceneProbe& probe, const std::filesystem::path& folder,
-                      const JobControl& job, WorkRecord& work)
+                      const JobControl& job)
 {
     const ExportTarget& target = planned.target;
-    const std::vector<EnvironmentMap> levels = buildMap(planned.map, probe, scene.probe.exposure, job, work);
-    std::vector<std::filesystem::path> files = timedStage(work.stages, "save " + target.name, [&] {
+    BuiltMap built = buildMap(planned.map, probe, scene.probe.exposure, job);
+    Written written{.record = std::move(built.record)};
+    written.files = timedStage(written.record.stages, "save " + target.name, [&] {
         WriteOptions write{.sampleType = samplesOf(target)};
         write.attributes["mirrorball:indexed_by"] = indexedBy(target.kind);
-        return writeMap(folder / target.fileName(), levels, write);
+        return writeMap(folder / target.fileName(), built.levels, write);
     });
-    std::string description = sidecar(scene, planned, levels, files, work);
-    return {std::move(files), std::move(description)};
+    written.description = sidecar(scene, planned, built.levels, written.files, written.record);
+    return written;
 }
 
-Written writePainted(const Scene& scene, const ExportPlan& planned, const std::filesystem::path& folder, const JobControl& job,
-                     WorkRecord& work)
+Written writePainted(const Scene& scene, const ExportPlan& planned, const std::filesystem::path& folder, const JobControl& job)
 {
     const ExportTarget& target = planned.target;
     const SphereMapDocument map = sphereMapDocument(scene, *planned.painted);
     const PaintedLevels chain = planned.painted->levels == SphereMapLevels::Plain ? PaintedLevels::Plain : PaintedLevels::Authored;
     const PaintedOptions options{.size = target.size, .border = target.border, .levels = target.mips ? chain : PaintedLevels::One};
-    const std::vector<Image> levels = timedStage(work.stages, "paint " + target.name, [&] { return paintedPictures(map, options, job); });
-    work.method = "paint";
-    std::vector<std::filesystem::path> files = timedStage(work.stages, "save " + target.name, [&] {
+    Written written{.record = {.methods = {"paint"}}};
+    std::vector<Stage>& stages = written.record.stages;
+    const std::vector<Image> levels = timedStage(stages, "paint " + target.name, [&] { return paintedPictures(map, options, job); });
+    written.files = timedStage(stages, "save " + target.name, [&] {
         return writePictures(folder / target.fileName(), levels, paintedFileOptions(map, samplesOf(target)));
     });
-    std::string description = paintedSidecar(scene, planned, map, levels, files);
-    return {std::move(files), std::move(description)};
+    written.description = paintedSidecar(scene, planned, map, levels, written.files);
+    return written;
 }
 
 /// Builds, writes and describes one export.
 void exportOne(const Scene& scene, const ExportPlan& planned, SceneProbe& probe, const std::filesystem::path& folder, const JobControl& job,
                ExportOutcome& outcome)
 {
-    WorkRecord work;
-    Written written =
-        planned.painted ? writePainted(scene, planned, folder, job, work) : writeFiltered(scene, planned, probe, folder, job, work);
+    Written written = planned.painted ? writePainted(scene, planned, folder, job) : writeFiltered(scene, planned, probe, folder, job);
     const std::filesystem::path description = folder / (planned.target.name + ".json");
     writeText(description, written.description);
-    std::vector<std::filesystem::path>& files = written.files;
-    files.push_back(description);
+    outcome.files.insert(outcome.files.end(), written.files.begin(), written.files.end());
+    outcome.files.push_back(description);
+    outcome.record += std::move(written.record);
+}
 
-    outcome.files.insert(outcome.files.end(), files.begin(), files.end());
-    WorkRecord& record = outcome.record;
-    record.stages.insert(record.stages.end(), std::make_move_iterator(work.stages.begin()), std::make_move_iterator(work.stages.end()));
-    if (record.method.find(work.method) == std::string::npos)
-        record.method += (record.method.empty() ? "" : ", ") + work.method;
-    record.bandLimit = std::max(record.bandLimit, work.bandLimit);
-    record.predicted = largest(record.predicted, work.predicted);
-    record.promised = record.promised && work.promised;
+/// A name with marks may mean the file of another export.
+void checkDifferent(const std::vector<std::filesystem::path>& files)
+{
+    std::set<std::filesystem::path> seen;
+    for (const std::filesystem::path& file : files)
+        if (file.filename() == FileTransaction::manifestName || !seen.insert(file.filename()).second)
+            throw InvalidArgument("exports: two outputs are named " + file.filename().string() + "; give each export a name of its own");
 }
 
 } // namespace
 
 ExportOutcome exportScene(const Scene& scene, const std::filesystem::path& folder, const ExportOptions& options, const JobControl& job)
 {
+    return exportPlanned(planExports(scene, options), folder, job);
+}
+
+PlannedScene planExports(const Scene& scene, const ExportOptions& options)
+{
     if (scene.exports.empty())
         throw InvalidArgument(
             "exports: the scene lists none; add at least {\"name\": \"specular\", \"kind\": \"specular\"} to \"exports\"");
-    const PlanRequest request{.picture = false, .exports = options.only};
-    const Plan plan = makePlan(scene, probeLayout(scene, request), request);
-    ExportOutcome outcome;
+    return planScene(scene, {.picture = false, .exports = options.only});
+}
+
+ExportOutcome exportPlanned(PlannedScene planned, const std::filesystem::path& folder, const JobControl& job)
+{
+    const Plan& plan = planned.plan;
     constexpr float reading = 0.2f; // share of the progress
-    SceneProbe probe = openProbe(scene, plan, partOf(job, 0.0f, reading), outcome.record);
+    SceneProbe probe = openProbe(std::move(planned.probe), plan, partOf(job, 0.0f, reading));
+    ExportOutcome outcome{.record = std::move(planned.record)};
+    outcome.record += probe.record;
 
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (!std::filesystem::is_directory(folder))
         throw WorkError(folder.string() + ": cannot be made a folder" + (error ? ": " + error.message() : "") + "; choose another one");
-    const float share = (1.0f - reading) / static_cast<float>(plan.exports.size());
-    for (size_t i = 0; i < plan.exports.size(); ++i) {
-        const float from = reading + share * static_cast<float>(i);
-        exportOne(scene, plan.exports[i], probe, folder, partOf(job, from, from + share), outcome);
+    FileTransaction together(folder);
+    try {
+        const float share = (1.0f - reading) / static_cast<float>(plan.exports.size());
+        for (size_t i = 0; i < plan.exports.size(); ++i) {
+            const float from = reading + share * static_cast<float>(i);
+            exportOne(planned.scene, plan.exports[i], probe, together.staging(), partOf(job, from, from + share), outcome);
+        }
+        checkDifferent(outcome.files);
+        together.addManifest();
+        job.checkStop(); // what was cancelled leaves nothing, however little was left to do
+    } catch (const WorkError& failure) {
+        throw WorkError(together.aboutTheFolder(failure.what()));
     }
+    together.commit();
+    for (std::filesystem::path& file : outcome.files)
+        file = folder / file.filename();
     return outcome;
 }
 

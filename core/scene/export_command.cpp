@@ -23,4 +23,11 @@ std::string exportCommand(const std::filesystem::path& sceneFile, const std::fil
     return command;
 }
 
+std::string engineExportCommand(const std::filesystem::path& sceneFile, const std::filesystem::path& folder, std::string_view engine,
+                                int size)
+{
+    return "mirrorball export " + pathWord(sceneFile) + " --for " + std::string(engine) +
+           (size > 0 ? " --size " + std::to_string(size) : "") + " -o " + pathWord(folder);
+}
+
 } // namespace mirrorball

@@ -29,8 +29,8 @@ std::vector<MapLayout> levelLayouts(const ExportPlan& plan)
     if (plan.painted)
         for (int size = plan.target.size; size >= 1; size = plan.target.mips ? size / 2 : 0)
             layouts.push_back({Parameterization::Sphere, size, 0});
-    for (const PrefilterOptions& filter : plan.map.filters)
-        layouts.push_back(filter.target);
+    for (const PlannedFilter& filter : plan.map.filters)
+        layouts.push_back(filter.options.target);
     if (plan.map.pyramid)
         for (int i = 1; i < levelCount(layouts.front()); ++i)
             layouts.push_back(levelLayout(layouts.front(), i));
@@ -43,7 +43,7 @@ constexpr std::int64_t sidecarLevelBytes = 160;
 
 } // namespace
 
-std::vector<ExportEstimate> estimateExports(const Plan& plan, const MapLayout& probe)
+std::vector<ExportEstimate> estimateExports(const Plan& plan)
 {
     std::vector<ExportEstimate> estimates;
     for (const ExportPlan& planned : plan.exports) {
@@ -53,10 +53,9 @@ std::vector<ExportEstimate> estimateExports(const Plan& plan, const MapLayout& p
         for (const std::filesystem::path& file : mapFiles(target.fileName(), layouts))
             estimate.files.push_back(file.string());
         bool smooth = false;
-        for (const PrefilterOptions& filter : planned.map.filters) {
-            const PrefilterPlan prediction = planPrefilter(filter, {.width = 2 * latlongHeight(probe)});
-            smooth |= prediction.filtered;
-            estimate.seconds += prediction.filtered ? prediction.predictedSeconds : 0.0;
+        for (const PlannedFilter& filter : planned.map.filters) {
+            smooth |= filter.plan.filtered;
+            estimate.seconds += filter.plan.filtered ? filter.plan.predictedSeconds : 0.0;
         }
         estimate.seconds += planned.paintingSeconds;
         const std::int64_t texel = texelBytes(writableFormat(target.fileName()), samplesOf(target));

@@ -21,7 +21,7 @@ struct ExportEstimate {
 };
 
 /// @throws InvalidArgument for a target out of range, an extension that cannot be written, or %s in the name of a map that is no cube
-std::vector<ExportEstimate> estimateExports(const Plan& plan, const MapLayout& probe);
+std::vector<ExportEstimate> estimateExports(const Plan& plan);
 
 /// "1.4 MB", "312 kB", "96 bytes": powers of ten, as file managers count.
 std::string byteText(std::int64_t bytes);

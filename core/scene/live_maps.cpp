@@ -3,8 +3,6 @@
 #include "core/base/error.h"
 #include "core/base/field_checks.h"
 #include "core/filter/source_file.h"
-#include "core/image/map_file.h"
-
 #include "core/sphere/direction.h"
 
 #include <algorithm>
@@ -14,41 +12,8 @@ namespace mirrorball {
 
 namespace {
 
-/// No map is made smaller to save time.
-constexpr int smallestMap = 32;
-
 /// A probe of so many texels becomes a texture between two frames.
 constexpr std::int64_t quickTexels = std::int64_t{2048} * 1024;
-
-void shrink(MapLayout& layout, int size)
-{
-    layout.border = layout.border * size / layout.size;
-    layout.size = size;
-}
-
-/// Side of a square of a texel's mean solid angle, radians.
-double texelAngle(const MapLayout& layout) { return std::sqrt(4.0 * pi / (double(layout.width()) * layout.height())); }
-
-/// Angle across the lobe at half its peak.
-double lobeAngle(const Lobe& lobe) { return lobe.isMirror() ? 0.0 : 2.0 * LobeShape(lobe).halfWidth(); }
-
-/// A map without coarser levels may be made smaller: lookups do not notice but for sharpness. Levels are counted from the largest, so
-/// a pyramid keeps its size.
-void apply(const MapDetail& detail, std::optional<MapPlan>& map)
-{
-    if (!map)
-        return;
-    if (detail != MapDetail{})
-        for (PrefilterOptions& filter : map->filters)
-            filter.tolerance = std::max(filter.tolerance, detail.tolerance);
-    if (map->pyramid || map->filters.size() != 1)
-        return;
-    PrefilterOptions& filter = map->filters.front();
-    if (filter.target.size > detail.largestSize)
-        shrink(filter.target, detail.largestSize);
-    while (filter.target.size >= 2 * smallestMap && lobeAngle(filter.lobe) > 2.0 * detail.texelsPerLobe * texelAngle(filter.target))
-        shrink(filter.target, filter.target.size / 2);
-}
 
 /// Whether the filter only looks the probe up: a mirror, or a lobe that its texels do not resolve.
 bool isLookup(const PrefilterOptions& filter, const SceneProbe& probe)
@@ -60,12 +25,13 @@ bool isLookup(const PrefilterOptions& filter, const SceneProbe& probe)
 /// What the maps of a plan depend on: lobes that are only looked up make the same map.
 MapPlan keyOf(MapPlan plan, const SceneProbe& probe)
 {
-    for (PrefilterOptions& filter : plan.filters)
+    for (PlannedFilter& planned : plan.filters) {
+        PrefilterOptions& filter = planned.options;
         if (isLookup(filter, probe))
             filter = {.lobe = probe.source && !filter.lobe.isMirror() ? phongLobe(1e9) : ggxLobe(0.0),
                       .target = filter.target,
                       .yaw = filter.yaw};
-    plan.bandLimits.clear();
+    }
     return plan;
 }
 
@@ -102,6 +68,7 @@ void LiveMaps::openHeader(const Scene& scene)
     if (m_key == key)
         return;
     m_key.reset();
+    m_file.reset();
     m_probe = {};
     m_environment.reset();
     m_itself.reset();
@@ -109,7 +76,8 @@ void LiveMaps::openHeader(const Scene& scene)
     m_certain = true;
     m_problem.clear();
     try {
-        m_layout = probeLayout(scene);
+        m_file = openProbeFile(scene);
+        m_layout = m_file->layout();
     } catch (const Cancelled&) {
         throw;
     } catch (const Error& error) {
@@ -126,7 +94,8 @@ void LiveMaps::readWhole(const Scene& scene, const JobControl& job, WorkRecord& 
     if (m_environment)
         return;
     try {
-        Probe probe = readProbe(resolved(scene, scene.probe.source), {.from = scene.probe.parameterization}, job, record.stages);
+        Probe probe = probeFile(scene).read(job);
+        record += {.stages = std::move(probe.stages)};
         keepProbe(std::move(probe.map));
         m_probe.repaired = probe.repaired;
         m_probe.origin = std::move(probe.origin);
@@ -138,6 +107,16 @@ void LiveMaps::readWhole(const Scene& scene, const JobControl& job, WorkRecord& 
         keepProbe(placeholderProbe());
     }
     m_layout = m_environment->layout;
+}
+
+/// The file whose header told the layout; after it was used up, opened anew.
+ProbeFile LiveMaps::probeFile(const Scene& scene)
+{
+    if (!m_file)
+        return openProbeFile(scene);
+    ProbeFile file = std::move(*m_file);
+    m_file.reset();
+    return file;
 }
 
 void LiveMaps::keepProbe(EnvironmentMap probe)
@@ -153,10 +132,9 @@ void LiveMaps::openStreamed(const Scene& scene, const Plan& plan, const JobContr
 {
     const auto suffices = [&] {
         if (m_probe.source && !m_probe.source->latlong()) {
-            const std::vector<PrefilterOptions> filters = plan.filters();
-            return std::all_of(filters.begin(), filters.end(), [&](const PrefilterOptions& filter) {
-                const PrefilterPlan needed = planPrefilter(filter, {.width = m_probe.source->width()});
-                return needed.filtered && needed.bandLimit <= m_probe.source->knownBandLimit();
+            const std::vector<const PlannedFilter*> filters = plan.planned();
+            return std::all_of(filters.begin(), filters.end(), [&](const PlannedFilter* filter) {
+                return filter->plan.filtered && filter->plan.bandLimit <= m_probe.source->knownBandLimit();
             });
         }
         return plan.filtersAny() ? m_probe.source.has_value() : m_probe.environment != nullptr;
@@ -164,7 +142,8 @@ void LiveMaps::openStreamed(const Scene& scene, const Plan& plan, const JobContr
     if (suffices())
         return;
     m_probe = {};
-    m_probe = openProbe(scene, plan, job, record);
+    m_probe = openProbe(probeFile(scene), plan, job);
+    record += m_probe.record;
 }
 
 /// Whether the map that is planned is the probe's own texels: exactly, or as far as the detail asks.
@@ -172,7 +151,7 @@ bool LiveMaps::isProbeItself(const MapPlan& plan, const SceneProbe& probe, const
 {
     if (!m_itself || plan.pyramid || plan.filters.size() != 1 || exposure != 0.0)
         return false;
-    const PrefilterOptions& filter = plan.filters.front();
+    const PrefilterOptions& filter = plan.filters.front().options;
     if (filter.yaw != 0.0)
         return false;
     const MapLayout& own = m_environment->layout;
@@ -200,11 +179,13 @@ MapLevels LiveMaps::levels(KeptMap& kept, const std::optional<MapPlan>& plan, Sc
     }
     if (isProbeItself(*plan, probe, detail, exposure)) {
         isKept();
-        if (plan->filters.front().target == m_environment->layout)
+        if (plan->filters.front().options.target == m_environment->layout)
             kept = {std::move(key), exposure, m_itself};
         return m_itself;
     }
-    auto made = std::make_shared<const std::vector<EnvironmentMap>>(buildMap(*plan, probe, exposure, job, record));
+    BuiltMap built = buildMap(*plan, probe, exposure, job);
+    record += std::move(built.record);
+    auto made = std::make_shared<const std::vector<EnvironmentMap>>(std::move(built.levels));
     kept = {std::move(key), exposure, std::move(made)};
     return kept.levels;
 }
@@ -213,7 +194,10 @@ MadeScene LiveMaps::update(const Scene& scene, const MapDetail& detail, const Jo
 {
     MadeScene made{.scene = scene, .detail = detail};
     openHeader(scene);
-    made.plan = makePlan(scene, m_layout);
+    const auto planned = [&] {
+        return timedStage(made.record.stages, "plan", [&] { return makePlan(scene, m_layout, {.detail = detail}); });
+    };
+    made.plan = planned();
     if (made.plan.needsProbe()) {
         if (m_isStreamed) {
             openStreamed(scene, made.plan, job, made.record);
@@ -221,7 +205,7 @@ MadeScene LiveMaps::update(const Scene& scene, const MapDetail& detail, const Jo
             const MapLayout announced = m_layout;
             readWhole(scene, job, made.record);
             if (m_layout != announced) // a file that breaks off after its header
-                made.plan = makePlan(scene, m_layout);
+                made.plan = planned();
             if (made.plan.filtersAny() && !m_probe.source)
                 m_probe.source = timedStage(made.record.stages, "prepare probe", [&] { return FilterSource(*m_environment, job); });
         }
@@ -229,8 +213,6 @@ MadeScene LiveMaps::update(const Scene& scene, const MapDetail& detail, const Jo
     // As the command line does: where nothing is filtered the maps are made of the probe as it is.
     SceneProbe plain{.environment = m_environment};
     SceneProbe& probe = m_isStreamed || made.plan.filtersAny() ? m_probe : plain;
-    for (std::optional<MapPlan>* map : {&made.plan.specular, &made.plan.diffuse})
-        apply(detail, *map);
 
     const auto make = [&](KeptMap& kept, const std::optional<MapPlan>& plan) {
         return levels(kept, plan, probe, detail, scene.probe.exposure, job, made.record);

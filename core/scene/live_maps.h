@@ -3,24 +3,12 @@
 #include "scene_maps.h"
 
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace mirrorball {
-
-/// How good the maps of a scene must be.
-struct MapDetail {
-    int largestSize = 16384;                                        ///< texels: maps without coarser levels are made no larger
-    double tolerance = 1e-5;                                        ///< rel_rms of the filters, (0, 1]
-    double texelsPerLobe = std::numeric_limits<double>::infinity(); ///< maps are made smaller where their lobe spans more at half its peak
-    /// Texels of the probe that a lobe spans at half its peak: for one that spans no more, the probe's own texels in their own layout may
-    /// stand in, which costs nothing; 0: never.
-    double probeItselfUpTo = 0.0;
-    bool operator==(const MapDetail&) const = default;
-};
 
 /// A scene with everything that was made of it. A value; maps are shared, so a copy is cheap.
 struct MadeScene {
@@ -74,6 +62,7 @@ private:
     void openHeader(const Scene& scene);
     void readWhole(const Scene& scene, const JobControl& job, WorkRecord& record);
     void openStreamed(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record);
+    ProbeFile probeFile(const Scene& scene);
     void forgetMaps();
     MapLevels levels(KeptMap& kept, const std::optional<MapPlan>& plan, SceneProbe& probe, const MapDetail& detail, double exposure,
                      const JobControl& job, WorkRecord& record);
@@ -83,6 +72,7 @@ private:
     std::vector<SphereMapChain> sphereMaps(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record);
 
     std::optional<ProbeKey> m_key{};
+    std::optional<ProbeFile> m_file{}; ///< open, not read yet
     MapLayout m_layout{};
     bool m_isStreamed = false;
     std::string m_problem{};

@@ -3,8 +3,9 @@
 #include "scene.h"
 
 #include "core/base/stage.h"
-#include "core/filter/prefilter.h"
+#include "core/filter/planned_filter.h"
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,11 +25,10 @@ struct PlannedMaterial {
 
 /// One map to make.
 struct MapPlan {
-    std::string name{};                      ///< for stages: "specular map"
-    std::vector<PrefilterOptions> filters{}; ///< a filtered level each, largest first; ggx with alpha = 0: the environment itself
-    bool pyramid = false;                    ///< the levels below the first are its halvings
+    std::string name{};                   ///< for stages: "specular map"
+    std::vector<PlannedFilter> filters{}; ///< a filtered level each, largest first; ggx with alpha = 0: the environment itself
+    bool pyramid = false;                 ///< the levels below the first are its halvings
     MipFiltering filtering = MipFiltering::AcrossSeams; ///< of the pyramid
-    std::vector<size_t> bandLimits{};                   ///< expected of each filter; 0: not filtered
     bool operator==(const MapPlan&) const = default;
 };
 
@@ -55,10 +55,29 @@ enum class PlanExtent {
     Everything, ///< every stage as if none could be left out, at full sizes: what leaving out is measured against. The picture is the same.
 };
 
+/// How good the maps that the picture reads must be.
+struct MapDetail {
+    int largestSize = 16384;                                        ///< texels: maps without coarser levels are made no larger
+    double tolerance = 1e-5;                                        ///< rel_rms of the filters, (0, 1]
+    double texelsPerLobe = std::numeric_limits<double>::infinity(); ///< maps are made smaller where their lobe spans more at half its peak
+    /// Texels of the probe that a lobe spans at half its peak: for one that spans no more, the probe's own texels in their own layout may
+    /// stand in, which costs nothing; 0: never.
+    double probeItselfUpTo = 0.0;
+    bool operator==(const MapDetail&) const = default;
+};
+
+/// While a control is dragged: soft enough to be made between two frames, and near enough to judge by.
+inline constexpr MapDetail coarseDetail{.largestSize = 128, .tolerance = 1e-3, .texelsPerLobe = 6.0, .probeItselfUpTo = 4.0};
+
+/// Angle across a lobe at half its peak, and along the side of a square of a texel's mean solid angle; radians.
+double lobeAngle(const Lobe& lobe);
+double texelAngle(const MapLayout& layout);
+
 struct PlanRequest {
     bool picture = true;                               ///< the maps that the view shows
     std::optional<std::vector<std::string>> exports{}; ///< names of exports; empty list: all of them; nothing: none
     PlanExtent extent = PlanExtent::Needed;
+    MapDetail detail{}; ///< of specular and irradiance map
 };
 
 struct Plan {
@@ -74,6 +93,7 @@ struct Plan {
     bool needsProbe() const;
     /// Every filter of the plan, for openFilterSource.
     std::vector<PrefilterOptions> filters() const;
+    std::vector<const PlannedFilter*> planned() const;
     /// Whether any map is filtered; otherwise the probe is only resampled and no spectrum is needed.
     bool filtersAny() const;
 };
@@ -85,6 +105,10 @@ bool mayNeedProbe(const Scene& scene, const PlanRequest& request);
 /// @throws InvalidArgument naming the field; for a painted export of a scene without a sphere map; for unknown export names, naming the
 /// known ones
 Plan makePlan(const Scene& scene, const MapLayout& probe, const PlanRequest& request = {});
+
+/// The plan of filters of a probe without a scene around it: one export, in plan.exports.
+/// @param source  of the probe, for messages. @throws as planPrefilter()
+Plan planFilters(const std::string& source, const MapLayout& probe, const std::vector<PrefilterOptions>& levels, const std::string& file);
 
 /// F where it is the same at every angle and in every channel: 1 without a Fresnel term, 0 for an index of 1.
 std::optional<double> constantReflectance(const Fresnel& fresnel);

@@ -17,7 +17,7 @@ namespace {
 
 using namespace std::string_view_literals;
 constexpr std::array surfaceLobeWords{"mirror"sv, "phong"sv, "ggx"sv};
-constexpr std::array sphereMapUseWords{"replace"sv, "multiply"sv, "over"sv, "tint"sv};
+constexpr std::array sphereMapUseWords{"replace"sv, "multiply"sv, "over"sv, "tint"sv, "add"sv};
 constexpr std::array sphereMapLevelsWords{"authored"sv, "plain"sv};
 constexpr std::array lookupAtWords{"pixel"sv, "vertex"sv};
 constexpr std::array mapSpaceWords{"world"sv, "eye"sv};

@@ -23,7 +23,7 @@
 namespace mirrorball {
 
 enum class SurfaceLobe { Mirror, Phong, Ggx };
-enum class SphereMapUse { Replace, Multiply, Over, Tint };
+enum class SphereMapUse { Replace, Multiply, Over, Tint, Add };
 enum class SphereMapLevels { Authored, Plain };
 enum class LookupAt { Pixel, Vertex };
 enum class MapSpace { World, Eye };
@@ -34,7 +34,7 @@ enum class ExportKind { Source, Specular, Diffuse, Chain, Painted };
 
 /// The words of files and command line for an enum's values, in their order.
 std::span<const std::string_view> words(SurfaceLobe);      // mirror phong ggx
-std::span<const std::string_view> words(SphereMapUse);     // replace multiply over tint
+std::span<const std::string_view> words(SphereMapUse);     // replace multiply over tint add
 std::span<const std::string_view> words(SphereMapLevels);  // authored plain
 std::span<const std::string_view> words(LookupAt);         // pixel vertex
 std::span<const std::string_view> words(MapSpace);         // world eye
@@ -196,7 +196,7 @@ struct SphereMapSettings {
         visit(Field{"source", "painted sphere map: a .spheremap file, a picture of one, or a preset; empty: none"}, self.source);
         visit(Field{"document", "a sphere map that is part of the scene, in place of the source; null: none"}, self.document);
         visit(Field{"use", "replace: shown alone, over the colour below; multiply: times that colour; over: over the reflecting material; "
-                           "tint: times the reflecting material"},
+                           "tint: times the reflecting material; add: its light added to the reflecting material"},
               self.use);
         visit(Field{"opacity", "of the map", 0, 1}, self.opacity);
         visit(Field{"color", "replace, multiply: of the surface, linear RGB", 0, 1000}, self.color);

@@ -96,6 +96,9 @@ Scene loadScene(const std::filesystem::path& path)
         Scene scene = sceneFromJson(parse(readText(path, what), what));
         scene.folder = folderOf(path);
         setFolder(scene.material.sphereMap.document, scene.folder);
+        for (std::string* file : {&scene.probe.source, &scene.view.geometry, &scene.material.sphereMap.source, &scene.view.window.middle,
+                                  &scene.view.window.far, &scene.view.display.config})
+            *file = withSlashes(*file, scene.folder);
         return scene;
     });
 }
@@ -196,9 +199,14 @@ void setField(Scene& scene, const std::string& path, const std::string& value)
     if (place->is_string() && !value.starts_with('"')) {
         *place = value;
     } else {
-        *place = Json::parse(value, nullptr, false);
-        if (place->is_discarded())
-            *place = value; // a text, which the reader refuses by the field's name
+        Json read = value; // a text, which the reader refuses by the field's name
+        if (Json::accept(value))
+            try {
+                read = parse(value, what);
+            } catch (const InvalidArgument& error) {
+                throw InvalidArgument(inQuotes(path) + ": the value " + error.what());
+            }
+        *place = std::move(read);
     }
     Scene changed = sceneFromJson(json);
     changed.folder = scene.folder;

@@ -1,9 +1,6 @@
 #include "scene_maps.h"
 
 #include "core/filter/source_file.h"
-#include "core/image/builtin_probes.h"
-#include "core/image/layout_detection.h"
-#include "core/image/map_file.h"
 #include "core/image/mip_pyramid.h"
 #include "core/image/reproject.h"
 
@@ -14,18 +11,30 @@ namespace mirrorball {
 
 namespace {
 
-EnvironmentMap buildLevel(const PrefilterOptions& filter, const std::string& name, SceneProbe& probe, const JobControl& job,
+WorkRecord workOf(const PrefilterOptions& options, PrefilterOutcome& outcome)
+{
+    WorkRecord work{.stages = std::move(outcome.stages)};
+    if (!outcome.filtered)
+        return work;
+    work.methods.emplace_back(name(outcome.method));
+    work.bandLimit = outcome.bandLimit;
+    work.predicted = outcome.predicted;
+    if (!outcome.promised)
+        work.unpromised.push_back(unpromisedText(options, outcome));
+    return work;
+}
+
+EnvironmentMap buildLevel(const PlannedFilter& planned, const std::string& name, SceneProbe& probe, const JobControl& job,
                           WorkRecord& record)
 {
+    const PrefilterOptions& filter = planned.options;
     if (!probe.source)
         return timedStage(record.stages, "resample " + name,
                           [&] { return reproject(*probe.environment, {.target = filter.target, .yaw = filter.yaw}, job); });
     PrefilterOutcome outcome = prefilter(*probe.source, filter, job);
-    for (Stage& stage : outcome.stages) {
+    for (Stage& stage : outcome.stages)
         stage.name += " of " + name;
-        record.stages.push_back(std::move(stage));
-    }
-    record.add(outcome);
+    record += workOf(filter, outcome);
     return std::move(outcome.map);
 }
 
@@ -41,63 +50,83 @@ void expose(std::vector<EnvironmentMap>& levels, double exposure)
 
 } // namespace
 
-void WorkRecord::add(const PrefilterOutcome& outcome)
+WorkRecord& WorkRecord::operator+=(WorkRecord more)
 {
-    if (!outcome.filtered)
-        return;
-    if (const std::string_view ran = name(outcome.method); method.find(ran) == std::string::npos)
-        method += (method.empty() ? "" : ", ") + std::string(ran);
-    bandLimit = std::max(bandLimit, outcome.bandLimit);
-    predicted = largest(predicted, {outcome.predictedError, outcome.predictedMedianRel, outcome.predictedP99Rel});
-    promised = promised && outcome.promised;
+    stages.insert(stages.end(), std::make_move_iterator(more.stages.begin()), std::make_move_iterator(more.stages.end()));
+    for (std::string& method : more.methods)
+        if (std::find(methods.begin(), methods.end(), method) == methods.end())
+            methods.push_back(std::move(method));
+    bandLimit = std::max(bandLimit, more.bandLimit);
+    predicted = largest(predicted, more.predicted);
+    unpromised.insert(unpromised.end(), std::make_move_iterator(more.unpromised.begin()), std::make_move_iterator(more.unpromised.end()));
+    return *this;
 }
 
-MapLayout probeLayout(const Scene& scene)
+std::string WorkRecord::methodText() const
 {
-    const std::string path = resolved(scene, scene.probe.source);
-    if (path.starts_with("builtin:")) {
-        builtinProbe(std::string_view(path).substr(8)); // says when there is none of that name
-        return builtinProbeLayout;
-    }
-    return detectLayout(openImage(path)->info(), scene.probe.parameterization).layout;
+    std::string text;
+    for (const std::string& method : methods)
+        text += (text.empty() ? "" : ", ") + method;
+    return text;
 }
+
+ProbeFile openProbeFile(const Scene& scene)
+{
+    return ProbeFile(resolved(scene, scene.probe.source), {.from = scene.probe.parameterization});
+}
+
+MapLayout probeLayout(const Scene& scene) { return openProbeFile(scene).layout(); }
 
 MapLayout probeLayout(const Scene& scene, const PlanRequest& request)
 {
     return mayNeedProbe(scene, request) ? probeLayout(scene) : MapLayout{};
 }
 
-SceneProbe openProbe(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record)
+PlannedScene planScene(Scene scene, const PlanRequest& request)
+{
+    PlannedScene planned{.scene = std::move(scene)};
+    validate(planned.scene);
+    if (mayNeedProbe(planned.scene, request))
+        planned.probe = openProbeFile(planned.scene);
+    planned.plan = timedStage(planned.record.stages, "plan",
+                              [&] { return makePlan(planned.scene, planned.probe ? planned.probe->layout() : MapLayout{}, request); });
+    return planned;
+}
+
+SceneProbe openProbe(std::optional<ProbeFile> file, const Plan& plan, const JobControl& job)
 {
     if (!plan.needsProbe())
         return {};
-    const std::string path = resolved(scene, scene.probe.source);
-    const ReadProbeOptions options{.from = scene.probe.parameterization};
     if (plan.filtersAny()) {
-        OpenedSource opened = openFilterSource(path, options, plan.filters(), job, record.stages);
-        return {.source = std::move(opened.source), .repaired = opened.repaired, .origin = opened.origin};
+        OpenedSource opened = openFilterSource(*file, plan.filters(), job);
+        return {.source = std::move(opened.source),
+                .repaired = opened.repaired,
+                .origin = opened.origin,
+                .record = {.stages = std::move(opened.stages)}};
     }
-    Probe probe = readProbe(path, options, job, record.stages);
+    Probe probe = file->read(job);
     return {.environment = std::make_shared<const EnvironmentMap>(std::move(probe.map)),
             .repaired = probe.repaired,
-            .origin = std::move(probe.origin)};
+            .origin = std::move(probe.origin),
+            .record = {.stages = std::move(probe.stages)}};
 }
 
-std::vector<EnvironmentMap> buildMap(const MapPlan& plan, SceneProbe& probe, double exposure, const JobControl& job, WorkRecord& record)
+BuiltMap buildMap(const MapPlan& plan, SceneProbe& probe, double exposure, const JobControl& job)
 {
-    std::vector<EnvironmentMap> levels;
+    BuiltMap built;
+    std::vector<EnvironmentMap>& levels = built.levels;
     const float parts = static_cast<float>(plan.filters.size() + (plan.pyramid ? 1 : 0));
     for (size_t i = 0; i < plan.filters.size(); ++i)
         levels.push_back(buildLevel(plan.filters[i], plan.filters.size() > 1 ? plan.name + " level " + std::to_string(i) : plan.name, probe,
-                                    partOf(job, static_cast<float>(i) / parts, static_cast<float>(i + 1) / parts), record));
+                                    partOf(job, static_cast<float>(i) / parts, static_cast<float>(i + 1) / parts), built.record));
     if (plan.pyramid)
-        levels = timedStage(record.stages, "mip levels of " + plan.name, [&] {
+        levels = timedStage(built.record.stages, "mip levels of " + plan.name, [&] {
             const JobControl last = partOf(job, 1.0f - 1.0f / parts, 1.0f);
             return plan.filtering == MipFiltering::PerFace ? std::move(buildFacePyramid(levels.front(), last).levels)
                                                            : std::move(buildMipPyramid(levels.front(), last).levels);
         });
     expose(levels, exposure);
-    return levels;
+    return built;
 }
 
 SphereMapDocument sphereMapDocument(const Scene& scene, const SphereMapPlan& plan)
@@ -111,26 +140,32 @@ SphereMapTexels buildSphereMap(const Scene& scene, const SphereMapPlan& plan, co
                          : readSphereMap(scene, plan.field, plan.source, plan.size, plan.levels, job);
 }
 
-std::vector<SphereMapChain> buildSphereMaps(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record)
+SceneMaps buildMaps(const Scene& scene, const Plan& plan, SceneProbe& probe, const JobControl& job)
 {
-    std::vector<SphereMapChain> maps;
-    for (const SphereMapPlan& map : plan.sphereMaps)
-        maps.push_back(timedStage(record.stages, "sphere map " + map.source,
-                                  [&] { return std::make_shared<const SphereMapTexels>(buildSphereMap(scene, map, job)); }));
-    return maps;
-}
-
-SceneMaps buildMaps(const Scene& scene, const Plan& plan, SceneProbe& probe, const JobControl& job, WorkRecord& record)
-{
-    const auto build = [&](const std::optional<MapPlan>& map) {
-        return map ? std::make_shared<const std::vector<EnvironmentMap>>(buildMap(*map, probe, scene.probe.exposure, job, record))
-                   : nullptr;
+    SceneMaps maps{.record = probe.record};
+    const auto build = [&](const MapPlan& map) {
+        BuiltMap built = buildMap(map, probe, scene.probe.exposure, job);
+        maps.record += std::move(built.record);
+        return std::make_shared<const std::vector<EnvironmentMap>>(std::move(built.levels));
     };
-    SceneMaps maps{.specular = build(plan.specular), .diffuse = build(plan.diffuse), .background = build(plan.background)};
-    maps.sphereMaps = buildSphereMaps(scene, plan, job, record);
+    if (plan.specular)
+        maps.specular = build(*plan.specular);
+    if (plan.diffuse)
+        maps.diffuse = build(*plan.diffuse);
+    if (plan.background)
+        maps.background = build(*plan.background);
+    for (const SphereMapPlan& map : plan.sphereMaps)
+        maps.sphereMaps.push_back(timedStage(maps.record.stages, "sphere map " + map.source,
+                                             [&] { return std::make_shared<const SphereMapTexels>(buildSphereMap(scene, map, job)); }));
     for (const MapPlan& map : plan.others)
         maps.others.push_back(build(map));
     return maps;
+}
+
+SceneMaps buildMaps(PlannedScene planned, const JobControl& job)
+{
+    SceneProbe probe = openProbe(std::move(planned.probe), planned.plan, job);
+    return buildMaps(planned.scene, planned.plan, probe, job);
 }
 
 } // namespace mirrorball

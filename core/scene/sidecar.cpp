@@ -83,7 +83,7 @@ Json levelsJson(const ExportPlan& planned, const std::vector<EnvironmentMap>& le
         if (layout.border > 0)
             level["border"] = layout.border;
         if (i < planned.map.filters.size())
-            level["lobe"] = lobeJson(planned.map.filters[i].lobe);
+            level["lobe"] = lobeJson(planned.map.filters[i].options.lobe);
         list.push_back(std::move(level));
     }
     return list;
@@ -173,15 +173,15 @@ std::string sidecar(const Scene& scene, const ExportPlan& planned, const std::ve
     json["indexed_by"] = indexedBy(target.kind);
     json["color_space"] = stored.isShown() ? "sRGB, tone-mapped (filmic)" : "linear, Rec.709 primaries, D65";
     json["sample_type"] = stored.word;
-    json["lobe"] = target.kind == ExportKind::Chain ? Json("chain") : lobeJson(planned.map.filters.front().lobe);
+    json["lobe"] = target.kind == ExportKind::Chain ? Json("chain") : lobeJson(planned.map.filters.front().options.lobe);
     json["levels"] = levelsJson(planned, levels);
     json["level_rule"] = target.kind == ExportKind::Chain ? "roughness = level / (levels - 1); alpha = roughness^2; each level is filtered "
                                                             "from the probe itself"
                          : planned.map.pyramid            ? "each level is the halving of the one before, weighted by solid angle"
                                                           : "one level";
     json["probe"] = {{"source", scene.probe.source}, {"yaw_degrees", scene.probe.yawDeg}, {"exposure", scene.probe.exposure}};
-    if (!work.method.empty())
-        json["filter"] = {{"method", work.method}, {"band_limit", work.bandLimit}, {"predicted_rel_rms", work.predicted.relRms}};
+    if (!work.methods.empty())
+        json["filter"] = {{"method", work.methodText()}, {"band_limit", work.bandLimit}, {"predicted_rel_rms", work.predicted.relRms}};
     return closed(json);
 }
 

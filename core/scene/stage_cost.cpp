@@ -27,21 +27,6 @@ StageCost readingCost(const MapLayout& probe, bool isBuiltin, bool isStreamed)
     return cost;
 }
 
-StageCost spectrumCost(const PrefilterOptions& filter, int probeWidth)
-{
-    const PrefilterPlan first = planPrefilter(filter, {.width = probeWidth});
-    const PrefilterPlan again = planPrefilter(filter, {.width = probeWidth, .knownBandLimit = first.bandLimit});
-    const double coefficients = 0.5 * (first.bandLimit + 1.0) * (first.bandLimit + 2.0);
-    return {std::max(0.0, first.predictedSeconds - again.predictedSeconds), static_cast<std::int64_t>(48.0 * coefficients)};
-}
-
-StageCost filteringCost(const PrefilterOptions& filter, int probeWidth)
-{
-    const PrefilterPlan first = planPrefilter(filter, {.width = probeWidth});
-    const PrefilterPlan again = planPrefilter(filter, {.width = probeWidth, .knownBandLimit = first.bandLimit});
-    return {again.predictedSeconds, mapCost(filter.target, 0.0).bytes};
-}
-
 StageCost resamplingCost(const MapLayout& target) { return mapCost(target, 1.5e-7); }
 
 StageCost pyramidCost(const MapLayout& base)

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/base/stage.h"
-#include "core/filter/prefilter.h"
 #include "core/sphere/parameterization.h"
 
 /// What the stages of a plan are expected to cost: a guide, right to a factor of two or three on one core of a current server, that says
@@ -10,10 +9,6 @@ namespace mirrorball {
 
 /// @param isStreamed  row by row, of which only the spectrum stays
 StageCost readingCost(const MapLayout& probe, bool isBuiltin, bool isStreamed);
-/// Forward transform of a probe to a band limit.
-StageCost spectrumCost(const PrefilterOptions& filter, int probeWidth);
-/// Filtering with the spectrum there already.
-StageCost filteringCost(const PrefilterOptions& filter, int probeWidth);
 StageCost resamplingCost(const MapLayout& target);
 /// The levels below the base.
 StageCost pyramidCost(const MapLayout& base);

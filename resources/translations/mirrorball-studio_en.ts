@@ -1698,7 +1698,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>replace: shown alone, over the colour below; multiply: times that colour; over: over the reflecting material; tint: times the reflecting material</source>
+        <source>replace: shown alone, over the colour below; multiply: times that colour; over: over the reflecting material; tint: times the reflecting material; add: its light added to the reflecting material</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -76,10 +76,9 @@ double kilobytes(const std::string& field)
 Plan makePicture(const Scene& scene, PlanExtent extent)
 {
     const JobControl job{.threads = 2};
-    Plan plan = makePlan(scene, probeLayout(scene), {.extent = extent});
-    WorkRecord record;
-    SceneProbe probe = openProbe(scene, plan, job, record);
-    const SceneMaps maps = buildMaps(scene, plan, probe, job, record);
+    PlannedScene planned = planScene(scene, {.extent = extent});
+    Plan plan = planned.plan;
+    const SceneMaps maps = buildMaps(std::move(planned), job);
     const OffscreenContext context;
     Renderer renderer;
     benchmark::DoNotOptimize(renderer.renderDisplay(renderSettings(scene, plan), renderMaps(maps)));

@@ -157,13 +157,13 @@ int run(int count, char** words)
                 }
                 const test::PlainError e = test::plainError(values, truth);
                 const bool kept = e.keeps(tolerance);
-                const bool under = e.relRms <= outcome.predictedError;
+                const bool under = e.relRms <= outcome.predicted.relRms;
                 broken += kept ? 0 : 1;
                 beyond += under ? 0 : 1;
                 if (!a.onlyBroken || !kept || !under)
                     std::printf("%-18s %-11s %-6s %-12s %5d | %8.1e %8.1e %8.1e %9.1e | %8.1e | %7.3f %s%s\n", stem.c_str(),
                                 lobeWord.c_str(), word.c_str(), outcome.filtered ? std::string(name(outcome.method)).c_str() : "lookup",
-                                outcome.bandLimit, e.relRms, e.medianRel, e.p99Rel, e.least, outcome.predictedError, seconds,
+                                outcome.bandLimit, e.relRms, e.medianRel, e.p99Rel, e.least, outcome.predicted.relRms, seconds,
                                 kept ? "kept" : "BROKEN", under ? "" : ", beyond the prediction");
                 if (a.why)
                     std::printf("    %s\n", outcome.why.c_str());

@@ -37,7 +37,7 @@ inline size_t lines(const std::string& text)
 
 } // namespace mirrorball::test
 
-/// The run failed as DESIGN 6 promises: this status, one line on stderr that contains the word, nothing on stdout.
+/// The run failed as docs/conventions.md promises: this status, one line on stderr that contains the word, nothing on stdout.
 #define EXPECT_FAILS(run, expectedStatus, word)                                                                                            \
     do {                                                                                                                                   \
         const mirrorball::test::ProgramRun result_ = (run);                                                                                \

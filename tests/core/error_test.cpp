@@ -1,4 +1,5 @@
 #include "core/base/error.h"
+#include "core/base/failure.h"
 
 #include <gtest/gtest.h>
 
@@ -29,6 +30,16 @@ TEST(ShownPath, KeepsTheEndsOfALongPathAndCutsBetweenCharacters)
 }
 
 TEST(FileErrors, ShowThePathInOneLine) { EXPECT_STREQ(FileError("a\nb.hdr", "is missing").what(), "a?b.hdr: is missing"); }
+
+TEST(Failure, WhateverIsThrownBecomesALine)
+{
+    EXPECT_EQ(failureOf([] {}), "");
+    EXPECT_EQ(failureOf([] { throw InvalidArgument("size: must be 1"); }), "size: must be 1");
+    EXPECT_NE(failureOf([] { throw std::bad_alloc(); }).find("not enough memory"), std::string::npos);
+    EXPECT_EQ(failureOf([] { throw std::length_error("too long"); }), "too long");
+    EXPECT_NE(failureOf([] { throw std::runtime_error(""); }), "");
+    EXPECT_NE(failureOf([] { throw 1; }), "");
+}
 
 } // namespace
 } // namespace mirrorball

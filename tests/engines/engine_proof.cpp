@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/image/color.h"
 #include "core/image/map_file.h"
+#include "core/image/probe_file.h"
 #include "core/sphere/cube_map.h"
 
 #include <nlohmann/json.hpp>
@@ -24,11 +25,7 @@ namespace {
 
 using nlohmann::json;
 
-FilterSource sourceOf(const std::string& probe)
-{
-    std::vector<Stage> stages;
-    return FilterSource(readProbe(probe, {}, {}, stages).map);
-}
+FilterSource sourceOf(const std::string& probe) { return FilterSource(readProbe(probe).map); }
 
 /// A picture from a client, RGB, top row first.
 struct Picture {
@@ -54,7 +51,7 @@ Picture readPicture(const std::string& path, int size)
 /// The ball fills the picture; an orthographic eye looks along -eye. In a left-handed system it stands at -Z.
 class Ball {
 public:
-    Ball(int size, double eyeZ) : m_size(size), m_eyeZ(eyeZ) {}
+    Ball(int size, double eyeZ, int block = 1) : m_size(size), m_block(block), m_eyeZ(eyeZ) {}
 
     /// Pixels near the rim see a lot at once and are left out.
     bool shows(int x, int y) const
@@ -78,6 +75,7 @@ public:
         return 2.0 * glm::dot(n, v) * n - v;
     }
     int size() const { return m_size; }
+    int block() const { return m_block; }
 
 private:
     glm::dvec2 place(int x, int y) const { return {(2.0 * x + 1.0) / m_size - 1.0, 1.0 - (2.0 * y + 1.0) / m_size}; }
@@ -87,7 +85,7 @@ private:
         return {p.x, p.y, m_eyeZ * std::sqrt(std::max(0.0, 1.0 - glm::dot(p, p)))};
     }
 
-    int m_size;
+    int m_size, m_block;
     double m_eyeZ;
 };
 
@@ -100,19 +98,31 @@ struct Difference {
 
 using Shade = std::function<glm::dvec3(const Pixel&)>;
 
+/// Compares means over blocks of pixels, where the client's picture is one of random samples.
 Difference difference(const Picture& seen, const Ball& ball, const Shade& expected, const glm::dmat3& axes)
 {
     double absolute = 0.0, level = 0.0, squares = 0.0, total = 0.0, atSeams = 0.0;
     long count = 0, seamCount = 0;
-    for (int y = 0; y < ball.size(); ++y)
-        for (int x = 0; x < ball.size(); ++x) {
-            if (!ball.shows(x, y))
+    for (int top = 0; top < ball.size(); top += ball.block())
+        for (int left = 0; left < ball.size(); left += ball.block()) {
+            if (!ball.shows(left, top) || !ball.shows(left + ball.block() - 1, top + ball.block() - 1))
                 continue;
-            const Pixel pixel = ball.pixel(x, y);
-            const glm::dvec3 truth = expected(pixel), d = seen.at(x, y) - truth;
-            const cube_map::FacePosition face = cube_map::facePosition(axes * ball.reflected(pixel.normal));
+            glm::dvec3 truth(0.0), d(0.0);
+            bool isSeam = false;
+            for (int y = top; y < top + ball.block(); ++y)
+                for (int x = left; x < left + ball.block(); ++x) {
+                    const Pixel pixel = ball.pixel(x, y);
+                    const glm::dvec3 value = expected(pixel);
+                    const cube_map::FacePosition face = cube_map::facePosition(axes * ball.reflected(pixel.normal));
+                    truth += value;
+                    d += seen.at(x, y) - value;
+                    isSeam = isSeam || std::max(std::abs(face.s), std::abs(face.t)) > 1.0 - 2.0 / 64.0;
+                }
+            const double pixels = ball.block() * ball.block();
+            truth /= pixels;
+            d /= pixels;
             const double square = glm::dot(d, d) / 3.0;
-            if (std::max(std::abs(face.s), std::abs(face.t)) > 1.0 - 2.0 / 64.0) {
+            if (isSeam) {
                 atSeams += square;
                 ++seamCount;
             }
@@ -216,13 +226,15 @@ Verdict judge(const json& manifest)
     const std::string engine = manifest.at("engine"), probeName = manifest.at("probe");
     const EngineProfile& profile = engineProfile(engine);
     FilterSource probe = sourceOf(probeName);
-    const Ball ball(manifest.at("size"), manifest.value("eye", 1.0));
+    const Ball ball(manifest.at("size"), manifest.value("eye", 1.0), manifest.value("block", 1));
     const glm::dmat3 axes = manifest.value("left_handed", false) ? mirroredInX().axes : glm::dmat3(1.0);
     const EngineExportOptions options{.size = manifest.value("faces", 0)};
     std::vector<double> roughnesses;
     for (const json& picture : manifest.at("pictures"))
         roughnesses.push_back(picture.value("roughness", 1.0));
-    const auto ours = ofLevels(probe, profile, options), exact = ofExactMaps(probe, roughnesses), nine = ofSh(probe);
+    const auto exact = ofExactMaps(probe, roughnesses), nine = ofSh(probe);
+    const auto levels = profile.law ? ofLevels(probe, profile, options) : nullptr;
+    const Radiance* const ours = levels ? levels.get() : exact.get(); // engines that filter by themselves have the environment to show
     const auto shadedBy = [&](const Radiance& radiance, double roughness) -> Shade {
         return [&, roughness](const Pixel& p) { return metal(engine, radiance, p, roughness, axes); };
     };
@@ -264,7 +276,8 @@ Verdict judge(const json& manifest)
             }
         }
     }
-    verdict.add("seams", seams, seamLimit);
+    if (profile.law)
+        verdict.add("seams", seams, seamLimit);
     return verdict;
 }
 
@@ -272,8 +285,7 @@ Verdict judge(const json& manifest)
 void plant(const std::string& fault, const std::string& engine, const std::string& probeName, const std::string& folder)
 {
     EngineProfile profile = engineProfile(engine);
-    std::vector<Stage> stages;
-    EnvironmentMap map = readProbe(probeName, {}, {}, stages).map;
+    EnvironmentMap map = readProbe(probeName).map;
     EngineExportOptions options{.name = engine};
     if (fault == "flip") {
         profile.cube = profile.cube == mirroredInX() ? CubeOrientation{} : mirroredInX();

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <stdexcept>
 
 namespace mirrorball::proof {
 
@@ -216,9 +215,7 @@ glm::dvec3 metal(const std::string& engine, const Radiance& radiance, const Pixe
         return filamentMetal(radiance, pixel, roughness, axes);
     if (engine == "babylon")
         return babylonMetal(radiance, pixel, roughness, axes);
-    if (engine == "playcanvas")
-        return radiance.specular(axes * reflected(pixel), roughness);
-    throw std::invalid_argument("no shader of '" + engine + "' here");
+    return radiance.specular(axes * reflected(pixel), roughness); // PlayCanvas, and mirrors of engines that filter by themselves
 }
 
 glm::dvec3 diffuse(const Radiance& radiance, const Pixel& pixel, const glm::dmat3& axes)

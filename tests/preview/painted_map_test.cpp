@@ -220,7 +220,8 @@ TEST_F(PaintedMap, MeetsTheSurfaceAsEachUseSays)
                                                      {PaintUse::Replace, paint + (1.0 - a) * color},
                                                      {PaintUse::Multiply, (paint + 1.0 - a) * color},
                                                      {PaintUse::Over, paint + (1.0 - a) * reflected},
-                                                     {PaintUse::Tint, (paint + 1.0 - a) * reflected}};
+                                                     {PaintUse::Tint, (paint + 1.0 - a) * reflected},
+                                                     {PaintUse::Add, paint + reflected}};
     for (const auto& [use, expected] : cases) {
         RenderSettings settings = view(GeometryKind::Sphere, use);
         settings.material.paint.color = color;

@@ -15,12 +15,10 @@ namespace {
 
 Image picture(const Scene& scene, PlanExtent extent)
 {
-    const Plan plan = makePlan(scene, probeLayout(scene), {.extent = extent});
-    WorkRecord record;
-    SceneProbe probe = openProbe(scene, plan, {}, record);
-    const SceneMaps maps = buildMaps(scene, plan, probe, {}, record);
+    PlannedScene planned = planScene(scene, {.extent = extent});
+    const RenderSettings settings = renderSettings(scene, planned.plan);
     Renderer renderer(TexelFormat::Float);
-    return renderer.renderRadiance(renderSettings(scene, plan), renderMaps(maps));
+    return renderer.renderRadiance(settings, renderMaps(buildMaps(std::move(planned))));
 }
 
 } // namespace

@@ -201,19 +201,20 @@ void ExportDialogTest::stopsWhenCancelled()
 {
     Scene scene = exportingScene();
     scene.exports = {
-        {.name = "long", .kind = ExportKind::Chain, .parameterization = Parameterization::Latlong, .size = 1024, .file = "long.hdr"}};
+        {.name = "long", .kind = ExportKind::Chain, .parameterization = Parameterization::Latlong, .size = 4096, .file = "long.hdr"}};
     ShownDialog shown(scene);
     QVERIFY(shown.isReady);
     QTest::mouseClick(shown.find<QPushButton>("export.start"), Qt::LeftButton);
     QVERIFY(shown.dialog->isExporting());
-    QTest::qWait(300);
+    QTest::qWait(150);
     keepScreenshot(*shown.dialog, QStringLiteral("export-running"));
     QTest::keyClick(shown.dialog.get(), Qt::Key_Escape); // stops the work, not the dialog
     QTRY_VERIFY_WITH_TIMEOUT(!shown.dialog->isExporting(), patience);
     QVERIFY(shown.dialog->isVisible());
     QVERIFY(shown.dialog->statusText().startsWith(QStringLiteral("Cancelled")));
     const std::filesystem::path out = shown.folder / "out";
-    QVERIFY(!std::filesystem::exists(out) || std::filesystem::is_empty(out));
+    // The dialog is free at once; the work behind it ends with the row it is at, and takes what it had made away.
+    QTRY_VERIFY_WITH_TIMEOUT(!std::filesystem::exists(out) || std::filesystem::is_empty(out), patience);
 }
 
 void ExportDialogTest::saysWhatIsWrong()
@@ -317,7 +318,7 @@ void ExportDialogTest::keepsWhatEachKindUnderstands()
     target.border = 2;
     QCOMPARE(withMips(target, Mips::All).border, 0);
     QCOMPARE(withKind(target, ExportKind::Diffuse).border, 0);
-    const ExportTarget pictures = withMips(withFormat(target, exportFormats().back()), Mips::All);
+    const ExportTarget pictures = withMips(withFormat(target, exportFormats()[5]), Mips::All);
     QVERIFY(pictures.mips);
     QVERIFY(!withKind(pictures, ExportKind::Source).mips); // a map of the probe has no numbered files unless its name says so
     const ExportTarget numbered = withLevelFiles(pictures, LevelFiles::Each);

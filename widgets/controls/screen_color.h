@@ -18,11 +18,4 @@ inline QColor screenColor(const glm::dvec3& linear)
     return QColor::fromRgbF(encode(linear.r), encode(linear.g), encode(linear.b));
 }
 
-/// The inverse, rounded to what a file needs.
-inline glm::dvec3 linearColor(const QColor& color)
-{
-    const auto decode = [](double x) { return std::round(static_cast<double>(decodeSrgb(static_cast<float>(x))) * 1e5) / 1e5; };
-    return {decode(color.redF()), decode(color.greenF()), decode(color.blueF())};
-}
-
 } // namespace mirrorball::studio

@@ -539,8 +539,7 @@ void ExportDialog::estimate()
     m_estimator.start(
         [scene = m_workspace.document.scene()](const JobControl&) {
             const PlanRequest request{.picture = false, .exports = std::vector<std::string>{}};
-            const MapLayout probe = probeLayout(scene, request);
-            return estimateExports(makePlan(scene, probe, request), probe);
+            return estimateExports(makePlan(scene, probeLayout(scene, request), request));
         },
         [this](const std::vector<ExportEstimate>& estimates) { showEstimates(estimates); });
 }

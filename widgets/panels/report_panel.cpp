@@ -4,6 +4,8 @@
 #include "widgets/controls/options_form.h"
 #include "widgets/controls/text.h"
 
+#include "core/scene/scene_dependencies.h"
+
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QHBoxLayout>
@@ -60,13 +62,6 @@ public:
         return mine.isValid() && theirs.isValid() ? mine.toDouble() < theirs.toDouble() : text(column) < other.text(column);
     }
 };
-
-/// What of a scene the measurement depends on.
-bool isSameWork(const Scene& a, const Scene& b)
-{
-    return a.probe.source == b.probe.source && a.probe.parameterization == b.probe.parameterization && a.folder == b.folder &&
-           a.map.parameterization == b.map.parameterization && lobe(a.material.specular) == lobe(b.material.specular);
-}
 
 } // namespace
 
@@ -238,7 +233,7 @@ void ReportPanel::follow()
     if (!isVisible())
         return;
     const bool hasPoints = m_isMeasuring || !m_points.empty() || m_race;
-    if (m_gaveWay || !hasPoints || !isSameWork(m_measured, m_workspace.document.scene()))
+    if (m_gaveWay || !hasPoints || measurementOf(m_measured) != measurementOf(m_workspace.document.scene()))
         m_rest.start();
 }
 
@@ -258,7 +253,7 @@ void ReportPanel::goOn()
     if (!isVisible() || !m_workspace.live.isUpToDate() || m_workspace.document.isDragging())
         return; // the end of the drag, the new maps or the panel's showing call again
     const bool waited = std::exchange(m_gaveWay, false);
-    if (!isSameWork(m_measured, m_workspace.document.scene()) || (!m_isMeasuring && m_points.empty() && !m_race))
+    if (measurementOf(m_measured) != measurementOf(m_workspace.document.scene()) || (!m_isMeasuring && m_points.empty() && !m_race))
         start();
     else if (waited && m_race)
         measureNext(m_next);

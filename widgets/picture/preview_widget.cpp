@@ -1,6 +1,9 @@
 #include "preview_widget.h"
 
+#include "cut_out.h"
+
 #include "core/preview/scene_settings.h"
+#include "core/scene/scene_dependencies.h"
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -22,14 +25,6 @@ TexelRect onGrid(const TexelRect& rect, int size)
 {
     const auto up = [size](int x) { return std::min((x + patchGrid - 1) / patchGrid * patchGrid, size); };
     return {rect.x0 / patchGrid * patchGrid, rect.y0 / patchGrid * patchGrid, up(rect.x1), up(rect.y1)};
-}
-
-Image cutOut(const Image& picture, const TexelRect& rect)
-{
-    Image part(rect.width(), rect.height(), 4);
-    for (int y = 0; y < part.height; ++y)
-        std::copy_n(picture.texel(rect.x0, rect.y0 + y), static_cast<size_t>(part.width) * 4, part.row(y));
-    return part;
 }
 
 /// What the places of lookups in a painted sphere map depend on.
@@ -105,13 +100,7 @@ QSize PreviewWidget::deviceSize() const
 // The maps are of the scene that was made; what needs no map is of this moment.
 preview::RenderSettings PreviewWidget::settings(const PreparedScene& made) const
 {
-    const Scene& now = m_workspace.document.scene();
-    Scene shown = made.scene;
-    shown.view.camera = now.view.camera;
-    shown.view.exposure = now.view.exposure;
-    shown.view.toneCurve = now.view.toneCurve;
-    if (shown.map.space == MapSpace::World)
-        shown.probe.yawDeg = now.probe.yawDeg;
+    Scene shown = shownNow(made.scene, m_workspace.document.scene());
     const QSize size = deviceSize();
     shown.view.width = size.width();
     shown.view.height = size.height();

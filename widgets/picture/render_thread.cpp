@@ -1,6 +1,9 @@
 #include "render_thread.h"
 
+#include "cut_out.h"
+
 #include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/preview/scene_settings.h"
 
 #include <QElapsedTimer>
@@ -26,14 +29,6 @@ QSurfaceFormat contextFormat()
     format.setDepthBufferSize(0); // the renderer has targets of its own
     format.setStencilBufferSize(0);
     return format;
-}
-
-Image cutOut(const Image& picture, const TexelRect& rect)
-{
-    Image part(rect.width(), rect.height(), 4);
-    for (int y = 0; y < part.height; ++y)
-        std::copy_n(picture.texel(rect.x0, rect.y0 + y), static_cast<size_t>(part.width) * 4, part.row(y));
-    return part;
 }
 
 /// Every 2 x 2 texels become one.
@@ -70,21 +65,23 @@ QImage readPicture(const preview::RenderTarget& target, bool isOpaque, std::vect
 
 std::optional<preview::SurfaceHit> look(preview::Renderer* renderer, const preview::RenderSettings& settings, int x, int y)
 {
-    try {
-        return renderer ? renderer->pick(settings, x, y) : std::nullopt;
-    } catch (const Error&) {
-        return std::nullopt; // the next picture says what is wrong
-    }
+    std::optional<preview::SurfaceHit> hit;
+    failureOf([&] { // the next picture says what is wrong
+        if (renderer)
+            hit = renderer->pick(settings, x, y);
+    });
+    return hit;
 }
 
 std::shared_ptr<const preview::DiscPlaces> lookEverywhere(preview::Renderer* renderer, const preview::RenderSettings& settings,
                                                           SphereMapIndex index)
 {
-    try {
-        return renderer ? std::make_shared<const preview::DiscPlaces>(renderer->discPlaces(settings, index)) : nullptr;
-    } catch (const Error&) {
-        return nullptr;
-    }
+    std::shared_ptr<const preview::DiscPlaces> places;
+    failureOf([&] {
+        if (renderer)
+            places = std::make_shared<const preview::DiscPlaces>(renderer->discPlaces(settings, index));
+    });
+    return places;
 }
 
 } // namespace
@@ -249,12 +246,7 @@ void RenderThread::pick(const preview::RenderSettings& settings, int x, int y,
 void RenderThread::run(const std::stop_token& end)
 {
     std::unique_ptr<Context> context;
-    QString problem;
-    try {
-        context = std::make_unique<Context>(m_surface);
-    } catch (const Error& error) {
-        problem = QString::fromUtf8(error.what());
-    }
+    const QString problem = QString::fromStdString(failureOf([&] { context = std::make_unique<Context>(m_surface); }));
     for (;;) {
         std::optional<PictureOrder> order;
         std::vector<SphereMapPatch> patches;
@@ -277,13 +269,8 @@ void RenderThread::run(const std::stop_token& end)
             continue;
         }
         Picture picture{.order = *order, .problem = problem};
-        if (context) {
-            try {
-                picture = context->draw(*order, patches);
-            } catch (const Error& error) {
-                picture.problem = QString::fromUtf8(error.what());
-            }
-        }
+        if (context)
+            picture.problem = QString::fromStdString(failureOf([&] { picture = context->draw(*order, patches); }));
         QMetaObject::invokeMethod(
             this, [this, picture] { emit drawn(picture); }, Qt::QueuedConnection);
     }

@@ -17,7 +17,8 @@ class QKeyEvent;
 namespace mirrorball::studio {
 
 /// The chosen layer's handles on a disc, and its mask's, to be dragged: lights as small suns, centres, arms, rings
-/// (core/spheremap/evaluation/disc_handles.h). The canvas hands on what mouse and keys do. What lies on the ball's back is shown at the rim, hollow.
+/// (core/spheremap/evaluation/disc_handles.h). The canvas hands on what mouse and keys do. What lies on the ball's back is shown at the
+/// rim, hollow.
 ///
 /// A drag is one undo step, Escape gives it up. Arrow keys move the chosen handle (Shift: finer), Ctrl and arrows go from one to the next.
 /// On a list of lights a double click adds one and Delete removes the one chosen.

@@ -1,6 +1,7 @@
 #include "job_runner.h"
 
 #include "core/base/error.h"
+#include "core/base/failure.h"
 
 #include <QElapsedTimer>
 #include <QMetaObject>
@@ -92,7 +93,7 @@ void JobRunner::run(const std::stop_token& end)
             deliver = request.work(job);
         } catch (const Cancelled&) {
         } catch (const std::exception& failure) {
-            error = QString::fromUtf8(failure.what());
+            error = QString::fromStdString(messageOf(failure));
         }
         {
             const std::lock_guard lock(m_mutex);

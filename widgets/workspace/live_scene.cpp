@@ -3,29 +3,11 @@
 #include "core/base/error.h"
 #include "core/preview/mesh_file.h"
 #include "core/preview/scene_settings.h"
+#include "core/scene/scene_dependencies.h"
 
 #include <filesystem>
 
 namespace mirrorball::studio {
-
-namespace {
-
-/// Maps while a control is dragged: soft enough to be made between two frames, and near enough to judge by.
-constexpr MapDetail coarse{.largestSize = 128, .tolerance = 1e-3, .texelsPerLobe = 6.0, .probeItselfUpTo = 4.0};
-
-/// The scene without what maps and plan do not depend on: a camera that moves makes nothing anew.
-Scene mapsOnly(Scene scene)
-{
-    scene.view.camera = {};
-    scene.view.exposure = 0.0;
-    scene.view.toneCurve = {};
-    if (scene.map.space == MapSpace::World)
-        scene.probe.yawDeg = 0.0;
-    scene.exports.clear();
-    return scene;
-}
-
-} // namespace
 
 /// What the worker keeps from one scene to the next.
 struct LiveScene::Maker {
@@ -106,7 +88,7 @@ void LiveScene::follow()
 {
     const bool wantsFull = !m_document.isDragging() && !startsAnew();
     const bool isFineEnough = !wantsFull || m_requestedDetail == MapDetail{};
-    if (isFineEnough && mapsOnly(m_requested) == mapsOnly(m_document.scene()) && (m_runner.isBusy() || m_made))
+    if (isFineEnough && mapsOf(m_requested) == mapsOf(m_document.scene()) && (m_runner.isBusy() || m_made))
         return;
     request();
 }
@@ -120,9 +102,9 @@ void LiveScene::request()
 {
     const bool wantsCoarse = m_document.isDragging() || startsAnew();
     // A coarse result of a moment ago is better than none; a full one would only be in the way.
-    const Running running = wantsCoarse && m_requestedDetail == coarse ? Running::Finish : Running::Stop;
+    const Running running = wantsCoarse && m_requestedDetail == coarseDetail ? Running::Finish : Running::Stop;
     m_requested = m_document.scene();
-    m_requestedDetail = wantsCoarse ? coarse : MapDetail{};
+    m_requestedDetail = wantsCoarse ? coarseDetail : MapDetail{};
     m_isUpToDate = false;
     m_runner.start([maker = m_maker, scene = m_requested,
                     detail = m_requestedDetail](const JobControl& job) { return maker->make(scene, detail, job); },
@@ -132,9 +114,9 @@ void LiveScene::request()
 void LiveScene::use(std::shared_ptr<const PreparedScene> made)
 {
     m_made = std::move(made);
-    m_isUpToDate = m_made->detail == MapDetail{} && mapsOnly(m_made->scene) == mapsOnly(m_document.scene());
+    m_isUpToDate = m_made->detail == MapDetail{} && mapsOf(m_made->scene) == mapsOf(m_document.scene());
     emit updated();
-    if (m_made->detail == coarse && !m_document.isDragging())
+    if (m_made->detail == coarseDetail && !m_document.isDragging())
         follow();
 }
 

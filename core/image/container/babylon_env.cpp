@@ -22,11 +22,9 @@ constexpr int largestWidth = 8192;
 std::string facePng(const Image& level, int face)
 {
     const auto texels = pictureOf(level, 6, face);
-    png::Picture picture{level.width, level.width, {}};
-    picture.texels.reserve(texels.size() / 3);
-    for (size_t i = 0; i + 2 < texels.size(); i += 3)
-        picture.texels.push_back(packColor(PackedColor::Rgbd, {texels[i], texels[i + 1], texels[i + 2]}));
-    return png::encode(picture);
+    Image picture(level.width, level.width, 3);
+    std::copy(texels.begin(), texels.end(), picture.texels.begin());
+    return png::encode(png::packed(picture, PackedColor::Rgbd));
 }
 
 /// A member as a number. @throws FileError

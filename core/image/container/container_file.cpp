@@ -69,6 +69,55 @@ ContainedTexture decodedByOpenImageIo(const std::filesystem::path& path)
     return result;
 }
 
+/// Alpha is left out: light has none.
+Image rgbOf(const Image& image)
+{
+    if (image.channels == 3)
+        return image;
+    Image rgb(image.width, image.height, 3);
+    const auto channels = static_cast<size_t>(image.channels);
+    for (size_t i = 0, o = 0; i < image.texels.size(); i += channels, o += 3)
+        for (size_t c = 0; c < 3; ++c)
+            rgb.texels[o + c] = image.texels[i + (channels < 3 ? 0 : c)];
+    return rgb;
+}
+
+/// The halves of a paraboloid map, one below the other, or back.
+Image slicesOf(const Image& map)
+{
+    const int n = map.height;
+    Image slices(n, 2 * n, 3);
+    for (int y = 0; y < 2 * n; ++y)
+        std::copy_n(map.texel(y / n * n, y % n), static_cast<size_t>(n) * 3, slices.row(y));
+    return slices;
+}
+Image halvesOf(const Image& slices)
+{
+    const int n = slices.width;
+    Image map(2 * n, n, 3);
+    for (int y = 0; y < 2 * n; ++y)
+        std::copy_n(slices.row(y), static_cast<size_t>(n) * 3, map.texel(y / n * n, y % n));
+    return map;
+}
+
+bool areHalves(const Texture& texture) { return texture.slices == 2 && texture.levels.front().height == 2 * texture.levels.front().width; }
+
+bool isParaboloid(const WriteOptions& options)
+{
+    const auto found = options.attributes.find("mirrorball:parameterization");
+    return found != options.attributes.end() && found->second == "paraboloid";
+}
+
+Texture textureOf(const std::vector<Image>& levels, const WriteOptions& options)
+{
+    Texture texture{.faces = options.faces, .format = options.sampleType == SampleType::Half ? TexelFormat::Half : TexelFormat::Float};
+    for (const Image& level : levels)
+        texture.levels.push_back(rgbOf(level));
+    return texture;
+}
+
+void write(AtomicFile& file, const std::string& bytes) { file.write(bytes.data(), bytes.size()); }
+
 /// A level of a texture in memory, handed out in rows.
 class LevelReader final : public ImageReader {
 public:
@@ -83,6 +132,8 @@ public:
         m_info.levels = static_cast<int>(contained.texture.levels.size());
         if (contained.texture.faces == 6)
             m_info.attributes["mirrorball:parameterization"] = "cube";
+        if (areHalves(contained.texture))
+            m_info.attributes["mirrorball:parameterization"] = "paraboloid";
     }
 
     const ImageFileInfo& info() const override { return m_info; }
@@ -137,7 +188,30 @@ std::unique_ptr<ImageReader> openContainer(const std::filesystem::path& path, in
     Image image = levels[static_cast<size_t>(level)];
     if (contained.format == "env") // the one container whose reader is known: its faces say where they are
         image = fromStored(image, {.axes = mirroredInX().axes, .bottomUp = true});
+    if (areHalves(contained.texture))
+        image = halvesOf(image);
     return std::make_unique<LevelReader>(path, contained, std::move(image));
+}
+
+void writeKtx1(AtomicFile& file, const std::filesystem::path&, const std::vector<Image>& levels, const WriteOptions& options)
+{
+    write(file, ktx1::write(textureOf(levels, options)));
+}
+
+void writeKtx2(AtomicFile& file, const std::filesystem::path&, const std::vector<Image>& levels, const WriteOptions& options)
+{
+    write(file, ktx2::write(textureOf(levels, options)));
+}
+
+void writeDds(AtomicFile& file, const std::filesystem::path&, const std::vector<Image>& levels, const WriteOptions& options)
+{
+    Texture texture = textureOf(levels, options);
+    if (isParaboloid(options)) {
+        texture.slices = 2;
+        for (Image& level : texture.levels)
+            level = slicesOf(level);
+    }
+    write(file, dds::write(texture, texture.slices > 1 ? dds::Header::Dx10 : dds::Header::Direct3D9));
 }
 
 } // namespace mirrorball

@@ -2,6 +2,7 @@
 
 #include "texture.h"
 
+#include "core/base/atomic_file.h"
 #include "core/image/image_io.h"
 
 #include <filesystem>
@@ -29,7 +30,15 @@ ContainedTexture readContainer(std::string_view bytes, const std::string& name);
 /// The same of a file; block-compressed .dds cubes are decoded by OpenImageIO. @throws FileError
 ContainedTexture readContainer(const std::filesystem::path& path);
 
-/// One level of a container as an image: the pictures of the level one below the other. @throws FileError
+/// Writers of the table of formats (image_format.h): levels of a cube (options.faces), of a plain picture, or in a .dds of a paraboloid
+/// map, whose halves become the two slices of an array, as DirectXTK's dual parabola effect takes them. Half or float texels, the faces as
+/// they stand; engines' own orientations are made by exports for them.
+void writeKtx1(AtomicFile& file, const std::filesystem::path& named, const std::vector<Image>& levels, const WriteOptions& options);
+void writeKtx2(AtomicFile& file, const std::filesystem::path& named, const std::vector<Image>& levels, const WriteOptions& options);
+void writeDds(AtomicFile& file, const std::filesystem::path& named, const std::vector<Image>& levels, const WriteOptions& options);
+
+/// One level of a container as an image: a cube's faces one below the other, two square slices side by side as a paraboloid map. @throws
+/// FileError
 std::unique_ptr<ImageReader> openContainer(const std::filesystem::path& path, int level);
 
 } // namespace mirrorball

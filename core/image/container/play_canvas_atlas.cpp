@@ -19,11 +19,7 @@ glm::dvec3 direction(const Rectangle& r, double i, double j)
 std::string write(const Image& atlas, PackedColor form)
 {
     assert(atlas.width == size && atlas.height == size && atlas.channels == 3);
-    png::Picture picture{size, size, {}};
-    picture.texels.reserve(static_cast<size_t>(size) * size);
-    for (size_t i = 0; i < atlas.texels.size(); i += 3)
-        picture.texels.push_back(packColor(form, {atlas.texels[i], atlas.texels[i + 1], atlas.texels[i + 2]}));
-    return png::encode(picture);
+    return png::encode(png::packed(atlas, form));
 }
 
 Image read(std::string_view bytes, const std::string& name, PackedColor form)

@@ -108,6 +108,16 @@ std::vector<png_bytep> rowsOf(Texel* texels, int width, int height)
 
 } // namespace
 
+Picture packed(const Image& image, PackedColor form)
+{
+    Picture picture{image.width, image.height, {}};
+    picture.texels.reserve(static_cast<size_t>(image.width) * static_cast<size_t>(image.height));
+    const auto channels = static_cast<size_t>(image.channels), green = channels < 3 ? size_t{0} : size_t{1};
+    for (size_t i = 0; i < image.texels.size(); i += channels)
+        picture.texels.push_back(packColor(form, {image.texels[i], image.texels[i + green], image.texels[i + 2 * green]}));
+    return picture;
+}
+
 std::string encode(const Picture& picture)
 {
     std::string bytes;

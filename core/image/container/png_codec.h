@@ -2,6 +2,8 @@
 
 #include "packed_texel.h"
 
+#include "core/image/image.h"
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +18,9 @@ struct Picture {
     int height = 0;
     std::vector<Rgba8> texels{};
 };
+
+/// Radiance packed into a picture; a fourth channel is left out, one channel is grey.
+Picture packed(const Image& image, PackedColor form);
 
 /// The bytes of a PNG file without ancillary chunks. @throws WorkError
 std::string encode(const Picture& picture);

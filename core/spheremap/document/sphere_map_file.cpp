@@ -77,7 +77,8 @@ SphereMapDocument loadSphereMap(const std::filesystem::path& path)
     return namingFile(path, [&] {
         SphereMapDocument document = sphereMapFromJson(parse(readText(path, what), what));
         document.folder = folderOf(path);
-        return document;
+        return withPathsFrom(std::move(document), folderOf(path),
+                             [](const std::string& file, const auto& folder, const auto&) { return withSlashes(file, folder); });
     });
 }
 

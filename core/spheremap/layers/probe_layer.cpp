@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/field_checks.h"
 #include "core/filter/prefilter.h"
-#include "core/image/map_file.h"
+#include "core/image/probe_file.h"
 #include "core/shading/conductor.h"
 #include "core/sphere/sphere_map.h"
 
@@ -68,8 +68,7 @@ Image discOf(const EnvironmentMap& filtered, double tilt, int size, const ToDire
 DiscPicture bake(const ProbeLayer& layer, const std::string& path, SphereMapAssets& assets)
 {
     const auto probe = assets.get<std::shared_ptr<FilterSource>>("filter source|" + assetKey(path), [&] {
-        std::vector<Stage> stages;
-        EnvironmentMap map = readProbe(path, {}, {}, stages).map;
+        EnvironmentMap map = readProbe(path).map;
         const size_t bytes = 2 * map.image.texels.size() * sizeof(float); // and its spectrum, of about as many values
         return SphereMapAssets::Made<std::shared_ptr<FilterSource>>{std::make_shared<FilterSource>(std::move(map)), bytes};
     });

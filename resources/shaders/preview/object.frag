@@ -1,6 +1,6 @@
 // The material: a map looked up by reflection, a map looked up by normal, the Fresnel term between them. What a material lacks is
 // not compiled: HAS_SPECULAR, HAS_DIFFUSE (0 or 1), FRESNEL (0 none, 1 dielectric, 2 conductor), COAT (0 add, 1 coat), LAMBDA_BY_ANGLE,
-// MARKER (0 or 1), SPHERE_USE (a painted sphere map: 0 none, 1 replace, 2 multiply, 3 over, 4 tint), FLECKS (0 or 1).
+// MARKER (0 or 1), SPHERE_USE (a painted sphere map: 0 none, 1 replace, 2 multiply, 3 over, 4 tint, 5 add), FLECKS (0 or 1).
 #include "lib/fresnel.glsl"
 #include "lib/output.glsl"
 #include "lib/surface_point.glsl"
@@ -143,6 +143,8 @@ void main()
     radiance = (paint.rgb + 1.0 - paint.a) * sphereColor;
 #elif SPHERE_USE == 3
     radiance = paint.rgb + (1.0 - paint.a) * radiance;
+#elif SPHERE_USE == 5
+    radiance += paint.rgb;
 #else
     radiance *= paint.rgb + 1.0 - paint.a;
 #endif

@@ -123,7 +123,7 @@ TEST(Prefilter, PredictsItsError)
             probe, {.lobe = phongLobe(50), .target = {Parameterization::Cube, 16, 0}, .method = Method::Spectral, .tolerance = tolerance},
             &outcome);
         EXPECT_LE(e.relRms, tolerance);
-        EXPECT_LE(outcome.predictedError, tolerance);
+        EXPECT_LE(outcome.predicted.relRms, tolerance);
     }
 }
 

@@ -4,6 +4,7 @@
 #include "core/image/builtin_probes.h"
 #include "core/image/map_file.h"
 #include "core/image/mip_pyramid.h"
+#include "core/image/probe_file.h"
 #include "core/image/reproject.h"
 
 #include "support/probe_builders.h"
@@ -104,8 +105,7 @@ TEST(Survey, CountsAndMeasuresLikeReadingTheProbeWhole)
     probe.image.texel(7, 9)[2] = -1.0f;
     const std::string file = (folder / "sun.exr").string();
     writeMap(file, {probe});
-    std::vector<Stage> stages;
-    const Probe whole = readProbe(file, {}, {}, stages);
+    const Probe whole = readProbe(file);
     const ProbeStatistics expected = statistics(whole.map);
     const ProbeSurvey survey = surveyProbe(file, {.height = 16});
     EXPECT_EQ(survey.reduced.repaired, whole.repaired);

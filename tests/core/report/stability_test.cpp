@@ -5,7 +5,7 @@
 namespace mirrorball {
 namespace {
 
-/// Every case of DESIGN 8 that concerns filtering, with every method: done as promised, or refused with a reason that names the method.
+/// Every extreme case of filtering, with every method: done as promised, or refused with a reason that names the method.
 class Stability : public ::testing::TestWithParam<Method> {};
 
 TEST_P(Stability, HoldsInEveryCase)

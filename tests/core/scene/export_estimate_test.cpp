@@ -50,8 +50,7 @@ Scene manyTargets()
 
 std::vector<ExportEstimate> estimates(const Scene& scene)
 {
-    const MapLayout probe = probeLayout(scene);
-    return estimateExports(makePlan(scene, probe, {.picture = false, .exports = std::vector<std::string>{}}), probe);
+    return estimateExports(makePlan(scene, probeLayout(scene), {.picture = false, .exports = std::vector<std::string>{}}));
 }
 
 // Sizes: the promise of the header, a factor of two, even of maps as small as these, whose headers weigh much.

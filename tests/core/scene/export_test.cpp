@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -87,12 +89,13 @@ TEST_F(Export, WritesWhatDirectCallsGive)
     for (const std::filesystem::path& file : outcome.files)
         EXPECT_TRUE(std::filesystem::is_regular_file(file)) << file;
     EXPECT_EQ(outcome.files.size(), 8u);
-    EXPECT_THAT(outcome.record.method, testing::HasSubstr("spectral"));
+    EXPECT_THAT(outcome.record.methods, testing::Contains("spectral"));
     EXPECT_EQ(std::count_if(outcome.record.stages.begin(), outcome.record.stages.end(),
                             [](const Stage& s) { return s.name.find("probe") != std::string::npos; }),
               1)
         << "the probe is read once for all";
-    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(m_folder), {}), 8) << "no temporary file is left";
+    EXPECT_TRUE(std::filesystem::exists(m_folder / "export-manifest.json"));
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(m_folder), {}), 9) << "no temporary file is left";
 }
 
 TEST_F(Export, DescribesEachMapBesideIt)
@@ -127,6 +130,46 @@ TEST_F(Export, DescribesEachMapBesideIt)
     EXPECT_EQ(chain["levels"][0]["lobe"]["kind"], "mirror");
     EXPECT_NEAR(chain["levels"][1]["lobe"]["roughness"].get<double>(), 1.0 / 3, 1e-12);
     EXPECT_EQ(chain["levels"][3]["size"], 4);
+}
+
+/// A place of a map, u to the right and v down, both in [0, 1], and the direction that a side-car's words put there.
+struct NamedPlace {
+    Parameterization kind;
+    const char* words;
+    glm::dvec2 place;
+    glm::dvec3 direction;
+};
+
+// What a side-car says of its axes is held against the map: the words must be there, and the texel must look that way.
+TEST_F(Export, SaysWhereTheAxesLieInEachKindOfMap)
+{
+    const std::vector<NamedPlace> places{{Parameterization::Latlong, "the centre is +Z", {0.5, 0.5}, {0, 0, 1}},
+                                         {Parameterization::Latlong, "the left quarter +X", {0.25, 0.5}, {1, 0, 0}},
+                                         {Parameterization::Latlong, "the top +Y", {0.5, 0.0}, {0, 1, 0}},
+                                         {Parameterization::Cube, "faces +X -X +Y -Y +Z -Z", {0.5, 0.5 / 6}, {1, 0, 0}},
+                                         {Parameterization::Cube, "faces +X -X +Y -Y +Z -Z", {0.5, 4.5 / 6}, {0, 0, 1}},
+                                         {Parameterization::Sphere, "the centre is +Z", {0.5, 0.5}, {0, 0, 1}},
+                                         {Parameterization::Sphere, "right +X, top +Y", {0.5 + 0.5 / std::sqrt(2.0), 0.5}, {1, 0, 0}},
+                                         {Parameterization::Angular, "the angle from +Z over pi", {0.5, 0.5}, {0, 0, 1}},
+                                         {Parameterization::Angular, "left is +X, top +Y", {0.25, 0.5}, {1, 0, 0}},
+                                         {Parameterization::Paraboloid, "front half (z >= 0) on the left", {0.25, 0.5}, {0, 0, 1}},
+                                         {Parameterization::Paraboloid, "back half on the right", {0.75, 0.5}, {0, 0, -1}},
+                                         {Parameterization::Octahedral, "+Y at the centre", {0.5, 0.5}, {0, 1, 0}},
+                                         {Parameterization::Octahedral, "right is +X and down +Z", {1.0, 0.5}, {1, 0, 0}},
+                                         {Parameterization::Octahedral, "right is +X and down +Z", {0.5, 1.0}, {0, 0, 1}}};
+    Scene scene;
+    scene.probe.source = "builtin:axes";
+    constexpr int size = 64;
+    for (const Parameterization kind : allParameterizations)
+        scene.exports.push_back({.name = std::string(name(kind)), .kind = ExportKind::Source, .parameterization = kind, .size = size});
+    exportScene(scene, m_folder);
+    for (const NamedPlace& place : places) {
+        EXPECT_THAT(sidecar(std::string(name(place.kind)))["axes"].get<std::string>(), testing::HasSubstr(place.words));
+        const MapLayout layout{place.kind, size, 0};
+        const int x = std::clamp(static_cast<int>(place.place.x * layout.width()), 0, layout.width() - 1);
+        const int y = std::clamp(static_cast<int>(place.place.y * layout.height()), 0, layout.height() - 1);
+        EXPECT_GT(glm::dot(texelDirection(layout, x, y), place.direction), std::cos(0.1)) << name(place.kind) << ": " << place.words;
+    }
 }
 
 TEST_F(Export, WritesOnlyWhatIsAskedForAndNamesTheKnownOnes)
@@ -205,7 +248,7 @@ TEST_F(Export, WritesTheLevelsOfAPaintedMapAsTheSceneShowsThem)
     scene.exports = {{.name = "map", .kind = ExportKind::Painted, .size = 8, .mips = true}};
     const ExportOutcome outcome = exportScene(scene, m_folder);
     EXPECT_THAT(outcome.files, testing::ElementsAre(m_folder / "map.exr", m_folder / "map.json"));
-    EXPECT_EQ(outcome.record.method, "paint");
+    EXPECT_THAT(outcome.record.methods, testing::ElementsAre("paint"));
     EXPECT_EQ(readLevel(m_folder / "map.exr", 0).texel(4, 4)[0], 1.0f);
     EXPECT_EQ(readLevel(m_folder / "map.exr", 1).texel(2, 2)[1], 1.0f);
     EXPECT_EQ(sidecar("map")["indexed_by"], "reflection");
@@ -242,22 +285,16 @@ TEST(SceneMaps, AreBuiltOnlyWhereThePlanNeedsThem)
     scene.map.size = 32;
     scene.view.background.kind = Backdrop::None;
     scene.material.lambda = 1.0;
-    Plan plan = makePlan(scene, probeLayout(scene));
-    WorkRecord record;
-    SceneProbe probe = openProbe(scene, plan, {}, record);
-    SceneMaps maps = buildMaps(scene, plan, probe, {}, record);
+    SceneMaps maps = buildMaps(planScene(scene));
     ASSERT_TRUE(maps.specular);
     EXPECT_EQ(maps.specular->size(), 6u);
     EXPECT_FALSE(maps.diffuse);
     EXPECT_FALSE(maps.background);
 
     scene.material.specular.weight = 0.0;
-    plan = makePlan(scene, probeLayout(scene));
-    record = {};
-    probe = openProbe(scene, plan, {}, record);
-    maps = buildMaps(scene, plan, probe, {}, record);
+    maps = buildMaps(planScene(scene));
     EXPECT_FALSE(maps.specular);
-    EXPECT_TRUE(record.stages.empty()) << "nothing was opened";
+    EXPECT_TRUE(maps.record.stages.empty()) << "nothing was opened";
 }
 
 } // namespace

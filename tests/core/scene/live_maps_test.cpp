@@ -1,17 +1,21 @@
 #include "core/scene/live_maps.h"
 
 #include "core/base/error.h"
+#include "core/image/image_io.h"
 #include "core/spheremap/document/presets.h"
+#include "support/temporary_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <chrono>
 
 namespace mirrorball {
 namespace {
 
 using testing::HasSubstr;
 
-constexpr MapDetail coarse{.largestSize = 128, .tolerance = 1e-3, .texelsPerLobe = 6.0, .probeItselfUpTo = 4.0};
+constexpr MapDetail coarse = coarseDetail;
 
 Scene glossyScene(double exponent)
 {
@@ -32,13 +36,7 @@ Scene paintedScene(const SphereMapDocument& map)
     return scene;
 }
 
-MapLevels commandLineMap(const Scene& scene)
-{
-    WorkRecord record;
-    const Plan plan = makePlan(scene, probeLayout(scene));
-    SceneProbe probe = openProbe(scene, plan, {}, record);
-    return buildMaps(scene, plan, probe, {}, record).specular;
-}
+MapLevels commandLineMap(const Scene& scene) { return buildMaps(planScene(scene)).specular; }
 
 void expectSame(const MapLevels& a, const MapLevels& b)
 {
@@ -80,8 +78,7 @@ TEST(LiveMaps, OfASphereMapThatIsEditedAreThoseOfTheCommandLine)
     LiveMaps live;
     Scene scene = paintedScene(findSphereMapPreset("jade")->document);
     const auto expectCommandLines = [&] {
-        WorkRecord record;
-        const std::vector<SphereMapChain> expected = buildSphereMaps(scene, makePlan(scene, probeLayout(scene)), {}, record);
+        const std::vector<SphereMapChain> expected = buildMaps(planScene(scene)).sphereMaps;
         const std::vector<SphereMapChain> made = live.update(scene, {}).maps.sphereMaps;
         ASSERT_EQ(made.size(), 1u);
         EXPECT_EQ(made[0]->levels, expected[0]->levels);
@@ -163,6 +160,27 @@ TEST(LiveMaps, StandInForAProbeThatIsMissingAndSayWhich)
     EXPECT_EQ(made.environment->image.texels, placeholderProbe().image.texels);
     scene.probe.source = "builtin:cube-room";
     EXPECT_EQ(live.update(scene, {}).problem, "");
+}
+
+TEST(LiveMaps, ReadAProbeAgainOnceItsFileIsAnother)
+{
+    const test::TemporaryFolder folder;
+    const std::string file = (folder / "probe.exr").string();
+    const auto write = [&](float radiance, int height) { writeImage(file, Image(2 * height, height, 3, radiance)); };
+    Scene scene;
+    scene.probe.source = file;
+    LiveMaps live;
+    write(1.0f, 16);
+    EXPECT_EQ(live.update(scene, {}).environment->image.texels.front(), 1.0f);
+    const auto kept = live.update(scene, {}).environment;
+    EXPECT_EQ(live.update(scene, {}).environment, kept) << "nothing has changed";
+    write(2.0f, 16); // as large as before: its time alone tells
+    std::filesystem::last_write_time(file, std::filesystem::last_write_time(file) + std::chrono::seconds(2));
+    EXPECT_EQ(live.update(scene, {}).environment->image.texels.front(), 2.0f);
+    write(3.0f, 8);
+    const MadeScene made = live.update(scene, {});
+    EXPECT_EQ(made.environment->image.texels.front(), 3.0f);
+    EXPECT_EQ(made.probeLayout, (MapLayout{Parameterization::Latlong, 8, 0}));
 }
 
 } // namespace

@@ -64,7 +64,7 @@ TEST(Plan, AGlossyLobeIsFilteredAtItsBandLimitAndNoLargerThanItShows)
     expectNeeded(plan, "filter specular map", "512 is left out");
     expectNeeded(plan, "spectrum", "one forward transform for 1 lobe");
     EXPECT_TRUE(plan.filtersAny());
-    EXPECT_EQ(plan.specular->filters.front().target.size, 128);
+    EXPECT_EQ(plan.specular->filters.front().options.target.size, 128);
 }
 
 TEST(Plan, AnUnresolvedLobeIsALookup)
@@ -129,7 +129,7 @@ TEST(Plan, ASphereMapThatReplacesTheReflectionNeedsNoEnvironment)
         expectLeftOut(plan, "flecks", "density is 0");
         ASSERT_EQ(plan.sphereMaps.size(), 1u);
     }
-    for (const SphereMapUse use : {SphereMapUse::Over, SphereMapUse::Tint}) {
+    for (const SphereMapUse use : {SphereMapUse::Over, SphereMapUse::Tint, SphereMapUse::Add}) {
         scene.material.sphereMap.use = use;
         EXPECT_TRUE(makePlan(scene, probe).specular);
     }
@@ -246,7 +246,7 @@ TEST(Plan, ALargeProbeIsTruncatedRowByRowWhenEveryMapIsFiltered)
     scene.view.background.kind = Backdrop::Environment;
     const Plan held = makePlan(scene, large);
     expectNeeded(held, "read probe", "held whole");
-    EXPECT_EQ(held.background->filters.front().target.size, 2048) << "no picture shows more";
+    EXPECT_EQ(held.background->filters.front().options.target.size, 2048) << "no picture shows more";
 }
 
 TEST(Plan, ExportsAreChosenByNameAndTheOthersLeftOut)
@@ -359,8 +359,8 @@ TEST(Plan, EverythingCanBeAskedForAndLeavesOutNothingThatAMapOrShaderCouldNeed)
         const Plan all = makePlan(scene, probe, {.extent = PlanExtent::Everything}), needed = makePlan(scene, probe);
         ASSERT_TRUE(all.specular && all.diffuse && all.background) << preset.name;
         EXPECT_TRUE(all.specular->pyramid);
-        EXPECT_EQ(all.specular->filters.front().target.size, scene.map.size) << "no smaller for a smooth lobe";
-        EXPECT_EQ(all.diffuse->filters.front().target.size, scene.map.size);
+        EXPECT_EQ(all.specular->filters.front().options.target.size, scene.map.size) << "no smaller for a smooth lobe";
+        EXPECT_EQ(all.diffuse->filters.front().options.target.size, scene.map.size);
         EXPECT_EQ(all.others.size(), allParameterizations.size() - 1);
         EXPECT_NE(all.material.fresnel.kind, FresnelKind::None);
         EXPECT_FALSE(stage(all, "fresnel term").leftOut);
@@ -407,11 +407,11 @@ TEST(Plan, FollowsTheMethodThatTheSceneAsksFor)
                      {.name = "matt", .kind = ExportKind::Diffuse, .size = 32}};
     const Plan plan = makePlan(scene, {Parameterization::Latlong, 512, 0}, {.exports = std::vector<std::string>{}});
     for (const MapPlan* map : {&*plan.specular, &plan.exports[0].map}) {
-        EXPECT_EQ(map->filters.front().method, Method::Importance);
-        EXPECT_EQ(map->filters.front().knobs.samples, 64);
-        EXPECT_EQ(map->filters.front().tolerance, 1e-2);
+        EXPECT_EQ(map->filters.front().options.method, Method::Importance);
+        EXPECT_EQ(map->filters.front().options.knobs.samples, 64);
+        EXPECT_EQ(map->filters.front().options.tolerance, 1e-2);
     }
-    EXPECT_EQ(plan.exports[1].map.filters.front().method, Method::Auto) << "diffuse light is no specular map";
+    EXPECT_EQ(plan.exports[1].map.filters.front().options.method, Method::Auto) << "diffuse light is no specular map";
 }
 
 TEST(Plan, LeavesToAutoWhatTheChosenMethodRefuses)
@@ -420,7 +420,7 @@ TEST(Plan, LeavesToAutoWhatTheChosenMethodRefuses)
     scene.material.specular = {.lobe = SurfaceLobe::Phong, .exponent = 50.0};
     scene.filter.method = Method::Sh9; // diffuse only
     const Plan plan = makePlan(scene, {Parameterization::Latlong, 512, 0});
-    EXPECT_EQ(plan.specular->filters.front().method, Method::Auto);
+    EXPECT_EQ(plan.specular->filters.front().options.method, Method::Auto);
     const auto stage = std::find_if(plan.stages.begin(), plan.stages.end(), [](const Stage& s) { return s.name == "filter specular map"; });
     ASSERT_NE(stage, plan.stages.end());
     EXPECT_NE(stage->why.find("sh9 was asked for but cannot do this"), std::string::npos) << stage->why;

@@ -198,7 +198,7 @@ TEST_F(SceneFile, EachBadFieldIsNamedWithWhatItMustBe)
         {R"("material": {"fresnel": {"kind": true}})", "material.fresnel.kind", "none, dielectric or conductor"},
         {R"("material": {"combine": "mix"})", "material.combine", "add or coat"},
         {R"("material": {"lambda": -0.5})", "material.lambda", "from 0 to 16"},
-        {R"("material": {"sphere_map": {"use": "under"}})", "material.sphere_map.use", "replace, multiply, over or tint"},
+        {R"("material": {"sphere_map": {"use": "under"}})", "material.sphere_map.use", "replace, multiply, over, tint or add"},
         {R"("view": {"camera": {"pitch": 91}})", "view.camera.pitch", "from -90 to 90 degrees"},
         {R"("view": {"camera": {"distance": 0}})", "view.camera.distance", "from 0.01"},
         {R"("view": {"tone": "aces"})", "view.tone", "none, reinhard or filmic"},

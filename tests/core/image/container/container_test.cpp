@@ -8,7 +8,7 @@
 #include "core/image/container/packed_texel.h"
 #include "core/image/container/play_canvas_atlas.h"
 #include "core/image/container/png_codec.h"
-#include "core/image/map_file.h"
+#include "core/image/probe_file.h"
 #include "support/temporary_folder.h"
 
 #include <gmock/gmock.h>
@@ -283,8 +283,7 @@ TEST(ContainerFiles, AreProbesLikeAnyOther)
     const test::TemporaryFolder folder;
     const Texture texture = cube(TexelFormat::Half);
     std::ofstream(folder / "map.ktx2", std::ios::binary) << ktx2::write(texture);
-    std::vector<Stage> stages;
-    const Probe probe = readProbe((folder / "map.ktx2").string(), {}, {}, stages);
+    const Probe probe = readProbe((folder / "map.ktx2").string());
     EXPECT_EQ(probe.map.layout, (MapLayout{Parameterization::Cube, 8, 0}));
     EXPECT_EQ(probe.map.image, texture.levels.front());
     EXPECT_EQ(readLevel(folder / "map.ktx2", 2), texture.levels[2]);

@@ -1,0 +1,131 @@
+#include "command.h"
+
+#include "core/base/error.h"
+#include "core/filter/lookup_table.h"
+#include "core/image/image_io.h"
+#include "core/shading/brdf.h"
+#include "core/shading/brdf_table.h"
+#include "core/shading/reflection_kernel.h"
+
+#include <charconv>
+#include <cstdio>
+#include <memory>
+
+namespace mirrorball::cli {
+
+namespace {
+
+struct Options {
+    std::string brdf, eval, table, out;
+    std::optional<int> albedo;
+    std::optional<double> viewDeg;
+    int size = 0;
+    int threads = 0;
+};
+
+/// TI,PI,TO,PO in degrees.
+std::array<double, 4> parseAngles(const std::string& text)
+{
+    std::array<double, 4> angles{};
+    const char *at = text.data(), *end = at + text.size();
+    for (size_t i = 0; i < 4; ++i) {
+        const auto [next, error] = std::from_chars(at, end, angles[i]);
+        const bool isLast = i == 3;
+        if (error != std::errc() || (isLast ? next != end : next == end || *next != ','))
+            throw InvalidArgument(
+                "--eval: must be four angles in degrees, TI,PI,TO,PO: those of light and view from the normal and about it; "
+                "it is '" +
+                text + "'");
+        at = next + 1;
+    }
+    for (const double polar : {angles[0], angles[2]})
+        if (!(polar >= 0.0 && polar <= 180.0))
+            throw InvalidArgument("--eval: the angles from the normal must lie from 0 to 180 degrees");
+    return angles;
+}
+
+/// The number in "lookups:K", 5 for "lookups"; 0 for any other word.
+int lookupCount(const std::string& word)
+{
+    if (word == "lookups")
+        return 5;
+    const bool isOne = word.size() == 9 && word.compare(0, 8, "lookups:") == 0 && word[8] >= '1' && word[8] <= '8';
+    return isOne ? word[8] - '0' : 0;
+}
+
+glm::dvec3 directionAt(double polarDeg, double azimuthDeg)
+{
+    const double t = radians(polarDeg), p = radians(azimuthDeg);
+    return {std::sin(t) * std::cos(p), std::sin(t) * std::sin(p), std::cos(t)};
+}
+
+void print(const glm::dvec3& rgb) { std::printf("%.9g %.9g %.9g\n", rgb.r, rgb.g, rgb.b); }
+
+void run(const Options& o)
+{
+    const int asked = !o.eval.empty() + (o.albedo || o.viewDeg ? 1 : 0) + !o.table.empty();
+    if (asked != 1)
+        throw InvalidArgument("brdf: give one of --eval, --albedo (or --view) and --table");
+    if (o.table.empty() != o.out.empty())
+        throw InvalidArgument(o.out.empty() ? "--output: is missing; --table writes a file" : "--output: belongs to --table");
+    if (o.albedo && o.viewDeg)
+        throw InvalidArgument("--view: is one angle, --albedo a row of them; give one");
+    if (o.viewDeg && !(*o.viewDeg >= 0.0 && *o.viewDeg < 90.0))
+        throw InvalidArgument("--view: must be an angle of at least 0 and below 90 degrees");
+    if (o.albedo && !(*o.albedo >= 1 && *o.albedo <= 4096))
+        throw InvalidArgument("--albedo: must be a whole number of angles from 1 to 4096");
+    const auto table = o.table.empty() ? std::nullopt : brdfTableFromName(o.table);
+    const int lookups = lookupCount(o.table);
+    if (!o.table.empty() && !table && lookups == 0)
+        throw InvalidArgument("--table: '" + o.table + "' is no table; choose one of " + brdfTableNames() +
+                              ", lookups (or lookups:K, 1 to 8)");
+    std::array<double, 4> angles{};
+    if (!o.eval.empty())
+        angles = parseAngles(o.eval);
+
+    const Brdf brdf = brdfFromText(o.brdf);
+    if (const auto* measured = std::get_if<MeasuredBrdf>(&brdf.model); measured && measured->gaps().holes + measured->gaps().clamped > 0)
+        std::fprintf(stderr, "mirrorball: %s: of %zu values %zu were holes and are filled from their neighbors, %zu lie outside Rec.709\n",
+                     measured->name().c_str(), measured->gaps().samples, measured->gaps().holes, measured->gaps().clamped);
+    if (!o.eval.empty()) {
+        print(evaluate(brdf, directionAt(angles[0], angles[1]), directionAt(angles[2], angles[3])));
+    } else if (o.viewDeg) {
+        print(directionalAlbedo(brdf, radians(*o.viewDeg)));
+    } else if (o.albedo) {
+        for (int i = 0; i < *o.albedo; ++i) {
+            const double deg = *o.albedo == 1 ? 0.0 : 89.0 * i / (*o.albedo - 1);
+            std::printf("%.6g ", deg);
+            print(directionalAlbedo(brdf, radians(deg)));
+        }
+    } else if (lookups > 0) {
+        writeImage(o.out, makeLookupTable(brdf, lookups, o.size, jobWithProgress("brdf", o.threads)));
+    } else {
+        writeImage(o.out, makeBrdfTable(brdf, *table, o.size, jobWithProgress("brdf", o.threads)));
+    }
+}
+
+} // namespace
+
+void addBrdfCommand(CLI::App& program)
+{
+    const auto o = std::make_shared<Options>();
+    CLI::App* command =
+        program.add_subcommand("brdf", "Values, directional albedo and tables of a reflection model or a measured material");
+    command
+        ->add_option("BRDF", o->brdf,
+                     "phong:exponent=N, lafortune:exponent=N[,cxy=,cz=,weight=][/...], ward:alpha=A, cook-torrance:m=M, "
+                     "beckmann:alpha=A or ggx:alpha=A, each with ior=N, f0=R or metal=NAME beside it; or a measured file (.binary, "
+                     ".brdf, .csv, .txt)")
+        ->required();
+    command->add_option("--eval", o->eval, "TI,PI,TO,PO: print f as R G B, in 1/sr, for these angles of light and view, in degrees");
+    command->add_option("--albedo", o->albedo, "print the directional albedo at so many angles of view from 0 to 89 degrees: angle R G B");
+    command->add_option("--view", o->viewDeg, "print the directional albedo at this angle of view, in degrees: R G B");
+    command->add_option("--table", o->table,
+                        "write a table: " + brdfTableHelp() + "; lookups:K (axis, width and weight of K lookups over n.v)");
+    command->add_option("--size", o->size, "table: entries along n.v (0: as many as it needs)")->check(CLI::Range(0, 4096));
+    command->add_option("-o,--output", o->out, "table: output file (.exr, .hdr, .tif)");
+    command->add_option("--threads", o->threads, "threads; 0: one per core")->check(CLI::Range(0, 1024));
+    command->callback([o] { run(*o); });
+}
+
+} // namespace mirrorball::cli

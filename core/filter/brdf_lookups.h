@@ -1,0 +1,50 @@
+#pragma once
+
+#include "filter_source.h"
+#include "kernel_spectrum.h"
+#include "reflection_frame.h"
+
+#include "core/base/job.h"
+#include "core/image/environment_map.h"
+
+#include <vector>
+
+namespace mirrorball {
+
+/// One lookup into an ordinary chain of ggx-filtered maps.
+struct BrdfLookup {
+    double offset = 0.0;    ///< radians in the plane of incidence from r: towards the normal where positive, to the horizon where negative
+    double alpha = 0.1;     ///< of the ggx lobe (lobe.h); each engine's law turns it into a level
+    glm::dvec3 weight{1.0}; ///< at least 0
+};
+
+/// A BRDF at one angle of view as a few lookups, the successor of the split sum's one:
+///   L_o(r) = sum_k w_k E(axis_k; alpha_k),   axis_k in the plane of n and r.
+/// The weights add up to the directional albedo, so a constant probe is exact. Fitted without any probe: the mean square of the error over
+/// all frames under light whose power is that of nature in the mean, sum_m |a_lm|^2 ~ 1/(l+1) about its mean, which by the power of kernels
+/// in degrees is
+///   sum_l |K_l - sum_k w_k G_kl|^2 / ((2l+1)(l+1)).
+struct LookupFit {
+    double view = 0.0;
+    std::vector<BrdfLookup> lookups{};
+    double residual = 0.0; ///< root of that sum over that of K: rel_rms about the mean under such light
+};
+
+/// @param count  1 to 8
+LookupFit fitLookups(const Brdf& brdf, double view, int count);
+/// The same starting from a fit at a view or a roughness nearby: what a table of many entries uses, so that they change smoothly.
+LookupFit fitLookups(const Brdf& brdf, double view, const LookupFit& start);
+
+/// What engines do: one lookup at r of the lobe of the material's own width (equivalentAlpha()), times the albedo, for which (A, B) stand.
+/// Source: Karis, "Real Shading in Unreal Engine 4", 2013
+LookupFit splitSum(const Brdf& brdf, double view);
+
+/// Kautz and McCool's round lobe: one radially symmetric lobe about r that varies with the view, the azimuthal mean of the kernel; exact
+/// under every light that is alike all around r. Source: 000 section 3.2.3, eqs. 18 and 19
+/// It is order 0 of a stack: planStack(brdf, view, tolerance, 0, source).
+
+/// The map of reflected radiance that the lookups give, each of an exactly filtered chain (no levels, no texels between).
+EnvironmentMap filterBrdfLookups(FilterSource& source, const LookupFit& fit, double azimuth, const MapLayout& target, double yaw,
+                                 double tolerance, const JobControl& job = {});
+
+} // namespace mirrorball

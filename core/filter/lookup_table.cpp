@@ -1,0 +1,64 @@
+#include "lookup_table.h"
+
+#include "core/base/error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirrorball {
+
+namespace {
+
+void put(Image& table, int column, const LookupFit& fit)
+{
+    for (size_t k = 0; k < fit.lookups.size(); ++k) {
+        const BrdfLookup& lookup = fit.lookups[k];
+        float *place = table.texel(column, static_cast<int>(2 * k)), *weight = table.texel(column, static_cast<int>(2 * k + 1));
+        place[0] = static_cast<float>(lookup.offset);
+        place[1] = static_cast<float>(lookup.alpha);
+        for (int c = 0; c < 3; ++c)
+            weight[c] = static_cast<float>(lookup.weight[c]);
+    }
+}
+
+} // namespace
+
+Image makeLookupTable(const Brdf& brdf, int count, int size, const JobControl& job)
+{
+    const int columns = size > 0 ? size : 32;
+    const auto viewAt = [columns](int i) { return std::acos((i + 0.5) / columns); };
+    Image table(columns, 2 * count);
+    // From a middling view outwards; one way and the other.
+    const int middle = columns / 2;
+    const LookupFit first = fitLookups(brdf, viewAt(middle), count);
+    put(table, middle, first);
+    int done = 1;
+    for (const int step : {1, -1}) {
+        LookupFit fit = first;
+        for (int i = middle + step; i >= 0 && i < columns; i += step) {
+            job.checkStop();
+            fit = fitLookups(brdf, viewAt(i), fit);
+            put(table, i, fit);
+            if (job.progress)
+                job.progress(static_cast<float>(++done) / static_cast<float>(columns));
+        }
+    }
+    return table;
+}
+
+LookupFit lookupsAt(const Image& table, double view)
+{
+    const double x = std::clamp(std::cos(view) * table.width - 0.5, 0.0, table.width - 1.0);
+    const int left = static_cast<int>(x), right = std::min(left + 1, table.width - 1);
+    const double t = x - left;
+    LookupFit fit{.view = view};
+    for (int k = 0; 2 * k + 1 < table.height; ++k) {
+        const auto read = [&](int row, int c) {
+            return (1.0 - t) * static_cast<double>(table.texel(left, row)[c]) + t * static_cast<double>(table.texel(right, row)[c]);
+        };
+        fit.lookups.push_back({read(2 * k, 0), read(2 * k, 1), {read(2 * k + 1, 0), read(2 * k + 1, 1), read(2 * k + 1, 2)}});
+    }
+    return fit;
+}
+
+} // namespace mirrorball

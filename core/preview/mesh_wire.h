@@ -1,0 +1,36 @@
+#pragma once
+
+#include "mesh.h"
+
+#include "core/base/wire.h"
+
+#include <algorithm>
+
+/// What the helper makes of a mesh file.
+namespace mirrorball::preview {
+
+/// A mesh as its file has it: not centred, not scaled.
+struct ImportedMesh {
+    Mesh mesh{};
+    std::uint64_t dropped = 0; ///< faces left out, because a vertex of theirs does not exist or is no finite number
+};
+
+inline std::string toWire(const ImportedMesh& imported)
+{
+    WireWriter writer;
+    writer << imported.dropped << imported.mesh.positions << imported.mesh.normals << imported.mesh.texCoords << imported.mesh.indices;
+    return std::move(writer).bytes();
+}
+
+/// @return false for bytes that are no mesh's: what a failing importer may have sent is not trusted
+inline bool fromWire(std::string_view bytes, ImportedMesh& imported)
+{
+    WireReader reader(bytes);
+    Mesh& mesh = imported.mesh;
+    reader >> imported.dropped >> mesh.positions >> mesh.normals >> mesh.texCoords >> mesh.indices;
+    return reader.isDone() && mesh.normals.size() == mesh.positions.size() && mesh.texCoords.size() == mesh.positions.size() &&
+           mesh.indices.size() % 3 == 0 &&
+           std::all_of(mesh.indices.begin(), mesh.indices.end(), [&](std::uint32_t i) { return i < mesh.positions.size(); });
+}
+
+} // namespace mirrorball::preview

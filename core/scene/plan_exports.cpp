@@ -1,0 +1,109 @@
+#include "planner.h"
+
+#include "core/base/error.h"
+#include "core/image/image_format.h"
+#include "core/image/map_file.h"
+#include "core/image/mip_pyramid.h"
+#include "core/spheremap/evaluation/evaluate.h"
+
+#include <algorithm>
+
+/// What exports need of a scene.
+namespace mirrorball {
+
+bool isAskedFor(const ExportTarget& target, const std::vector<std::string>& only)
+{
+    return only.empty() || std::find(only.begin(), only.end(), target.name) != only.end();
+}
+
+Plan Planner::makeFilters(const std::vector<PrefilterOptions>& levels, const std::string& file)
+{
+    MapPlan map{.name = levels.size() == 1 ? describe(levels.front().lobe) : "map"};
+    for (size_t i = 0; i < levels.size(); ++i)
+        addLevel(map, planned(levels[i]), levels.size() == 1 ? map.name : text(map.name, " level ", i), "", "the lobe is a mirror");
+    if (levels.size() == 1)
+        leaveOut("mip levels of " + map.name, "not asked for");
+    need("save map", file, savingCost(levels.front().target));
+    m_plan.exports.push_back({.map = std::move(map)});
+    planReading();
+    return std::move(m_plan);
+}
+
+void Planner::planExports(const std::vector<std::string>& only)
+{
+    for (const std::string& name : only)
+        if (std::none_of(m_scene.exports.begin(), m_scene.exports.end(), [&](const ExportTarget& t) { return t.name == name; })) {
+            std::string known;
+            for (const ExportTarget& target : m_scene.exports)
+                known += (known.empty() ? "" : ", ") + target.name;
+            throw InvalidArgument("--only: the scene has no export '" + name + "'; it has " + (known.empty() ? "none" : known));
+        }
+    for (const ExportTarget& target : m_scene.exports)
+        if (!isAskedFor(target, only))
+            leaveOut("export " + target.name, "not among those asked for");
+        else if (target.kind == ExportKind::Painted)
+            planPainted(target);
+        else
+            planExport(target);
+}
+
+void Planner::planPainted(const ExportTarget& target)
+{
+    const SphereMapSettings& map = m_scene.material.sphereMap;
+    if (map.isNone())
+        throw InvalidArgument(text("exports[", &target - m_scene.exports.data(),
+                                   "].kind: painted writes the scene's sphere map, and it has none; "
+                                   "give material.sphere_map.source a preset or a file, or choose another kind"));
+    const SphereMapPlan painted{"material.sphere_map.source", map.source, map.document, target.size - 2 * target.border, map.levels};
+    const SphereMapDocument* document = documentAtHand(painted);
+    const bool isAuthored = target.mips && document && map.levels == SphereMapLevels::Authored && hasAuthoredLevels(*document);
+    const StageCost cost = paintingCost(painted.size, document ? document->layers.size() : 1, isAuthored);
+    need("paint " + target.name, paintedText(painted, target), cost);
+    need("save " + target.name, target.fileName(), savingCost(target.layout()));
+    m_plan.exports.push_back({.map = {.name = target.name}, .target = target, .painted = painted, .paintingSeconds = cost.seconds});
+}
+
+void Planner::planExport(const ExportTarget& target)
+{
+    MapPlan map{.name = target.name};
+    PrefilterOptions filter{.target = target.layout(), .yaw = m_scene.probe.yawDeg * pi / 180.0};
+    switch (target.kind) {
+    case ExportKind::Source:
+        filter.lobe = ggxLobe(0.0);
+        break;
+    case ExportKind::Specular:
+        filter.lobe = lobe(m_scene.material.specular);
+        break;
+    case ExportKind::Diffuse:
+        filter.lobe = diffuseLobe();
+        break;
+    case ExportKind::Chain:
+    case ExportKind::Painted:
+        break;
+    }
+    if (target.kind == ExportKind::Chain) {
+        const int all = levelCount(filter.target), levels = target.levels == 0 ? all : std::min(target.levels, all);
+        for (int i = 0; i < levels; ++i) {
+            const double roughness = chainRoughness(i, levels);
+            PrefilterOptions level = filter;
+            level.lobe = ggxLobe(roughness * roughness);
+            level.target = levelLayout(filter.target, i);
+            addLevel(map, planned(level), text(target.name, " level ", i), "", "roughness 0: the level is the environment itself");
+        }
+    } else {
+        const std::string note = target.kind == ExportKind::Specular ? chooseMethod(filter) : std::string();
+        addLevel(map, planned(filter), map.name, note, target.kind == ExportKind::Specular ? "the surface is a mirror" : "");
+        const bool held = holdsMips(target.fileName()) || namesLevels(target.fileName());
+        map.pyramid = target.mips && held;
+        if (map.pyramid)
+            need("mip levels of " + map.name, plural(levelCount(filter.target), "level"), pyramidCost(filter.target));
+        else
+            leaveOut("mip levels of " + map.name,
+                     target.mips ? target.fileName() + " holds none; .exr and .tif do, and a %d in the name makes one file a level"
+                                 : "not asked for");
+    }
+    need("save " + map.name, target.fileName(), savingCost(filter.target));
+    m_plan.exports.push_back({.map = std::move(map), .target = target});
+}
+
+} // namespace mirrorball

@@ -1,0 +1,300 @@
+#include "planner.h"
+
+#include "core/image/mip_pyramid.h"
+
+#include <algorithm>
+#include <cmath>
+
+/// What a picture needs of a scene.
+namespace mirrorball {
+
+namespace {
+
+/// A background of more texels than this shows no more detail in a picture.
+constexpr int tallestBackground = 2048;
+/// Diffuse light is so smooth that this many texels show all of it.
+constexpr int irradianceSize = 64;
+/// No map is made smaller than this to save time.
+constexpr int smallestMap = 32;
+
+MapLayout withSize(MapLayout layout, int size)
+{
+    layout.size = std::min(layout.size, size);
+    layout.border = std::min(layout.border, (layout.size - 1) / 2);
+    return layout;
+}
+
+/// The size at which bilinear lookups show all that a filtered map holds: eight texels to the shortest wave of its band limit.
+int sizeForBandLimit(Parameterization kind, int bandLimit)
+{
+    const bool wholeTurn = kind == Parameterization::Sphere || kind == Parameterization::Angular; // 360 degrees across the edge
+    const int perDegree = kind == Parameterization::Cube ? 2 : wholeTurn ? 8 : 4;
+    int size = 16;
+    while (size < perDegree * bandLimit && size < 16384)
+        size *= 2;
+    return size;
+}
+
+/// Where everything is made, nothing may turn out black or constant: a colour that no picture shows, and an index so high that F is 1.
+PlannedMaterial withNothingFolded(PlannedMaterial planned)
+{
+    constexpr double invisible = 1e-30;
+    planned.specular = glm::max(planned.specular, glm::dvec3(invisible));
+    planned.diffuse = glm::max(planned.diffuse, glm::dvec3(invisible));
+    if (planned.fresnel.kind == FresnelKind::None)
+        planned.fresnel = {.kind = FresnelKind::Dielectric, .index = 1e6};
+    return planned;
+}
+
+} // namespace
+
+PlannedMaterial planMaterial(const Material& material, PlanExtent extent)
+{
+    PlannedMaterial planned{.specular = material.specular.weight * material.specular.color,
+                            .diffuse = material.diffuse.weight * material.diffuse.color,
+                            .fresnel = fresnelTerm(material.fresnel),
+                            .combine = material.combine};
+    if (extent == PlanExtent::Everything)
+        return withNothingFolded(planned);
+    if (const auto f = constantReflectance(planned.fresnel)) {
+        planned.specular *= *f;
+        if (planned.combine == Combine::Coat)
+            planned.diffuse *= 1.0 - *f;
+        planned.fresnel = {};
+        planned.combine = Combine::Add;
+    }
+    if (planned.combine == Combine::Add && isBlack(planned.specular)) // F only scales what is not there
+        planned.fresnel = {};
+    return planned;
+}
+
+std::string Planner::whyNoSpecular() const
+{
+    const Material& material = m_scene.material;
+    if (material.specular.weight == 0.0)
+        return "specular weight is 0";
+    return isBlack(material.specular.color) ? "specular colour is black" : "the index of refraction is 1: nothing is reflected";
+}
+
+std::string Planner::whyNoDiffuse() const
+{
+    const Material& material = m_scene.material;
+    if (material.diffuse.weight == 0.0)
+        return "diffuse weight is 0";
+    return isBlack(material.diffuse.color) ? "diffuse colour is black" : "the coat mirrors everything: no light gets below it";
+}
+
+bool Planner::readsMaterial() const
+{
+    const SphereMapSettings& map = m_scene.material.sphereMap;
+    const bool isHidden = !map.isNone() && (map.use == SphereMapUse::Replace || map.use == SphereMapUse::Multiply);
+    return showsMaterial() && !isHidden && !isWindow();
+}
+
+std::string Planner::whyNoMaterial() const
+{
+    if (showsMaterial())
+        return isWindow() ? "a room with a window has no material" : "the sphere map stands in for the reflection";
+    return text("the view shows ", words(Shading{})[static_cast<size_t>(m_scene.view.shading)], " and not the material");
+}
+
+void Planner::planPicture()
+{
+    const bool reads = readsMaterial();
+    if (reads || makesAll() || m_scene.view.shading == Shading::Mips)
+        planSpecular();
+    else
+        leaveOut("specular map", whyNoMaterial());
+    if (reads || makesAll())
+        planDiffuse();
+    else
+        leaveOut("irradiance map", whyNoMaterial());
+    planBackground();
+    if (!reads)
+        leaveOut("fresnel term", whyNoMaterial());
+    else if (makesAll() && m_scene.material.fresnel.kind == FresnelKind::None)
+        need("fresnel term", "everything is asked for: evaluated at every pixel");
+    else if (m_plan.material.fresnel.kind != FresnelKind::None)
+        need("fresnel term", m_plan.material.fresnel.kind == FresnelKind::Dielectric
+                                 ? text("index ", m_scene.material.fresnel.index, ": evaluated at every pixel")
+                                 : text("metal ", m_scene.material.fresnel.metal, ": evaluated at every pixel"));
+    else if (m_scene.material.fresnel.kind == FresnelKind::None)
+        leaveOut("fresnel term", "none: F is 1 at every angle");
+    else
+        leaveOut("fresnel term", m_scene.material.fresnel.kind == FresnelKind::Dielectric && m_scene.material.fresnel.index == 1.0
+                                     ? "the index is 1: F is 0 at every angle"
+                                     : whyNoSpecular());
+    planSphereMaps();
+    planLambda();
+    if (makesAll()) {
+        planOthers();
+    } else if (m_plan.specular || m_plan.diffuse) {
+        std::string others;
+        for (const Parameterization p : allParameterizations)
+            if (p != m_scene.map.parameterization)
+                others += (others.empty() ? "" : ", ") + std::string(name(p));
+        leaveOut("other maps", text("the picture reads ", name(m_scene.map.parameterization), ": no ", others, " is built"));
+    }
+    if (isBuiltinGeometry(m_scene.view.geometry))
+        leaveOut("read mesh", text("the ", m_scene.view.geometry, " is built in"));
+    else
+        need("read mesh", m_scene.view.geometry);
+    need("draw", text(m_scene.view.geometry, ", ", m_scene.view.width, " x ", m_scene.view.height),
+         drawingCost(m_scene.view.width, m_scene.view.height));
+}
+
+void Planner::planLambda()
+{
+    const Material& material = m_scene.material;
+    const std::string stage = "lambda by angle";
+    if (!m_plan.specular || material.lambda == 0.0)
+        leaveOut(stage, "lambda is 0: no level is held");
+    else if (material.lambdaGrazing == 0.0)
+        leaveOut(stage, "lambda_grazing is 0: lambda is the same at every angle");
+    else
+        need(stage, text("lambda_grazing ", material.lambdaGrazing, ": evaluated at every pixel"));
+}
+
+void Planner::planOthers()
+{
+    for (const Parameterization p : allParameterizations) {
+        if (p == m_scene.map.parameterization)
+            continue;
+        MapPlan map{.name = text(name(p), " map"), .pyramid = true};
+        const PrefilterOptions filter{.lobe = lobe(m_scene.material.specular), .target = {p, m_scene.map.size, 0}, .yaw = bakedYaw()};
+        addLevel(map, planned(filter), map.name, "; everything is asked for");
+        m_plan.others.push_back(std::move(map));
+    }
+}
+
+void Planner::planSphereMap(const std::string& name, const std::string& field, const std::string& source, SphereMapLevels levels,
+                            const EmbeddedSphereMap& document)
+{
+    const SphereMapSettings& map = m_scene.material.sphereMap;
+    const bool isNone = source.empty() && !document;
+    if (!showsMaterial() || isNone) {
+        leaveOut(name, isNone ? "none is named" : whyNoMaterial());
+        return;
+    }
+    m_plan.sphereMaps.push_back({field, source, document, map.size, levels});
+    need(name, sphereMapText(m_plan.sphereMaps.back()));
+}
+
+void Planner::planSphereMaps()
+{
+    const SphereMapSettings& map = m_scene.material.sphereMap;
+    const WindowSettings& window = m_scene.view.window;
+    planSphereMap("sphere map", "material.sphere_map.source", map.source, isWindow() ? SphereMapLevels::Plain : map.levels, map.document);
+    if (map.isNone() || !showsMaterial())
+        return;
+    if (isWindow()) {
+        planSphereMap("sphere map, middle", "view.window.middle", window.middle, SphereMapLevels::Plain);
+        planSphereMap("sphere map, far", "view.window.far", window.far, SphereMapLevels::Plain);
+    } else if (map.flecks.density > 0.0) {
+        need("flecks", text("density ", map.flecks.density, ", cells of ", map.flecks.size));
+    } else {
+        leaveOut("flecks", "density is 0");
+    }
+}
+
+void Planner::applyTolerance(PrefilterOptions& filter) const
+{
+    if (m_detail != MapDetail{})
+        filter.tolerance = std::max(filter.tolerance, m_detail.tolerance);
+}
+
+void Planner::applySize(PrefilterOptions& filter, bool pyramid) const
+{
+    if (pyramid)
+        return;
+    const auto shrink = [&](int size) {
+        filter.target.border = filter.target.border * size / filter.target.size;
+        filter.target.size = size;
+    };
+    if (filter.target.size > m_detail.largestSize)
+        shrink(m_detail.largestSize);
+    while (filter.target.size >= 2 * smallestMap && lobeAngle(filter.lobe) > 2.0 * m_detail.texelsPerLobe * texelAngle(filter.target))
+        shrink(filter.target.size / 2);
+}
+
+void Planner::planSpecular()
+{
+    if (isBlack(m_plan.material.specular)) {
+        leaveOut("specular map", whyNoSpecular());
+        return;
+    }
+    MapPlan map{.name = "specular map"};
+    const double lambda = m_scene.material.lambda;
+    const double bias = m_scene.material.lodBias;
+    map.pyramid = lambda > 0.0 || bias > 0.0 || m_scene.map.mips || makesAll();
+    PrefilterOptions filter{.lobe = lobe(m_scene.material.specular), .target = mapLayout(), .yaw = bakedYaw()};
+    std::string note = chooseMethod(filter);
+    applyTolerance(filter);
+    PlannedFilter whole = planned(filter);
+    if (whole.plan.filtered && whole.plan.method == Method::Spectral && !makesAll()) {
+        const MapLayout enough = withSize(filter.target, sizeForBandLimit(filter.target.kind, whole.plan.bandLimit));
+        if (enough.size < filter.target.size)
+            note += text("; so smooth that size ", enough.size, " shows all of it, ", filter.target.size, " is left out");
+        filter.target = enough;
+    }
+    applySize(filter, map.pyramid);
+    addLevel(map, filter == whole.options ? std::move(whole) : planned(filter), map.name, note,
+             "the surface is a mirror: it shows the environment itself");
+    const bool perFace = m_scene.map.mipFiltering == MipFiltering::PerFace && filter.target.kind == Parameterization::Cube;
+    map.filtering = perFace ? MipFiltering::PerFace : MipFiltering::AcrossSeams;
+    const std::string stage = "mip levels of specular map";
+    if (map.pyramid)
+        need(stage,
+             text(lambda > 0.0 ? text("lambda ", lambda)
+                  : bias > 0.0 ? text("LOD bias ", bias)
+                               : "asked for, where reflections shrink",
+                  ": ", plural(levelCount(filter.target), "level"),
+                  perFace ? ", each face halved by itself: seams will show" : ", halved across seams"),
+             pyramidCost(filter.target));
+    else
+        leaveOut(stage, "lambda is 0: only the finest level is read");
+    m_plan.specular = std::move(map);
+}
+
+void Planner::planDiffuse()
+{
+    if (isBlack(m_plan.material.diffuse)) {
+        leaveOut("irradiance map", whyNoDiffuse());
+        return;
+    }
+    MapPlan map{.name = "irradiance map"};
+    PrefilterOptions filter{
+        .lobe = diffuseLobe(), .target = makesAll() ? mapLayout() : withSize(mapLayout(), irradianceSize), .yaw = bakedYaw()};
+    applyTolerance(filter);
+    applySize(filter, map.pyramid);
+    addLevel(map, planned(filter), map.name);
+    m_plan.diffuse = std::move(map);
+}
+
+void Planner::planBackground()
+{
+    const BackdropSettings& background = m_scene.view.background;
+    MapPlan map{.name = "background"};
+    if (makesAll() && background.kind != Backdrop::Blurred) {
+        addLevel(map, planned({.lobe = ggxLobe(0.0), .target = m_probe}), map.name);
+        m_plan.background = std::move(map);
+        return;
+    }
+    switch (background.kind) {
+    case Backdrop::Color:
+        leaveOut("background", "one colour: no map");
+        return;
+    case Backdrop::None:
+        leaveOut("background", "none: the picture is transparent beside the object");
+        return;
+    case Backdrop::Environment:
+        addLevel(map, planned({.lobe = ggxLobe(0.0), .target = withSize(m_probe, tallestBackground)}), map.name);
+        break;
+    case Backdrop::Blurred:
+        addLevel(map, planned({.lobe = ggxLobe(background.blur * background.blur), .target = {Parameterization::Cube, 256, 0}}), map.name);
+        break;
+    }
+    m_plan.background = std::move(map);
+}
+
+} // namespace mirrorball

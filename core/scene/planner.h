@@ -1,0 +1,80 @@
+#pragma once
+
+#include "plan.h"
+#include "plan_words.h"
+#include "stage_cost.h"
+
+#include "core/filter/filter_source.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mirrorball {
+
+/// Whether an export is among those asked for; an empty list asks for all.
+bool isAskedFor(const ExportTarget& target, const std::vector<std::string>& only);
+
+/// Which light the material takes in at all, in the order in which reasons rule it out.
+PlannedMaterial planMaterial(const Material& material, PlanExtent extent);
+
+inline bool isBlack(const glm::dvec3& color) { return color == glm::dvec3(0.0); }
+
+/// Makes one plan: what the picture needs (plan_picture.cpp), what exports need (plan_exports.cpp), and what both share (plan.cpp).
+class Planner {
+public:
+    Planner(const Scene& scene, const MapLayout& probe) : m_scene(scene), m_probe(probe) {}
+    Plan make(const PlanRequest& request);
+    /// Levels that are all filtered from the probe, as one export.
+    Plan makeFilters(const std::vector<PrefilterOptions>& levels, const std::string& file);
+
+private:
+    bool makesAll() const { return m_extent == PlanExtent::Everything; }
+    int probeWidth() const { return 2 * latlongHeight(m_probe); }
+    void need(std::string name, std::string why, const StageCost& cost = {});
+    void leaveOut(std::string name, std::string why);
+    /// Why the material shows no reflection, or no diffuse light.
+    std::string whyNoSpecular() const;
+    std::string whyNoDiffuse() const;
+    PlannedFilter planned(const PrefilterOptions& filter) const { return planFilter(filter, probeWidth()); }
+    /// The scene's choice of method. What that refuses is left to auto; @return a note for the stage, empty where nothing was chosen
+    std::string chooseMethod(PrefilterOptions& filter) const;
+    /// Adds the stages of one level and remembers what it takes. A map that never was to be filtered has no stage for that.
+    void addLevel(MapPlan& map, PlannedFilter planned, const std::string& name, const std::string& note = "",
+                  const std::string& whyMirror = "");
+    /// A debug view shows what the material is computed from, and not the material.
+    bool showsMaterial() const { return m_scene.view.shading == Shading::Material; }
+    bool isWindow() const { return m_scene.view.geometry == "window"; }
+    /// Nor does a sphere map that replaces the material show it, nor a room.
+    bool readsMaterial() const;
+    std::string whyNoMaterial() const;
+    void planPicture();
+    void planLambda();
+    void planOthers();
+    void planSphereMap(const std::string& name, const std::string& field, const std::string& source, SphereMapLevels levels,
+                       const EmbeddedSphereMap& document = {});
+    void planSphereMaps();
+    /// The environment's yaw belongs to the picture's lookups, so that turning it makes no map anew; a map in eye space has no such turn.
+    double bakedYaw() const { return m_scene.map.space == MapSpace::Eye ? m_scene.probe.yawDeg * pi / 180.0 : 0.0; }
+    void applyTolerance(PrefilterOptions& filter) const;
+    /// A map without coarser levels may be made smaller: lookups do not notice but for sharpness. Levels are counted from the largest, so
+    /// a pyramid keeps its size.
+    void applySize(PrefilterOptions& filter, bool pyramid) const;
+    MapLayout mapLayout() const { return {m_scene.map.parameterization, m_scene.map.size, m_scene.map.border}; }
+    void planSpecular();
+    void planDiffuse();
+    void planBackground();
+    void planExports(const std::vector<std::string>& only);
+    void planPainted(const ExportTarget& target);
+    void planExport(const ExportTarget& target);
+    /// The stages before all others follow from what the maps need.
+    void planReading();
+    const Scene& m_scene;
+    MapLayout m_probe;
+    PlanExtent m_extent = PlanExtent::Needed;
+    MapDetail m_detail{};
+    Plan m_plan{};
+    std::vector<Stage> m_later{};
+};
+
+} // namespace mirrorball
