@@ -51,6 +51,12 @@ ValueDistribution coarseValues(const Spectrum& spectrum, const std::vector<doubl
     return values;
 }
 
+/// How far the values are from being all the same: root mean square about their mean, relative to the whole; 1 at most.
+double relativeDeviation(const ValueDistribution& values)
+{
+    return values.rms() > 0.0 ? std::min(1.0, glm::length(values.deviation()) / values.rms()) : 0.0;
+}
+
 /// One split of a probe, looked at.
 class Settling {
 public:
@@ -126,8 +132,10 @@ private:
     Choice choose(size_t split, double quieter)
     {
         Choice choice{.split = split, .shape = m_model->shape()};
-        // What rounding and the norm take is not there for the rest.
-        const double taken = (spectralRounding + std::min(m_model->normError(0), normShare * m_options.tolerance)) / m_options.tolerance;
+        // What rounding and the norm take is not there for the rest. The norm divides what differs from the mean: in a map that hardly does,
+        // hardly anything.
+        const double differs = std::max(relativeDeviation(m_values), 1e-12), normLimit = normShare * m_options.tolerance / differs;
+        const double taken = (spectralRounding + differs * std::min(m_model->normError(0), normLimit)) / m_options.tolerance;
         choice.allowed = m_strictness * std::max(0.0, 0.95 - taken) * m_values.allowedRms(choice.shape, m_limits);
         choice.bandLimit = m_model->bandLimitFor(truncationShare * choice.allowed * quieter, choice.shape);
         const int longest = m_source.latlong() ? largestBandLimit : m_source.knownBandLimit();
@@ -135,7 +143,7 @@ private:
             return {.split = split, .allowed = choice.allowed, .shape = choice.shape};
         choice.bandLimit = std::max(choice.bandLimit, 2);
         // The norm's repetition along the rows, which small probes show, is followed where it would be felt.
-        choice.bandLimit = std::max(choice.bandLimit, m_model->bandLimitForNorm(normShare * m_options.tolerance));
+        choice.bandLimit = std::max(choice.bandLimit, m_model->bandLimitForNorm(normLimit));
         if (choice.bandLimit > longest)
             return {.split = split, .allowed = choice.allowed, .shape = choice.shape};
         if (m_options.target.kind != Parameterization::Latlong)
@@ -253,8 +261,7 @@ PredictedErrors spectralErrors(const ValueDistribution& values, const SettledSpe
     // The norm divides what differs from the mean: nothing where all is constant, everything beside a sun.
     const glm::dvec3 norm = settled.normError * values.deviation();
     PredictedErrors errors = values.errors(glm::sqrt(settled.error * settled.error + norm * norm));
-    const double differs = values.rms() > 0.0 ? std::min(1.0, glm::length(values.deviation()) / values.rms()) : 0.0;
-    const double relative = spectralRounding + settled.normError * differs;
+    const double relative = spectralRounding + settled.normError * relativeDeviation(values);
     errors.relRms += relative;
     errors.medianRel += relative;
     errors.p99Rel += 3.0 * relative;

@@ -1,6 +1,6 @@
 #include "bright_sum.h"
 
-#include "multiversion.h"
+#include "core/base/multiversion.h"
 
 #include <algorithm>
 #include <array>
