@@ -92,6 +92,21 @@ int goodRings(int n)
     }
 }
 
+/// The zonal norm from pole to pole, so dense that cubics between its places do, and one place beyond either pole.
+std::vector<double> poleToPole(const Spectrum& spectrum, const std::vector<double>& k, int bandLimit)
+{
+    const size_t places = 16 * static_cast<size_t>(bandLimit) + 64;
+    std::vector<double> north; // the southern half is its mirror image
+    for (size_t i = 0; 2 * i <= places; ++i)
+        north.push_back(pi * static_cast<double>(i) / static_cast<double>(places));
+    north = zonalNorm(spectrum, k, north);
+    std::vector<double> line{north[1]};
+    for (size_t i = 0; i <= places; ++i)
+        line.push_back(north[std::min(i, places - i)]);
+    line.push_back(north[1]);
+    return line;
+}
+
 } // namespace
 
 int RingGrid::ringsFor(const std::vector<double>& share, double tolerance)
@@ -139,16 +154,20 @@ RingGrid::RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int r
     m_mean = filtered.mean;
     // The zonal norm has its own line of samples: it repeats with the probe's rows, which may be finer than the rings.
     const std::vector<double>& factors = longer.empty() ? k : longer;
-    std::vector<double> zonal = zonalNorm(spectrum, k, theta);
-    for (size_t i = 0; i < filtered.norm.size(); ++i)
+    const std::vector<double> zonal = zonalNorm(spectrum, k, theta);
+    for (size_t i = 0; i < filtered.norm.size(); ++i) {
+        // In doubles: beside a sun the mean times this is many times what is left in the dark.
+        for (int c = 0; c < 3; ++c)
+            filtered.rgb[static_cast<size_t>(c)][i] += m_mean[c] * (filtered.norm[i] - 1.0);
         filtered.norm[i] -= zonal[i / static_cast<size_t>(samples)];
-    const size_t places = 16 * static_cast<size_t>(zonalNormLimit(spectrum, factors)) + 64; // so dense that lines between them do
-    std::vector<double> line; // the northern half; the southern is its mirror image
-    for (size_t i = 0; 2 * i <= places; ++i)
-        line.push_back(pi * static_cast<double>(i) / static_cast<double>(places));
-    line = zonalNorm(spectrum, factors, line);
-    for (size_t i = 0; i <= places; ++i)
-        m_zonal.push_back(static_cast<float>(line[std::min(i, places - i)] - 1.0));
+    }
+    m_zonal = poleToPole(spectrum, factors, zonalNormLimit(spectrum, factors));
+    m_zonalBeyond = m_zonal;
+    const std::vector<double> within = poleToPole(spectrum, k, zonalNormLimit(spectrum, factors));
+    for (size_t i = 0; i < within.size(); ++i)
+        m_zonalBeyond[i] -= within[i];
+    for (double& value : m_zonal)
+        value -= 1.0;
 
     m_texels.resize(4 * static_cast<size_t>(rings + haloBefore + haloAfter) * static_cast<size_t>(m_stride));
     const auto at = [&](int row, int x) {
@@ -218,12 +237,22 @@ MIRRORBALL_CLONES // the loop over taps is the hot one of every export
 void RingGrid::read(std::span<const SpherePoint> points, float* rgbn) const
 {
     interpolate(m_texels.data(), m_stride, m_rings / pi, points, rgbn);
-    const auto last = static_cast<double>(m_zonal.size() - 1);
+    const double intervals = static_cast<double>(m_zonal.size()) - 3.0;
     for (const SpherePoint& p : points) {
-        const double at = std::clamp(p.colatitude / pi * last, 0.0, last);
-        const auto i = std::min(static_cast<size_t>(at), m_zonal.size() - 2);
-        const auto f = static_cast<float>(at - static_cast<double>(i));
-        rgbn[3] += (1.0f - f) * m_zonal[i] + f * m_zonal[i + 1];
+        const double at = std::clamp(p.colatitude / pi * intervals, 0.0, intervals);
+        const auto i = std::min(static_cast<size_t>(at), m_zonal.size() - 4);
+        const double t = at - static_cast<double>(i);
+        // Lagrange's cubic through the four places about it.
+        const std::array<double, 4> w{-t * (t - 1.0) * (t - 2.0) / 6.0, (t + 1.0) * (t - 1.0) * (t - 2.0) / 2.0,
+                                      -(t + 1.0) * t * (t - 2.0) / 2.0, (t + 1.0) * t * (t - 1.0) / 6.0};
+        double zonal = 0.0, beyond = 0.0;
+        for (size_t j = 0; j < w.size(); ++j) {
+            zonal += w[j] * m_zonal[i + j];
+            beyond += w[j] * m_zonalBeyond[i + j];
+        }
+        for (int c = 0; c < 3; ++c)
+            rgbn[c] = static_cast<float>(rgbn[c] + m_mean[c] * beyond);
+        rgbn[3] += static_cast<float>(zonal);
         rgbn += 4;
     }
 }

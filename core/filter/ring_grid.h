@@ -40,16 +40,17 @@ public:
     RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int rings, double yaw, const JobControl& job = {},
              const std::vector<double>& longer = {});
 
-    /// FilteredRings::rgb and norm - 1 at many places, 4 floats each.
+    /// The reference sum's numerators (what was taken out of the probe apart) and its denominator less 1 at many places, 4 floats each.
     void read(std::span<const SpherePoint> points, float* rgbn) const;
-    const glm::dvec3& mean() const { return m_mean; } ///< FilteredRings::mean
 
 private:
     int m_rings;
     int m_stride; ///< samples a row of m_texels, halo included
     std::vector<float>
         m_texels;               ///< spline coefficients of RGB and what of the norm is not zonal, with a halo so that no tap needs wrapping
-    std::vector<float> m_zonal; ///< zonal norm - 1, from pole to pole
+    /// From pole to pole and one place beyond either: the zonal norm less 1, and that part of it that lies beyond the rings' band limit,
+    /// which the numerators of RGB have times the mean.
+    std::vector<double> m_zonal, m_zonalBeyond;
     glm::dvec3 m_mean{0.0};
 };
 

@@ -179,10 +179,9 @@ EnvironmentMap filterSpectral(const Spectrum& spectrum, const std::vector<double
         float* to = map.image.row(first);
         for (int y = first; y < last; ++y)
             for (int x = 0; x < width; ++x, from += 4, to += 3) {
-                const double excess = from[3]; // N - 1
-                const glm::dvec3 sum = glm::dvec3(from[0], from[1], from[2]) + excess * grid.mean() + brightAt(x, y);
+                const glm::dvec3 sum = glm::dvec3(from[0], from[1], from[2]) + brightAt(x, y);
                 for (int c = 0; c < 3; ++c)
-                    to[c] = static_cast<float>(sum[c] / (1.0 + excess));
+                    to[c] = static_cast<float>(sum[c] / (1.0 + from[3]));
             }
     });
     return map;
