@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <optional>
 
@@ -51,10 +53,18 @@ ValueDistribution coarseValues(const Spectrum& spectrum, const std::vector<doubl
     return values;
 }
 
-/// How far the values are from being all the same: root mean square about their mean, relative to the whole; 1 at most.
-double relativeDeviation(const ValueDistribution& values)
+glm::dvec3 meanOf(const Spectrum& spectrum)
 {
-    return values.rms() > 0.0 ? std::min(1.0, glm::length(values.deviation()) / values.rms()) : 0.0;
+    glm::dvec3 mean;
+    for (int c = 0; c < 3; ++c)
+        mean[c] = spectrum.coefficients[static_cast<size_t>(c)][0].real() / spectrum.unit[0].real();
+    return mean;
+}
+
+/// Root mean square of what the values differ from the calm mean by, relative to the whole; 1 at most.
+double relativeDeviation(const ValueDistribution& values, const glm::dvec3& calmMean)
+{
+    return values.rms() > 0.0 ? std::min(1.0, glm::length(values.deviation(calmMean)) / values.rms()) : 0.0;
 }
 
 /// One split of a probe, looked at.
@@ -117,6 +127,7 @@ private:
         const Spectrum& spectrum = m_source.calmSpectrum(split, readable(look), m_job);
         const BrightLobe bright(m_source.brightTexels(split, m_job), m_options.lobe);
         const int coarse = std::min(std::max(m_fromLobe.bandLimit, 32), std::max(256, look));
+        m_calmMean = meanOf(spectrum);
         m_values = coarseValues(spectrum, m_k, coarse, bright, m_job);
         for (;;) {
             m_model.emplace(spectrum, m_k);
@@ -132,9 +143,8 @@ private:
     Choice choose(size_t split, double quieter)
     {
         Choice choice{.split = split, .shape = m_model->shape()};
-        // What rounding and the norm take is not there for the rest. The norm divides what differs from the mean: in a map that hardly does,
-        // hardly anything.
-        const double differs = std::max(relativeDeviation(m_values), 1e-12), normLimit = normShare * m_options.tolerance / differs;
+        // What rounding and the norm take is not there for the rest.
+        const double differs = std::max(relativeDeviation(m_values, m_calmMean), 1e-12), normLimit = normShare * m_options.tolerance / differs;
         const double taken = (spectralRounding + differs * std::min(m_model->normError(0), normLimit)) / m_options.tolerance;
         choice.allowed = m_strictness * std::max(0.0, 0.95 - taken) * m_values.allowedRms(choice.shape, m_limits);
         choice.bandLimit = m_model->bandLimitFor(truncationShare * choice.allowed * quieter, choice.shape);
@@ -236,7 +246,9 @@ private:
             settled.error = glm::sqrt(settled.error * settled.error + read * read);
         }
         settled.normError = model.normError(choice.bandLimit);
+        settled.calmMean = meanOf(spectrum);
         settled.predicted = spectralErrors(m_values, settled);
+        if (getenv("DBG")) { const auto tr = model.truncation(choice.bandLimit); std::fprintf(stderr, "split %zu B %d rings %d feas %d trunc %g rep-norm %g err %g allowed %g rms %g mean %g least %g rel %g med %g p99 %g dev %g\n", choice.split, choice.bandLimit, choice.rings, choice.feasible(), tr.r, settled.normError, settled.error.r, choice.allowed, m_values.rms(), m_values.mean(), m_values.least(), settled.predicted.relRms, settled.predicted.medianRel, settled.predicted.p99Rel, m_values.deviation(m_calmMean).r); }
         settled.keeps = choice.feasible() && settled.predicted.within(m_limits);
         return settled;
     }
@@ -249,6 +261,7 @@ private:
     std::vector<double> m_k;
     BandLimitPlan m_fromLobe;
     std::optional<TruncationModel> m_model{};
+    glm::dvec3 m_calmMean{0.0};
     ValueDistribution m_values{};
 };
 
@@ -258,10 +271,11 @@ double usualPower(int l) { return 3.0 / (l + 1.0); }
 
 PredictedErrors spectralErrors(const ValueDistribution& values, const SettledSpectral& settled)
 {
-    // The norm divides what differs from the mean: nothing where all is constant, everything beside a sun.
-    const glm::dvec3 norm = settled.normError * values.deviation();
+    // With S the numerator and m the calm mean, (S + m d)/(N + d) - S/N = d (m - E)/N: nothing where all is constant, everything beside a
+    // sun.
+    const glm::dvec3 norm = settled.normError * values.deviation(settled.calmMean);
     PredictedErrors errors = values.errors(glm::sqrt(settled.error * settled.error + norm * norm));
-    const double relative = spectralRounding + settled.normError * relativeDeviation(values);
+    const double relative = spectralRounding + settled.normError * relativeDeviation(values, settled.calmMean);
     errors.relRms += relative;
     errors.medianRel += relative;
     errors.p99Rel += 3.0 * relative;

@@ -21,7 +21,8 @@ struct SettledSpectral {
     size_t split = 0;                   ///< index into brightSplits
     const Spectrum* spectrum = nullptr; ///< the source's, of what the split leaves
     glm::dvec3 error{0.0};              ///< root mean square of truncation and interpolation, radiance of each channel
-    double normError = 0.0;             ///< relative error of what the values are divided by
+    double normError = 0.0;             ///< relative error of what the values are divided by: N
+    glm::dvec3 calmMean{0.0}; ///< of what the split leaves; it has the same N, so that only what differs from it is divided wrongly
     PredictedErrors predicted{};
     double seconds = 0.0; ///< of one thread, from here on
     bool keeps = false;   ///< the tolerance

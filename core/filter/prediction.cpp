@@ -5,6 +5,7 @@
 #include "direct.h"
 #include "importance.h"
 #include "mip_blur.h"
+#include "row_sums.h"
 #include "sh9.h"
 #include "spectral.h"
 
@@ -251,6 +252,8 @@ double predictedSeconds(Method method, const PrefilterOptions& options, const Pr
     case Method::Reference:
         return cost::referenceTerm * sources * texels;
     case Method::Direct:
+        if (isShortPolynomial(options.lobe))
+            return rowSumsSeconds(probe.width, static_cast<int>(texels));
         return texels *
                (cost::directTexel + cost::directTerm * directTaps(options.lobe, probe.width, {.level = directLevel(options, probe)}));
     case Method::Hierarchical:
@@ -280,7 +283,7 @@ double predictedError(Method method, const PrefilterOptions& options, const Prob
         return spectralError(expectedSpectral(options, probe), options.target, options.tolerance);
     }
     case Method::Direct:
-        return floatRounding + 0.1 * options.tolerance; // see directLevel()
+        return isShortPolynomial(options.lobe) ? floatRounding : floatRounding + 0.1 * options.tolerance; // see directLevel()
     case Method::Hierarchical:
         return floatRounding + 0.5 * options.tolerance;
     case Method::Importance:

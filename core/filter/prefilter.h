@@ -31,7 +31,7 @@ struct PrefilterOutcome {
 struct PrefilterPlan {
     Method method = Method::Auto;
     bool filtered = true;
-    int bandLimit = 0;           ///< spectral: from the lobe alone, until it is settled
+    int bandLimit = 0; ///< spectral: from the lobe alone, until it is settled
     PredictedErrors predicted{};
     bool promised = false;         ///< the tolerance is kept
     double predictedSeconds = 0.0; ///< of one thread, see predictedSeconds()

@@ -151,13 +151,11 @@ double ValueDistribution::allowedRms(const glm::dvec3& shape, const ErrorLimits&
     return std::min(allowed, (std::max(m_least, 0.0) + limits.negative * std::abs(mean())) / crest);
 }
 
-glm::dvec3 ValueDistribution::deviation() const
+glm::dvec3 ValueDistribution::deviation(const glm::dvec3& from) const
 {
-    glm::dvec3 mean(0.0), squares(0.0);
+    glm::dvec3 squares(0.0);
     for (const Value& v : m_values)
-        mean += v.weight / m_weight * v.rgb;
-    for (const Value& v : m_values)
-        squares += v.weight / m_weight * (v.rgb - mean) * (v.rgb - mean);
+        squares += v.weight / m_weight * (v.rgb - from) * (v.rgb - from);
     return glm::sqrt(squares);
 }
 

@@ -48,7 +48,8 @@ public:
     double mean() const; ///< over the channels
     double rms() const;  ///< over the channels
     double least() const { return m_least; }
-    glm::dvec3 deviation() const; ///< root mean square about the mean of each channel
+    /// Root mean square of what each channel differs from this by.
+    glm::dvec3 deviation(const glm::dvec3& from) const;
 
     /// Errors whose root mean square is `rms` in each channel, at most (rel_rms with a reserve of 1.4 for what samples of it differ by):
     /// with a share q of the values so large that rms/value <= rho,

@@ -54,7 +54,8 @@ void Planner::addLevel(MapPlan& map, PlannedFilter planned, const std::string& n
     if (prediction.filtered) {
         const std::string how = prediction.method == Method::Spectral ? text("spectral, band limit ", prediction.bandLimit, " at most")
                                                                       : text(mirrorball::name(prediction.method));
-        need("filter " + name, text(describe(filter.lobe), " into ", sizeText(filter.target), ": ", how, promiseText(planned), note), planned.filtering);
+        need("filter " + name, text(describe(filter.lobe), " into ", sizeText(filter.target), ": ", how, promiseText(planned), note),
+             planned.filtering);
     } else {
         if (!filter.lobe.isMirror() || !whyMirror.empty())
             leaveOut("filter " + name, filter.lobe.isMirror() ? whyMirror : prediction.why);
