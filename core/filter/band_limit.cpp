@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 #include <optional>
 
@@ -144,7 +142,8 @@ private:
     {
         Choice choice{.split = split, .shape = m_model->shape()};
         // What rounding and the norm take is not there for the rest.
-        const double differs = std::max(relativeDeviation(m_values, m_calmMean), 1e-12), normLimit = normShare * m_options.tolerance / differs;
+        const double differs = std::max(relativeDeviation(m_values, m_calmMean), 1e-12),
+                     normLimit = normShare * m_options.tolerance / differs;
         const double taken = (spectralRounding + differs * std::min(m_model->normError(0), normLimit)) / m_options.tolerance;
         choice.allowed = m_strictness * std::max(0.0, 0.95 - taken) * m_values.allowedRms(choice.shape, m_limits);
         choice.bandLimit = m_model->bandLimitFor(truncationShare * choice.allowed * quieter, choice.shape);
@@ -248,7 +247,6 @@ private:
         settled.normError = model.normError(choice.bandLimit);
         settled.calmMean = meanOf(spectrum);
         settled.predicted = spectralErrors(m_values, settled);
-        if (getenv("DBG")) { const auto tr = model.truncation(choice.bandLimit); std::fprintf(stderr, "split %zu B %d rings %d feas %d trunc %g rep-norm %g err %g allowed %g rms %g mean %g least %g rel %g med %g p99 %g dev %g\n", choice.split, choice.bandLimit, choice.rings, choice.feasible(), tr.r, settled.normError, settled.error.r, choice.allowed, m_values.rms(), m_values.mean(), m_values.least(), settled.predicted.relRms, settled.predicted.medianRel, settled.predicted.p99Rel, m_values.deviation(m_calmMean).r); }
         settled.keeps = choice.feasible() && settled.predicted.within(m_limits);
         return settled;
     }
@@ -271,14 +269,14 @@ double usualPower(int l) { return 3.0 / (l + 1.0); }
 
 PredictedErrors spectralErrors(const ValueDistribution& values, const SettledSpectral& settled)
 {
-    // With S the numerator and m the calm mean, (S + m d)/(N + d) - S/N = d (m - E)/N: nothing where all is constant, everything beside a
-    // sun.
-    const glm::dvec3 norm = settled.normError * values.deviation(settled.calmMean);
-    PredictedErrors errors = values.errors(glm::sqrt(settled.error * settled.error + norm * norm));
-    const double relative = spectralRounding + settled.normError * relativeDeviation(values, settled.calmMean);
-    errors.relRms += relative;
-    errors.medianRel += relative;
-    errors.p99Rel += 3.0 * relative;
+    // With S the numerator, m the calm mean and d the norm's error, (S + m d)/(N + d) - S/N = d (m - E)/N: nothing where all is constant,
+    // and relative to E no more than d max(1, m/E), however bright the sun.
+    PredictedErrors errors = values.errors(settled.error);
+    const double d = settled.normError;
+    const PredictedErrors spread = values.errors(d * values.deviation(settled.calmMean)), dark = values.errors(d * settled.calmMean);
+    errors.relRms = std::hypot(errors.relRms, std::min(d, spread.relRms)) + spectralRounding;
+    errors.medianRel += std::min(std::max(d, dark.medianRel), spread.medianRel) + spectralRounding;
+    errors.p99Rel += std::min(std::max(d, dark.p99Rel / std::sqrt(200.0)), spread.p99Rel) + 3.0 * spectralRounding; // no tail of d's own
     return errors;
 }
 

@@ -93,9 +93,12 @@ void Planner::planReading()
         const bool streamed =
             large && m_probe.kind == Parameterization::Latlong && !builtin && filtered == static_cast<int>(filters.size());
         std::string how = m_scene.probe.source + ", " + sizeText(m_probe);
-        if (streamed)
-            how += text("; each row is truncated to band limit ", bandLimit, " while it is read, which is exact");
-        else if (large)
+        if (streamed) {
+            int kept = 0;
+            for (const PlannedFilter* filter : filters)
+                kept = std::max(kept, streamedBandLimit(filter->options));
+            how += text("; each row is truncated to band limit ", kept, " while it is read, which is exact");
+        } else if (large)
             how += "; held whole, because not every map is filtered";
         stages.push_back({.name = read, .why = how, .expected = readingCost(m_probe, builtin, streamed)});
         if (spectral > 0)

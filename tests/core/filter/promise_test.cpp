@@ -69,8 +69,8 @@ TEST(Promise, IsKeptInADozenCells)
 
 TEST(Promise, IsRefusedByASpectrumThatCannotKeepIt)
 {
-    // A step at the horizon: no band limit is enough for 1e-6 of the dark.
-    FilterSource source(noiseProbe(24, 5));
+    // A step at the horizon: no band limit is enough for 1e-6, and there are more texels than are taken out one by one.
+    FilterSource source(noiseProbe(96, 5));
     const PrefilterOptions options{
         .lobe = phongLobe(0), .target = {Parameterization::Cube, 4, 0}, .method = Method::Spectral, .tolerance = 1e-6};
     EXPECT_THROW(prefilter(source, options), InvalidArgument);
