@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <iostream>
 #include <map>
 #include <memory>
 #include <utility>
@@ -117,13 +118,23 @@ void writeStats(const std::filesystem::path& path, const std::vector<Stage>& pla
     const nlohmann::json record{{"stages", stages},
                                 {"method", work.methods.empty() ? "lookup" : work.methodText()},
                                 {"band_limit", work.bandLimit},
-                                {"predicted_error", work.predictedError},
+                                {"predicted_error", work.predicted.relRms},
+                                {"predicted_rel_rms", work.predicted.relRms},
+                                {"predicted_median_rel", work.predicted.medianRel},
+                                {"predicted_p99_rel", work.predicted.p99Rel},
+                                {"promised", work.unpromised.empty()},
                                 {"threads", threads},
                                 {"peak_bytes", static_cast<std::int64_t>(usage.ru_maxrss) * 1024}};
     const std::string text = record.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
     AtomicFile file(path);
     file.write(text.data(), text.size());
     file.commit();
+}
+
+void sayUnpromised(const std::string& command, const WorkRecord& record)
+{
+    for (const std::string& map : record.unpromised)
+        std::cerr << command << ": " << map << '\n';
 }
 
 namespace {

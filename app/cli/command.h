@@ -70,9 +70,12 @@ inline std::vector<std::filesystem::path> filesOf(const std::string& file)
 void checkOutputsDiffer(const std::vector<NamedOutput>& outputs);
 
 /// Writes what `--stats FILE` asks for as JSON, whole or not at all: {"stages":[{"name","seconds","left_out","why"}], "method",
-/// "band_limit", "predicted_error", "threads", "peak_bytes"}. The stages are those that were done, with their times, and those that the
-/// plan left out.
+/// "band_limit", "predicted_error", "predicted_rel_rms", "predicted_median_rel", "predicted_p99_rel", "promised", "threads", "peak_bytes"}.
+/// The stages are those that were done, with their times, and those that the plan left out.
 void writeStats(const std::filesystem::path& path, const std::vector<Stage>& plan, const WorkRecord& record, int threads);
+
+/// A line on stderr for each map whose tolerance is not promised, with what is predicted of it.
+void sayUnpromised(const std::string& command, const WorkRecord& record);
 
 /// Prints stages as a table for `--explain`: name, needed or left out, what it is expected to cost where the plan knows, why.
 void printStages(const std::vector<Stage>& stages);

@@ -105,6 +105,7 @@ void runOne(const Options& o, const JobControl& job)
         printStages(plan);
     const ExportOutcome outcome = exportPlanned(std::move(planned), o.folder, job);
     printNotes(scene.probe.source, outcome.record.notes);
+    sayUnpromised("export", outcome.record);
     for (const std::filesystem::path& file : outcome.files)
         std::printf("%s\n", file.string().c_str());
     if (!o.stats.empty())

@@ -144,7 +144,8 @@ void filterByBrdf(const BrdfFilterOptions& o)
     timedStage(record.stages, "filter " + describe(brdf), [&] { made = make(source, o, choice, brdf, target, job); });
     record.stages.back().why = made.why;
     record.bandLimit = made.bandLimit;
-    record.predictedError = made.predictedError;
+    record.predicted = {made.predictedError, std::nan(""), std::nan("")}; // a tolerance is of a lobe's map
+    record.unpromised.push_back("brdf " + o.method);
     WriteOptions write{.sampleType = o.half ? SampleType::Half : SampleType::Float, .faceBorder = faceBorder};
     write.attributes["mirrorball:brdf"] = describe(brdf);
     write.attributes["mirrorball:view"] = std::to_string(*o.viewDeg);

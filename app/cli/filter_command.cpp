@@ -165,6 +165,8 @@ std::vector<PrefilterOptions> parseJobs(const Options& o, double yaw)
     for (const auto& [option, value] : o.paraboloid)
         refuse(!value.empty() && *method != Method::Paraboloid, option, "belongs to --method paraboloid, not to '" + o.method + "'");
     ParaboloidKnobs::visitFields(knobs.paraboloid, KnobParser{o.paraboloid});
+    refuse(o.tolerance && !keepsTolerance(*method), "--tolerance",
+           "'" + o.method + "' promises none; leave it out, or take auto, spectral, direct, hierarchical or reference");
     const double tolerance = o.tolerance.value_or(1e-5);
     if (!(tolerance > 0.0 && tolerance <= 1.0))
         throw InvalidArgument("--tolerance: must lie in (0, 1]");
@@ -236,6 +238,7 @@ void runOne(const Options& o, const JobControl& job)
     SceneProbe probe{.source = std::move(opened.source)};
     BuiltMap built = buildMap(plan.exports.front().map, probe, 0.0, job);
     record += std::move(built.record);
+    sayUnpromised("filter", record);
 
     store(built.levels, engineTurn(o.engine, levels.front().target.kind).orientation);
     const WriteOptions write{.sampleType = o.half ? SampleType::Half : SampleType::Float,
@@ -301,7 +304,11 @@ void addFilterCommand(CLI::App& program)
     command->add_option("--method", o->method,
                         "auto, reference, spectral, direct, hierarchical, importance, paraboloid, mip or sh9; brdf: sum, stack, "
                         "lookups:K, split-sum or round");
-    command->add_option("--tolerance", o->tolerance, "largest rel_rms error against the reference sum, in (0, 1]")->check(above(0, 1));
+    command
+        ->add_option("--tolerance", o->tolerance,
+                     "what is promised, in (0, 1]: rel_rms and median_rel against the reference sum, five times it for p99_rel, and no "
+                     "negative light")
+        ->check(above(0, 1));
     command->add_option("--samples", o->samples, "importance: samples of the lobe a texel (1024)")->check(within(1, 1 << 20));
     command->add_option("--lambda", o->lambda, "mip: least level of detail of the environment; without it matched to the lobe by width")
         ->check(within(0, 32));

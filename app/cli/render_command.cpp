@@ -182,6 +182,7 @@ void runOne(const Options& o, const JobControl& job)
         printStages(plan);
     const WorkRecord record = preview::savePicture(std::move(planned), o.out, job);
     printNotes(scene.probe.source, record.notes);
+    sayUnpromised("render", record);
     if (!o.saved.empty())
         saveScene(scene, o.saved);
     if (!o.stats.empty())

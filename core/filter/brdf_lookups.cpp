@@ -35,11 +35,10 @@ std::vector<glm::dvec3> brightAlong(const BrightLobe& bright, const MapLayout& t
     const auto width = static_cast<size_t>(target.width());
     std::vector<glm::dvec3> result(width * static_cast<size_t>(target.height()));
     parallelRows(target.height(), job, [&](int first, int last) {
-        std::vector<double> weights;
         for (int y = first; y < last; ++y)
             for (size_t x = 0; x < width; ++x)
                 result[static_cast<size_t>(y) * width + x] =
-                    bright.radiance(normalAt(yawed(texelDirection(target, static_cast<int>(x), y), -yaw), {offset, seen.azimuth}), weights);
+                    bright.radiance(normalAt(yawed(texelDirection(target, static_cast<int>(x), y), -yaw), {offset, seen.azimuth}));
     });
     return result;
 }
@@ -70,7 +69,7 @@ EnvironmentMap filterBrdfLookups(FilterSource& source, const LookupFit& fit, dou
                 break;
         }
         const Spectrum& spectrum = stackSpectrum(source, plan.bandLimit, job);
-        const BrightLobe bright(source.latlong() ? source.brightTexels() : BrightTexels{}, lobe);
+        const BrightLobe bright(source.latlong() ? source.brightTexels(1, job) : BrightTexels{}, lobe);
         const std::vector<glm::dvec3> suns = brightAlong(bright, target, yaw, {fit.view, azimuth}, lookup.offset, job);
         RingSet rings = own;
         for (size_t i = 0; i < rings.colatitude.size(); ++i) {

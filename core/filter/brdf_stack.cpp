@@ -103,7 +103,7 @@ std::vector<double> response(const Spectrum& spectrum, const KernelSpectrum& ker
 std::vector<glm::dvec3> brightResponse(FilterSource& source, const StackPlan& plan, double azimuth, const MapLayout& target, double yaw,
                                        const JobControl& job)
 {
-    const BrightTexels& bright = source.brightTexels();
+    const BrightTexels& bright = source.brightTexels(1, job);
     const size_t count = bright.directions.size(), width = static_cast<size_t>(target.width());
     if (!source.latlong() || count == 0)
         return {};
@@ -169,7 +169,7 @@ StackPlan planStack(const Brdf& brdf, double view, double tolerance, FilterSourc
 
 const Spectrum& stackSpectrum(FilterSource& source, int bandLimit, const JobControl& job)
 {
-    return source.latlong() ? source.calmSpectrum(bandLimit, job) : source.spectrum(bandLimit, job);
+    return source.latlong() ? source.calmSpectrum(1, bandLimit, job) : source.spectrum(bandLimit, job);
 }
 
 RingSet ringsOf(const MapLayout& layout, double yaw)

@@ -1,91 +1,162 @@
 #include "bright_texels.h"
 
+#include "bright_sum.h"
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
+#include <tuple>
 
 namespace mirrorball {
 
-namespace {
-
-constexpr size_t mostTexels = 96;
-constexpr double smallestShare = 1.0 / 2000.0;
-
-} // namespace
-
 bool splitsBrightTexels(const Lobe& lobe) { return lobe.kind != LobeKind::Phong || lobe.exponent < 8.0; }
 
-BrightTexels takeBrightTexels(EnvironmentMap& latlong)
+bool BrightTexelFinder::Candidate::operator<(const Candidate& other) const
 {
-    Image& image = latlong.image;
-    const size_t texels = image.texels.size() / 3;
-    std::vector<double> power(texels);
-    for (int y = 0; y < image.height; ++y) {
-        const double solidAngle = texelSolidAngle(latlong.layout, 0, y);
-        for (int x = 0; x < image.width; ++x) {
-            const float* t = image.texel(x, y);
-            power[image.index(x, y) / 3] = solidAngle * (std::abs(t[0]) + std::abs(t[1]) + std::abs(t[2]));
+    return std::tie(other.power, y, x) < std::tie(power, other.y, other.x);
+}
+
+void BrightTexelFinder::dropDimmest()
+{
+    const size_t most = brightSplits[m_deepest].mostTexels + 1; // one more says how bright the rest is
+    if (m_candidates.size() <= most)
+        return;
+    const auto end = m_candidates.begin() + static_cast<ptrdiff_t>(most);
+    std::nth_element(m_candidates.begin(), end - 1, m_candidates.end());
+    m_candidates.erase(end, m_candidates.end());
+    m_floor = m_candidates.back().power;
+}
+
+void BrightTexelFinder::addRows(int firstRow, int rows, const float* rgb)
+{
+    const int width = m_layout.width();
+    m_rowPower.resize(static_cast<size_t>(m_layout.height()));
+    for (int y = firstRow; y < firstRow + rows; ++y) {
+        const double solidAngle = texelSolidAngle(m_layout, 0, y);
+        const float least = static_cast<float>(m_floor / solidAngle * (1.0 - 1e-6)); // in float, and on the safe side
+        double power = 0.0;
+        for (int x = 0; x < width; ++x, rgb += 3) {
+            const float sum = std::abs(rgb[0]) + std::abs(rgb[1]) + std::abs(rgb[2]);
+            power += sum;
+            if (sum >= least)
+                m_candidates.push_back({solidAngle * sum, x, y, {rgb[0], rgb[1], rgb[2]}});
         }
+        m_rowPower[static_cast<size_t>(y)] = solidAngle * power;
+        if (m_candidates.size() > 4 * brightSplits[m_deepest].mostTexels)
+            dropDimmest();
     }
-    const double threshold = smallestShare * std::accumulate(power.begin(), power.end(), 0.0);
-    std::vector<size_t> brightest;
-    for (size_t i = 0; i < texels; ++i)
-        if (power[i] > threshold)
-            brightest.push_back(i);
-    std::sort(brightest.begin(), brightest.end(), [&](size_t a, size_t b) { return power[a] != power[b] ? power[a] > power[b] : a < b; });
-    const double level = brightest.size() > mostTexels ? power[brightest[mostTexels]] : threshold;
-    brightest.resize(std::min(brightest.size(), mostTexels));
+}
+
+BrightTexels BrightTexelFinder::take(size_t split) const
+{
+    const auto [mostTexels, smallestShare] = brightSplits[split];
+    std::vector<Candidate> brightest = m_candidates;
+    std::sort(brightest.begin(), brightest.end());
+    // The share counts in the energy of what is left: beside a sun that holds nearly all of it a texel may be dim and still outshine the
+    // sky.
+    const double total = std::accumulate(m_rowPower.begin(), m_rowPower.end(), 0.0);
+    double left = total, threshold = 0.0;
+    for (int step = 0; step < 16; ++step) {
+        threshold = smallestShare * left;
+        double calm = total;
+        for (size_t i = 0; i < std::min(mostTexels, brightest.size()) && brightest[i].power > threshold; ++i)
+            calm -= brightest[i].power - threshold;
+        if (calm > 0.99 * left)
+            break;
+        left = calm;
+    }
+    const auto dim = std::find_if(brightest.begin(), brightest.end(), [&](const Candidate& c) { return c.power <= threshold; });
+    const auto above = static_cast<size_t>(dim - brightest.begin());
+    const double level = above > mostTexels ? brightest[mostTexels].power : threshold;
+    brightest.resize(std::min(above, mostTexels));
 
     BrightTexels bright;
-    for (const size_t i : brightest) {
-        const int x = static_cast<int>(i % static_cast<size_t>(image.width)), y = static_cast<int>(i / static_cast<size_t>(image.width));
-        float* t = image.texel(x, y);
-        glm::dvec3 excess;
-        for (int c = 0; c < 3; ++c) { // what stays is the float that is stored, so that the two parts add up exactly
-            const double whole = t[c];
-            t[c] = static_cast<float>(whole * level / power[i]);
-            excess[c] = whole - t[c];
+    for (const Candidate& b : brightest) {
+        BrightTexels::Change change{.x = b.x, .y = b.y, .before = glm::dvec3(0.0), .calm = glm::dvec3(0.0)};
+        for (int c = 0; c < 3; ++c) { // what stays is a float's value, so that the two parts add up exactly
+            change.before[c] = b.radiance[static_cast<size_t>(c)];
+            change.calm[c] = static_cast<float>(change.before[c] * level / b.power);
         }
-        bright.directions.push_back(texelDirection(latlong.layout, x, y));
-        bright.flux.push_back(excess * texelSolidAngle(latlong.layout, x, y));
+        bright.directions.push_back(texelDirection(m_layout, b.x, b.y));
+        bright.flux.push_back((change.before - change.calm) * texelSolidAngle(m_layout, b.x, b.y));
+        bright.energy += bright.flux.back();
+        bright.squares += bright.flux.back() * (change.before + change.calm);
+        bright.changes.push_back(change);
     }
     return bright;
 }
 
+namespace {
+
+/// What a narrow lobe may leave out of a sum, relative to its peak: a sun of 1e12 times the dark stays right.
+constexpr double supportLevel = 1e-30;
+
+/// Texels of a group at most.
+constexpr size_t groupSize = 32;
+
+/// Divides indices into runs of neighbours: halves along the longest axis until they are few.
+void divide(std::vector<size_t>& order, size_t first, size_t last, const std::vector<glm::dvec3>& at, std::vector<size_t>& ends)
+{
+    if (last - first <= groupSize) {
+        ends.push_back(last);
+        return;
+    }
+    glm::dvec3 low(1.0), high(-1.0);
+    for (size_t i = first; i < last; ++i) {
+        low = glm::min(low, at[order[i]]);
+        high = glm::max(high, at[order[i]]);
+    }
+    const glm::dvec3 extent = high - low;
+    const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+    const size_t middle = (first + last) / 2;
+    std::nth_element(order.begin() + static_cast<ptrdiff_t>(first), order.begin() + static_cast<ptrdiff_t>(middle),
+                     order.begin() + static_cast<ptrdiff_t>(last),
+                     [&](size_t a, size_t b) { return std::tie(at[a][axis], a) < std::tie(at[b][axis], b); });
+    divide(order, first, middle, at, ends);
+    divide(order, middle, last, at, ends);
+}
+
+} // namespace
+
 BrightLobe::BrightLobe(const BrightTexels& bright, const Lobe& lobe) : m_lobe(lobe), m_shape(lobe)
 {
-    const double peak = 1.0 / m_shape.integral();
-    for (size_t i = 0; i < bright.directions.size(); ++i) {
-        m_x.push_back(bright.directions[i].x);
-        m_y.push_back(bright.directions[i].y);
-        m_z.push_back(bright.directions[i].z);
-        m_red.push_back(peak * bright.flux[i].r);
-        m_green.push_back(peak * bright.flux[i].g);
-        m_blue.push_back(peak * bright.flux[i].b);
+    const double peak = 1.0 / m_shape.integral(), reach = m_shape.support(supportLevel);
+    std::vector<size_t> order(bright.directions.size()), ends;
+    std::iota(order.begin(), order.end(), size_t{0});
+    if (!order.empty())
+        divide(order, 0, order.size(), bright.directions, ends);
+    size_t first = 0;
+    for (const size_t last : ends) {
+        Group group{.centre = glm::dvec3(0.0), .cosReach = -2.0, .first = first, .last = last};
+        for (size_t i = first; i < last; ++i)
+            group.centre += bright.directions[order[i]];
+        group.centre = glm::length(group.centre) > 0.0 ? glm::normalize(group.centre) : bright.directions[order[first]];
+        double radius = 0.0;
+        for (size_t i = first; i < last; ++i) {
+            const glm::dvec3& d = bright.directions[order[i]];
+            radius = std::max(radius, 2.0 * std::asin(std::min(1.0, 0.5 * glm::length(d - group.centre))));
+            m_x.push_back(d.x);
+            m_y.push_back(d.y);
+            m_z.push_back(d.z);
+            m_red.push_back(peak * bright.flux[order[i]].r);
+            m_green.push_back(peak * bright.flux[order[i]].g);
+            m_blue.push_back(peak * bright.flux[order[i]].b);
+        }
+        if (reach + radius < pi)
+            group.cosReach = std::cos(reach + radius) - 1e-12;
+        m_groups.push_back(group);
+        first = last;
     }
 }
 
-glm::dvec3 BrightLobe::radiance(const glm::dvec3& r, std::vector<double>& weights) const
+glm::dvec3 BrightLobe::radiance(const glm::dvec3& r) const
 {
-    const size_t count = m_x.size();
-    weights.resize(count);
-    for (size_t i = 0; i < count; ++i)
-        weights[i] = std::min(1.0, r.x * m_x[i] + r.y * m_y[i] + r.z * m_z[i]);
-    if (m_lobe.kind == LobeKind::Diffuse)
-        for (double& w : weights)
-            w = std::max(w, 0.0);
-    else if (m_lobe.kind == LobeKind::Ggx) { // as LobeShape::relative, written out so that it vectorises
-        const double a2 = m_lobe.alpha * m_lobe.alpha;
-        for (double& w : weights) {
-            const double ratio = a2 / (0.5 * (1.0 - w) + a2 * 0.5 * (1.0 + w));
-            w = std::max(w, 0.0) * ratio * ratio;
-        }
-    } else
-        for (double& w : weights)
-            w = m_shape.relative(w);
     glm::dvec3 sum(0.0);
-    for (size_t i = 0; i < count; ++i)
-        sum += weights[i] * glm::dvec3(m_red[i], m_green[i], m_blue[i]);
+    const BrightPlanes planes{m_x.data(), m_y.data(), m_z.data(), m_red.data(), m_green.data(), m_blue.data()};
+    for (const Group& group : m_groups)
+        if (glm::dot(r, group.centre) >= group.cosReach)
+            sum += brightSum(planes, group.first, group.last, m_lobe, m_shape, r);
     return sum;
 }
 

@@ -1,5 +1,7 @@
 #include "direct.h"
 
+#include "row_sums.h"
+
 #include "core/base/error.h"
 
 #include <algorithm>
@@ -14,6 +16,9 @@ std::vector<glm::dvec3> directSum(const EnvironmentMap& latlong, const Lobe& lob
         throw InvalidArgument("direct: the probe must be a latlong map; reproject it first");
     if (lobe.isMirror())
         throw InvalidArgument("direct: a mirror has no sum over texels; look the probe up instead");
+
+    if (isShortPolynomial(lobe))
+        return rowSums(latlong, lobe, directions, job);
 
     const Image& image = latlong.image;
     const int width = image.width, height = image.height;

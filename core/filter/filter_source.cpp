@@ -41,6 +41,36 @@ double differenceAtTexels(const EnvironmentMap& original, const EnvironmentMap& 
     return power > 0.0 ? std::sqrt(difference / power) : 0.0;
 }
 
+/// The value that half a per cent of the sphere's is below, over all channels, relative to their mean; over a part of the texels.
+double darkShare(const EnvironmentMap& latlong)
+{
+    struct Value {
+        float value;
+        double weight;
+    };
+    std::vector<Value> values;
+    const int step = std::max(1, latlong.image.height / 64);
+    double mean = 0.0, total = 0.0;
+    for (int y = step / 2; y < latlong.image.height; y += step) {
+        const double weight = texelSolidAngle(latlong.layout, 0, y);
+        for (int x = step / 2; x < latlong.image.width; x += step)
+            for (int c = 0; c < 3; ++c) {
+                const float value = latlong.image.texel(x, y)[c];
+                values.push_back({value, weight});
+                mean += weight * static_cast<double>(value);
+                total += weight;
+            }
+    }
+    std::sort(values.begin(), values.end(), [](const Value& a, const Value& b) { return a.value < b.value; });
+    double passed = 0.0;
+    for (const Value& v : values) {
+        passed += v.weight;
+        if (passed >= 0.005 * total)
+            return mean > 0.0 ? std::clamp(static_cast<double>(v.value) * total / mean, 0.0, 1.0) : 1.0;
+    }
+    return 1.0;
+}
+
 } // namespace
 
 int latlongHeight(const MapLayout& layout)
@@ -72,12 +102,20 @@ FilterSource::FilterSource(EnvironmentMap probe, const JobControl& job)
     }
     m_width = probe.image.width;
     m_height = probe.image.height;
+    m_dark = darkShare(probe);
     m_latlong = std::make_shared<const EnvironmentMap>(std::move(probe));
 }
 
 FilterSource::FilterSource(Spectrum spectrum) : m_width(spectrum.ringLength), m_height(spectrum.rings)
 {
     m_spectrum = std::make_shared<const Spectrum>(std::move(spectrum));
+}
+
+FilterSource::FilterSource(std::shared_ptr<SpectrumBuilder> rows, BrightTexelFinder brightest)
+    : m_width(rows->width()), m_height(rows->height()), m_rows(std::move(rows)),
+      m_brightest(std::make_shared<const BrightTexelFinder>(std::move(brightest)))
+{
+    m_spectrum = std::make_shared<const Spectrum>(m_rows->finish());
 }
 
 const Spectrum& FilterSource::spectrum(int bandLimit, const JobControl& job)
@@ -91,16 +129,58 @@ const Spectrum& FilterSource::spectrum(int bandLimit, const JobControl& job)
     return *m_spectrum;
 }
 
-const Spectrum& FilterSource::calmSpectrum(int bandLimit, const JobControl& job)
+const BrightTexels& FilterSource::brightTexels(size_t split, const JobControl& job)
 {
-    if (!m_calm) {
-        auto calm = std::make_shared<EnvironmentMap>(*m_latlong);
-        m_bright = takeBrightTexels(*calm);
-        m_calm = std::move(calm);
+    auto& bright = m_bright[split];
+    if (bright)
+        return *bright;
+    if (split > 0 && (!m_brightest || m_brightest->deepest() < split)) {
+        job.checkStop();
+        BrightTexelFinder finder(m_latlong->layout, split == 1 ? 1 : brightSplits.size() - 1);
+        finder.addRows(0, m_height, m_latlong->image.texels.data());
+        m_brightest = std::make_shared<const BrightTexelFinder>(std::move(finder));
     }
-    if (!m_calmSpectrum || m_calmSpectrum->bandLimit < bandLimit)
-        m_calmSpectrum = std::make_shared<const Spectrum>(analyse(*m_calm, roundedUp(bandLimit), job));
-    return *m_calmSpectrum;
+    bright = std::make_shared<const BrightTexels>(split > 0 ? m_brightest->take(split) : BrightTexels{});
+    return *bright;
+}
+
+int FilterSource::knownCalmBandLimit(size_t split) const
+{
+    if (split == 0)
+        return knownBandLimit();
+    return m_calmSpectra[split] ? m_calmSpectra[split]->bandLimit : -1;
+}
+
+int FilterSource::knownBandLimits() const
+{
+    int sum = 0;
+    for (size_t split = 0; split < brightSplits.size(); ++split)
+        sum += knownCalmBandLimit(split);
+    return sum;
+}
+
+const Spectrum& FilterSource::calmSpectrum(size_t split, int bandLimit, const JobControl& job)
+{
+    if (split == 0)
+        return spectrum(bandLimit, job);
+    auto& known = m_calmSpectra[split];
+    if (known && known->bandLimit >= bandLimit)
+        return *known;
+    if (!m_latlong)
+        spectrum(bandLimit, job); // says when the rows do not hold that much
+    const BrightTexels& bright = brightTexels(split, job);
+    std::shared_ptr<SpectrumBuilder> rows = m_rows;
+    if (!rows) {
+        rows = std::make_shared<SpectrumBuilder>(m_width, m_height, roundedUp(bandLimit));
+        rows->addRows(0, m_height, m_latlong->image.texels.data(), job);
+    }
+    for (const BrightTexels::Change& change : bright.changes)
+        rows->replace(change.x, change.y, change.before, change.calm);
+    known = std::make_shared<const Spectrum>(rows->finish(job));
+    if (m_rows) // kept for the next split
+        for (const BrightTexels::Change& change : bright.changes)
+            rows->replace(change.x, change.y, change.calm, change.before);
+    return *known;
 }
 
 const LookupPyramid& FilterSource::lookupPyramid(const JobControl& job)

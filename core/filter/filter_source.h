@@ -29,14 +29,18 @@ class FilterSource {
 public:
     /// A probe in memory. Another parameterization than latlong is resampled to one, finely enough to keep its texels apart.
     explicit FilterSource(EnvironmentMap probe, const JobControl& job = {});
-    /// A probe that was streamed.
+    /// A probe that was streamed, as far as its spectrum goes.
     explicit FilterSource(Spectrum spectrum);
+    /// A probe that was streamed: its truncated rows, and its brightest texels, which can be taken out of them.
+    FilterSource(std::shared_ptr<SpectrumBuilder> rows, BrightTexelFinder brightest);
 
     /// Size of the latlong form that the reference sum runs over.
     int width() const { return m_width; }
     int height() const { return m_height; }
     /// rel_rms of the latlong form, read at the texels of a probe that came in another parameterization; 0 when it came as latlong.
     double resamplingError() const { return m_resamplingError; }
+    /// The darkest half per cent of the sphere is no darker than this, relative to the mean; of a streamed probe not known, 1e-6.
+    double dark() const { return m_dark; }
     /// Null when the probe was streamed.
     const EnvironmentMap* latlong() const { return m_latlong.get(); }
     /// A spectrum known at least to `bandLimit`, computed when there is none yet. @throws WorkError when the probe was streamed with less
@@ -44,15 +48,19 @@ public:
     /// Band limit known so far; -1: none.
     int knownBandLimit() const { return m_spectrum ? m_spectrum->bandLimit : -1; }
 
-    /// The same for the probe without its bright texels. Not for a streamed probe.
-    const Spectrum& calmSpectrum(int bandLimit, const JobControl& job = {});
-    int knownCalmBandLimit() const { return m_calmSpectrum ? m_calmSpectrum->bandLimit : -1; }
-    /// What calmSpectrum() leaves out; filled by its first call.
-    const BrightTexels& brightTexels() const { return m_bright; }
+    /// Whether bright texels can be taken out.
+    bool canSplit() const { return m_latlong || m_rows; }
+    /// What is taken out by one of the brightSplits; none by the first. Found by the first call and kept.
+    const BrightTexels& brightTexels(size_t split, const JobControl& job = {});
+    /// The spectrum of the probe without those; for split 0 that of the whole probe. @throws as spectrum()
+    const Spectrum& calmSpectrum(size_t split, int bandLimit, const JobControl& job = {});
+    int knownCalmBandLimit(size_t split = 1) const;
+    /// Sum over all of them: grows when one is made.
+    int knownBandLimits() const;
 
     /// Those two as far as they are known; null: not at all.
     std::shared_ptr<const Spectrum> knownSpectrum() const { return m_spectrum; }
-    std::shared_ptr<const Spectrum> knownCalmSpectrum() const { return m_calmSpectrum; }
+    std::shared_ptr<const Spectrum> knownCalmSpectrum() const { return m_calmSpectra[1]; }
 
     /// What importance, hierarchical and mip work on, made by the first call and kept. Not for a streamed probe.
     const LookupPyramid& lookupPyramid(const JobControl& job = {});
@@ -70,11 +78,13 @@ private:
     int m_width = 0;
     int m_height = 0;
     double m_resamplingError = 0.0;
+    double m_dark = 1e-6;
     std::shared_ptr<const EnvironmentMap> m_latlong{};
     std::shared_ptr<const Spectrum> m_spectrum{};
-    std::shared_ptr<const EnvironmentMap> m_calm{};
-    std::shared_ptr<const Spectrum> m_calmSpectrum{};
-    BrightTexels m_bright{};
+    std::shared_ptr<SpectrumBuilder> m_rows{}; ///< of a streamed probe
+    std::shared_ptr<const BrightTexelFinder> m_brightest{};
+    std::array<std::shared_ptr<const BrightTexels>, brightSplits.size()> m_bright{};
+    std::array<std::shared_ptr<const Spectrum>, brightSplits.size()> m_calmSpectra{}; ///< [0] is not used: m_spectrum
     std::shared_ptr<const LookupPyramid> m_lookupPyramid{};
     std::shared_ptr<const RadianceTree> m_radianceTree{};
     std::array<std::shared_ptr<const MipPyramid>, 2> m_blurPyramids{}; ///< by MipFiltering

@@ -1,5 +1,7 @@
 #include "hierarchical.h"
 
+#include "promise.h"
+
 #include "core/base/error.h"
 
 #include <algorithm>
@@ -261,18 +263,17 @@ private:
     int m_terms = 0;
 };
 
-/// Root mean square of the filtered map, from a coarse sum in a few directions: what the tolerance is relative to.
-double estimatedRms(const RadianceTree& tree, const Curvature& lobe)
+/// Values of the filtered map, from a coarse sum in a few directions: what the tolerance is relative to.
+ValueDistribution coarseValues(const RadianceTree& tree, const Curvature& lobe)
 {
-    const MapLayout few{Parameterization::Cube, 6, 0};
-    double power = 0.0, terms = 0.0;
-    Descent coarse(tree, lobe, 0.1 * slack * tree.meanBrightness());
+    ValueDistribution values;
+    const MapLayout few{Parameterization::Cube, 8, 0};
+    double terms = 0.0;
+    Descent coarse(tree, lobe, 0.01 * slack * tree.meanBrightness());
     for (int y = 0; y < few.height(); ++y)
-        for (int x = 0; x < few.width(); ++x) {
-            const glm::dvec3 value = coarse.sum(texelDirection(few, x, y), terms);
-            power += glm::dot(value, value) / 3.0;
-        }
-    return std::sqrt(power / (few.width() * few.height()));
+        for (int x = 0; x < few.width(); ++x)
+            values.add(coarse.sum(texelDirection(few, x, y), terms), texelSolidAngle(few, x, y));
+    return values;
 }
 
 } // namespace
@@ -283,13 +284,14 @@ HierarchicalSums hierarchicalSum(const RadianceTree& tree, const Lobe& lobe, std
     if (lobe.isMirror())
         throw InvalidArgument("hierarchical: a mirror has no sum over texels; look the probe up instead");
     const Curvature curvature(lobe);
-    const double rms = std::max(estimatedRms(tree, curvature), std::numeric_limits<double>::min());
+    const double allowed =
+        std::max(coarseValues(tree, curvature).allowedLargest(errorLimits(options.tolerance)), std::numeric_limits<double>::min());
     HierarchicalSums sums{.values = std::vector<glm::dvec3>(directions.size())};
     std::mutex mutex;
     parallelRows(
         static_cast<int>(directions.size()), job,
         [&](int first, int last) {
-            Descent descent(tree, curvature, slack * options.tolerance * rms);
+            Descent descent(tree, curvature, slack * allowed);
             double terms = 0.0;
             for (int i = first; i < last; ++i)
                 sums.values[static_cast<size_t>(i)] = descent.sum(directions[static_cast<size_t>(i)], terms);

@@ -60,7 +60,7 @@ private:
 };
 
 struct HierarchicalOptions {
-    double tolerance = 1e-5; ///< rel_rms, (0, 1]
+    double tolerance = 1e-5; ///< what is promised, see errorLimits(); (0, 1]
 };
 
 /// How many nodes and texels were summed, over all directions: what the method's time goes into.

@@ -3,6 +3,7 @@
 #include "filter_source.h"
 #include "lobe.h"
 #include "method.h"
+#include "promise.h"
 
 #include "core/image/environment_map.h"
 
@@ -15,7 +16,7 @@ struct PrefilterOptions {
     Lobe lobe{};
     MapLayout target{.kind = Parameterization::Cube, .size = 128};
     Method method = Method::Auto;
-    double tolerance = 1e-5; ///< rel_rms, (0, 1]
+    double tolerance = 1e-5; ///< what is promised of the map, see errorLimits(); (0, 1]
     double yaw = 0.0;        ///< radians about +Y, see direction.h
     MethodKnobs knobs{};     ///< of the method, where it has some
 
@@ -27,6 +28,7 @@ struct ProbeTraits {
     int width = 1024;        ///< columns of the probe's latlong form
     bool streamed = false;   ///< the texels are not in memory, so that only methods that need no more than a spectrum can run
     int knownBandLimit = -1; ///< of a spectrum of the probe that is there already and costs nothing; -1: none
+    double dark = 1e-3;      ///< the darkest half per cent of the sphere is no darker, relative to the mean
     bool hasParaboloidDevice = false;
     std::shared_ptr<const Spectrum> spectrum{};     ///< says how the probe's power is spread; null: it was not looked at
     std::shared_ptr<const Spectrum> calmSpectrum{}; ///< the same without its bright texels
@@ -46,9 +48,12 @@ double predictedError(Method method, const PrefilterOptions& options, const Prob
 /// How far the spectral method or sh9 follows the spectrum whatever the probe holds; 0 for the others.
 int predictedBandLimit(Method method, const PrefilterOptions& options);
 
-/// The level at which the direct sum ends the lobe: leaves out less than the tolerance, and little enough that the dark beside a sun
-/// is right.
-double directLevel(double tolerance);
+/// All of what is predicted of an error; relRms as predictedError().
+PredictedErrors predictedErrors(Method method, const PrefilterOptions& options, const ProbeTraits& probe);
+
+/// The level at which the direct sum ends the lobe: all that is left out, were all of the probe's light there, is a tenth of the tolerance
+/// where the probe is dark.
+double directLevel(const PrefilterOptions& options, const ProbeTraits& probe);
 
 /// Lambda of the mip method: as asked for, else matched to the lobe.
 double effectiveLambda(const PrefilterOptions& options, int latlongWidth);

@@ -15,11 +15,20 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 
 namespace mirrorball {
 
 namespace {
+
+/// Of an outcome or a plan.
+template <typename Predicting>
+void setPredicted(Predicting& p, const PredictedErrors& errors, bool promised)
+{
+    p.predicted = errors;
+    p.promised = promised;
+}
 
 template <typename Value>
 EnvironmentMap toMap(const MapLayout& target, const std::vector<Value>& values)
@@ -44,21 +53,55 @@ EnvironmentMap lookUp(const EnvironmentMap& probe, const MapLayout& target, doub
     return map;
 }
 
-EnvironmentMap runSpectral(FilterSource& source, const PrefilterOptions& options, const JobControl& job, PrefilterOutcome& outcome)
+/// One map by the spectral method, as it was settled.
+EnvironmentMap synthesiseMap(FilterSource& source, const SettledSpectral& settled, const PrefilterOptions& options, const JobControl& job)
 {
-    const int knownBefore = source.knownBandLimit() + source.knownCalmBandLimit();
-    const SettledBandLimit settled =
-        timedStage(outcome.stages, "spectrum", [&] { return settleBandLimit(source, options.lobe, options.tolerance, job); });
-    if (source.knownBandLimit() + source.knownCalmBandLimit() == knownBefore)
-        outcome.stages.back() = {.name = "spectrum", .leftOut = true, .why = "kept from an earlier lobe"};
-    outcome.bandLimit = settled.plan.bandLimit;
-    outcome.predictedError = spectralError(settled.plan, options.target, options.tolerance, settled.spectrum->powerAboutMean());
-    return timedStage(outcome.stages, "synthesis", [&] {
-        const auto points =
-            options.target.kind == Parameterization::Latlong ? std::span<const SpherePoint>{} : source.points(options.target, job);
-        const BrightLobe bright(settled.split ? source.brightTexels() : BrightTexels{}, options.lobe);
-        return filterSpectral(*settled.spectrum, settled.plan, bright, options.target, points, options.tolerance, options.yaw, job);
-    });
+    const auto points =
+        options.target.kind == Parameterization::Latlong ? std::span<const SpherePoint>{} : source.points(options.target, job);
+    const BrightLobe bright(source.brightTexels(settled.split, job), options.lobe);
+    return filterSpectral(*settled.spectrum, settled.k, settled.rings, bright, options.target, points, options.yaw, job, settled.longer);
+}
+
+/// How much a finished map misses what was promised: the largest ratio of a predicted error to its limit, or of how far it goes below 0.
+/// Only a probe that has no negative light itself promises to keep from it.
+struct MapCheck {
+    PredictedErrors predicted;
+    double excess;
+};
+
+MapCheck check(const EnvironmentMap& map, const SettledSpectral& settled, double tolerance)
+{
+    const ValueDistribution values = ValueDistribution::of(map);
+    const ErrorLimits limits = errorLimits(tolerance);
+    MapCheck result{.predicted = spectralErrors(values, settled), .excess = 0.0};
+    result.excess = std::max(
+        {result.predicted.relRms / limits.relRms, result.predicted.medianRel / limits.medianRel, result.predicted.p99Rel / limits.p99Rel});
+    const double least = *std::min_element(map.image.texels.begin(), map.image.texels.end());
+    const bool nonNegative = settled.spectrum->least >= 0.0;
+    if (nonNegative && least < 0.0)
+        result.excess = std::max(result.excess, -least / (limits.negative * std::max(values.mean(), std::numeric_limits<double>::min())));
+    return result;
+}
+
+/// The map, where the spectral method keeps the tolerance; else nothing and the reason.
+std::optional<EnvironmentMap> runSpectral(FilterSource& source, SettledSpectral settled, const PrefilterOptions& options,
+                                          const JobControl& job, PrefilterOutcome& outcome)
+{
+    double strictness = 1.0;
+    constexpr int mostTries = 3;
+    for (int tries = 0; tries < mostTries && settled.keeps; ++tries) {
+        EnvironmentMap map = timedStage(outcome.stages, "synthesis", [&] { return synthesiseMap(source, settled, options, job); });
+        const MapCheck checked = check(map, settled, options.tolerance);
+        if (checked.excess <= 1.0) {
+            outcome.bandLimit = settled.bandLimit();
+            setPredicted(outcome, checked.predicted, true);
+            return map;
+        }
+        outcome.stages.back().why = "once more: the map is darker than its spectrum let expect";
+        strictness *= std::clamp(0.5 / checked.excess, 1e-4, 0.5);
+        settled = settleSpectral(source, options, job, strictness);
+    }
+    return std::nullopt;
 }
 
 EnvironmentMap runSh9(FilterSource& source, const PrefilterOptions& options, const JobControl& job, PrefilterOutcome& outcome)
@@ -68,7 +111,7 @@ EnvironmentMap runSh9(FilterSource& source, const PrefilterOptions& options, con
     else
         timedStage(outcome.stages, "spectrum", [&] { source.spectrum(source.latlong() ? sh9BandLimit : 2, job); });
     outcome.bandLimit = 2;
-    outcome.predictedError = predictedError(Method::Sh9, options, traits(source));
+    setPredicted(outcome, predictedErrors(Method::Sh9, options, traits(source)), false);
     return timedStage(outcome.stages, "nine coefficients", [&] { return filterSh9(source.spectrum(2), options.target, options.yaw, job); });
 }
 
@@ -107,8 +150,6 @@ EnvironmentMap run(Method method, FilterSource& source, const PrefilterOptions& 
 {
     std::vector<Stage>& stages = outcome.stages;
     switch (method) {
-    case Method::Spectral:
-        return runSpectral(source, options, job, outcome);
     case Method::Sh9:
         return runSh9(source, options, job, outcome);
     case Method::Mip:
@@ -116,7 +157,7 @@ EnvironmentMap run(Method method, FilterSource& source, const PrefilterOptions& 
     case Method::Direct:
         return timedStage(stages, "direct sum", [&] {
             return toMap(options.target, directSum(*source.latlong(), options.lobe, lookupDirections(options.target, options.yaw),
-                                                   {.level = directLevel(options.tolerance)}, job));
+                                                   {.level = directLevel(options, traits(source))}, job));
         });
     case Method::Hierarchical: {
         timedStage(stages, "pyramid of sums", [&] { source.radianceTree(job); });
@@ -134,6 +175,7 @@ EnvironmentMap run(Method method, FilterSource& source, const PrefilterOptions& 
     case Method::Paraboloid:
         return runParaboloid(source, options, job, outcome);
     case Method::Reference:
+    case Method::Spectral:
     case Method::Auto:
         break;
     }
@@ -157,15 +199,22 @@ void validate(const PrefilterOptions& options)
 
 PrefilterPlan planOf(Method method, const PrefilterOptions& options, const ProbeTraits& probe)
 {
-    return {.method = method,
-            .bandLimit = predictedBandLimit(method, options),
-            .predictedError = predictedError(method, options, probe),
-            .predictedSeconds = predictedSeconds(method, options, probe)};
+    PrefilterPlan plan{
+        .method = method, .bandLimit = predictedBandLimit(method, options), .predictedSeconds = predictedSeconds(method, options, probe)};
+    PredictedErrors errors = predictedErrors(method, options, probe);
+    const ErrorLimits limits = errorLimits(options.tolerance);
+    // The spectrum of a smooth lobe ends, and is followed as far as the probe turns out to need it.
+    if (method == Method::Spectral && !splitsBrightTexels(options.lobe))
+        errors = {std::min(errors.relRms, limits.relRms), std::min(errors.medianRel, limits.medianRel),
+                  std::min(errors.p99Rel, limits.p99Rel)};
+    setPredicted(plan, errors, keepsTolerance(method) && errors.within(limits));
+    return plan;
 }
 
-/// The cheapest method whose predicted error meets the tolerance. The error is predicted for as few as that takes, because predicting
+/// The cheapest method that keeps the tolerance by what is predicted. The error is predicted for as few as that takes, because predicting
 /// costs something too.
-PrefilterPlan cheapestPlan(const PrefilterOptions& options, const ProbeTraits& probe)
+/// @param except  a method that is out of the question
+PrefilterPlan cheapestPlan(const PrefilterOptions& options, const ProbeTraits& probe, Method except = Method::Auto)
 {
     struct Candidate {
         Method method;
@@ -173,24 +222,23 @@ PrefilterPlan cheapestPlan(const PrefilterOptions& options, const ProbeTraits& p
     };
     std::vector<Candidate> candidates;
     for (const Method method : allMethods)
-        if (method != Method::Auto && (method != Method::Paraboloid || probe.hasParaboloidDevice) &&
-            refusal(method, options, probe).empty())
+        if (method != Method::Auto && keepsTolerance(method) && refusal(method, options, probe).empty() && method != except)
             candidates.push_back({method, predictedSeconds(method, options, probe)});
     std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.seconds < b.seconds; });
 
     std::ostringstream why;
     why.precision(3);
-    PrefilterPlan closest{.predictedError = std::numeric_limits<double>::infinity()};
+    PrefilterPlan closest{.predicted = {.relRms = std::numeric_limits<double>::infinity()}};
     for (const Candidate& candidate : candidates) {
         PrefilterPlan plan = planOf(candidate.method, options, probe);
         why << (candidate.method == candidates.front().method ? "predicted " : ", ") << plan.predictedSeconds * 1e3 << " ms "
             << name(plan.method);
-        if (plan.predictedError <= options.tolerance) {
+        if (plan.promised) {
             plan.why = why.str();
             return plan;
         }
-        why << " (error " << plan.predictedError << ')';
-        if (plan.predictedError < closest.predictedError)
+        why << " (error " << plan.predicted.relRms << ')';
+        if (plan.predicted.relRms < closest.predicted.relRms)
             closest = plan;
     }
     closest.why = why.str() + ": none meets the tolerance, " + std::string(name(closest.method)) + " comes closest";
@@ -198,6 +246,9 @@ PrefilterPlan cheapestPlan(const PrefilterOptions& options, const ProbeTraits& p
 }
 
 } // namespace
+
+/// Relative error of a bilinear lookup in floats.
+constexpr double floatLookup = 1.5e-7;
 
 PrefilterPlan planPrefilter(const PrefilterOptions& options, const ProbeTraits& probe)
 {
@@ -213,7 +264,9 @@ PrefilterPlan planPrefilter(const PrefilterOptions& options, const ProbeTraits& 
         why.precision(3);
         why << "the lobe is " << 2.0 * LobeShape(options.lobe).halfWidth() / (2.0 * pi / probe.width)
             << " texels wide at half maximum, under 1.5: the map is the bilinear lookup";
-        return {.method = Method::Direct, .filtered = false, .why = why.str()};
+        PrefilterPlan lookup{.method = Method::Direct, .filtered = false, .why = why.str()};
+        setPredicted(lookup, {floatLookup, floatLookup, 10.0 * floatLookup}, true);
+        return lookup;
     }
     if (options.method == Method::Auto && !probe.streamed)
         return cheapestPlan(options, probe);
@@ -222,33 +275,107 @@ PrefilterPlan planPrefilter(const PrefilterOptions& options, const ProbeTraits& 
     return plan;
 }
 
+namespace {
+
+/// What follows once the spectral method, which the plan chose, is settled: it, or for auto another method that is cheaper or the only one
+/// to keep the tolerance.
+PrefilterPlan afterSettling(PrefilterPlan plan, const SettledSpectral& settled, const PrefilterOptions& options, const ProbeTraits& probe)
+{
+    std::ostringstream text;
+    text.precision(3);
+    const bool mayChange = options.method == Method::Auto && !probe.streamed;
+    if (mayChange) {
+        const PrefilterPlan other = cheapestPlan(options, probe, Method::Spectral);
+        if (other.promised && (!settled.keeps || other.predictedSeconds < settled.seconds)) {
+            PrefilterPlan changed = other;
+            text << other.why << (settled.keeps ? "; spectral would take " : "; spectral does not keep the tolerance: ");
+            if (settled.keeps)
+                text << settled.seconds * 1e3 << " ms";
+            else
+                text << "median_rel " << settled.predicted.medianRel << " at band limit " << settled.bandLimit();
+            changed.why = text.str();
+            return changed;
+        }
+    }
+    plan.bandLimit = settled.bandLimit();
+    setPredicted(plan, settled.predicted, settled.keeps);
+    return plan;
+}
+
+std::string cannotKeep(const PrefilterOptions& options, const SettledSpectral& settled, const ProbeTraits& probe)
+{
+    std::ostringstream text;
+    text.precision(2);
+    text << "tolerance: 'spectral' cannot keep " << options.tolerance << " for lobe " << describe(options.lobe) << " (predicted: rel_rms "
+         << settled.predicted.relRms << ", median_rel " << settled.predicted.medianRel << ", p99_rel " << settled.predicted.p99Rel << "); "
+         << (probe.streamed ? "allow a larger one, or make the probe smaller than 33 million texels so that it is read whole"
+                            : "use auto, or allow a larger one");
+    return text.str();
+}
+
+} // namespace
+
 PrefilterOutcome prefilter(FilterSource& source, const PrefilterOptions& options, const JobControl& job)
 {
-    const PrefilterPlan plan = planPrefilter(options, traits(source));
-    PrefilterOutcome outcome{.method = plan.method, .filtered = plan.filtered, .predictedError = plan.predictedError, .why = plan.why};
-    if (plan.filtered) {
-        outcome.map = run(plan.method, source, options, job, outcome);
+    PrefilterPlan plan = planPrefilter(options, traits(source));
+    PrefilterOutcome outcome{.filtered = plan.filtered};
+    if (!plan.filtered) {
+        outcome.method = plan.method;
+        outcome.why = plan.why;
+        setPredicted(outcome, plan.predicted, plan.promised);
+        if (!source.latlong())
+            throw InvalidArgument("lobe: too narrow to filter a probe that is read row by row; use convert");
+        outcome.stages.push_back({.name = "filter", .leftOut = true, .why = plan.why});
+        outcome.map = timedStage(outcome.stages, "resample", [&] {
+            return options.lobe.isMirror() ? reproject(*source.latlong(), {.target = options.target, .yaw = options.yaw}, job)
+                                           : lookUp(*source.latlong(), options.target, options.yaw, job);
+        });
         return outcome;
     }
-    if (!source.latlong())
-        throw InvalidArgument("lobe: too narrow to filter a probe that is read row by row; use convert");
-    outcome.stages.push_back({.name = "filter", .leftOut = true, .why = plan.why});
-    outcome.map = timedStage(outcome.stages, "resample", [&] {
-        return options.lobe.isMirror() ? reproject(*source.latlong(), {.target = options.target, .yaw = options.yaw}, job)
-                                       : lookUp(*source.latlong(), options.target, options.yaw, job);
-    });
+    std::optional<EnvironmentMap> map;
+    if (plan.method == Method::Spectral) {
+        const int knownBefore = source.knownBandLimits();
+        const SettledSpectral settled = timedStage(outcome.stages, "spectrum", [&] { return settleSpectral(source, options, job); });
+        if (source.knownBandLimits() == knownBefore)
+            outcome.stages.back() = {.name = "spectrum", .leftOut = true, .why = "kept from an earlier lobe"};
+        plan = afterSettling(plan, settled, options, traits(source));
+        if (plan.method == Method::Spectral) {
+            map = runSpectral(source, settled, options, job, outcome);
+            if (!map && options.method == Method::Auto && !traits(source).streamed)
+                plan = cheapestPlan(options, traits(source), Method::Spectral);
+            else if (!map)
+                throw InvalidArgument(cannotKeep(options, settled, traits(source)));
+        }
+    }
+    outcome.method = plan.method;
+    outcome.why = plan.why;
+    if (!map) {
+        setPredicted(outcome, plan.predicted, plan.promised);
+        map = run(plan.method, source, options, job, outcome);
+    }
+    outcome.map = std::move(*map);
     return outcome;
 }
 
-double informedError(const PrefilterOutcome& outcome, const PrefilterOptions& options, FilterSource& source, const JobControl& job)
+PredictedErrors informedErrors(const PrefilterOutcome& outcome, const PrefilterOptions& options, FilterSource& source,
+                               const JobControl& job)
 {
     const Method method = outcome.method;
     if (!outcome.filtered || (method != Method::Importance && method != Method::Mip && method != Method::Sh9))
-        return outcome.predictedError;
+        return outcome.predicted;
     constexpr int enough = 256; // beyond it a spectrum goes on at the level of its last degrees
     if (source.latlong())
         source.spectrum(enough, job);
-    return predictedError(method, options, traits(source));
+    return predictedErrors(method, options, traits(source));
+}
+
+std::string unpromisedText(const PrefilterOptions& options, const PrefilterOutcome& outcome)
+{
+    std::ostringstream text;
+    text.precision(2);
+    text << describe(options.lobe) << " by '" << name(outcome.method) << "' is not promised; predicted are rel_rms "
+         << outcome.predicted.relRms << ", median_rel " << outcome.predicted.medianRel << ", p99_rel " << outcome.predicted.p99Rel;
+    return text.str();
 }
 
 double chainRoughness(int level, int levels) { return levels > 1 ? static_cast<double>(level) / (levels - 1) : 0.0; }

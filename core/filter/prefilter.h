@@ -21,7 +21,8 @@ struct PrefilterOutcome {
     Method method = Method::Auto; ///< the one that ran
     bool filtered = true;         ///< false: mirror or unresolved lobe, the map is a lookup of the probe
     int bandLimit = 0;            ///< spectral only
-    double predictedError = 0.0;  ///< rel_rms against the reference sum
+    PredictedErrors predicted{};  ///< against the reference sum; where the lobe is unresolved against the bilinear lookup
+    bool promised = false;        ///< the tolerance is kept, see errorLimits(); never by a method that only approximates
     std::string why{};            ///< why this method
     std::vector<Stage> stages{};
 };
@@ -30,8 +31,9 @@ struct PrefilterOutcome {
 struct PrefilterPlan {
     Method method = Method::Auto;
     bool filtered = true;
-    int bandLimit = 0; ///< spectral: from the lobe alone; a probe's own spectrum may lower it
-    double predictedError = 0.0;
+    int bandLimit = 0; ///< spectral: from the lobe alone, until it is settled
+    PredictedErrors predicted{};
+    bool promised = false;         ///< the tolerance is kept
     double predictedSeconds = 0.0; ///< of one thread, see predictedSeconds()
     std::string why{};
 };
@@ -40,12 +42,17 @@ struct PrefilterPlan {
 PrefilterPlan planPrefilter(const PrefilterOptions& options, const ProbeTraits& probe);
 
 /// The filtered map of a probe, in the chosen parameterization.
-/// @throws InvalidArgument naming the field; Cancelled
+/// A tolerance is a promise (errorLimits()): auto, spectral, direct, hierarchical and reference keep it or refuse.
+/// @throws InvalidArgument naming the field, also where a method cannot keep the tolerance; Cancelled
 PrefilterOutcome prefilter(FilterSource& source, const PrefilterOptions& options, const JobControl& job = {});
 
 /// What the method that ran expects its error to be, now that the probe may be looked at: importance, mip and sh9 read it off the probe's
-/// spectrum, which they do not need for their work, so that the outcome's own figure bounds it for any probe.
-double informedError(const PrefilterOutcome& outcome, const PrefilterOptions& options, FilterSource& source, const JobControl& job = {});
+/// spectrum, which they do not need for their work, so that the outcome's own figures bound it for any probe.
+PredictedErrors informedErrors(const PrefilterOutcome& outcome, const PrefilterOptions& options, FilterSource& source,
+                               const JobControl& job = {});
+
+/// One line that says of a map that its tolerance is not promised, and what is predicted of it.
+std::string unpromisedText(const PrefilterOptions& options, const PrefilterOutcome& outcome);
 
 /// Roughness of level i of a ggx chain of n levels: i/(n-1), so that the base is a mirror and the last level is fully rough.
 /// alpha is its square.

@@ -94,6 +94,21 @@ int goodRings(int n)
     }
 }
 
+/// The zonal norm from pole to pole, so dense that cubics between its places do, and one place beyond either pole.
+std::vector<double> poleToPole(const Spectrum& spectrum, const std::vector<double>& k, int bandLimit)
+{
+    const size_t places = 16 * static_cast<size_t>(bandLimit) + 64;
+    std::vector<double> north; // the southern half is its mirror image
+    for (size_t i = 0; 2 * i <= places; ++i)
+        north.push_back(pi * static_cast<double>(i) / static_cast<double>(places));
+    north = zonalNorm(spectrum, k, north);
+    std::vector<double> line{north[1]};
+    for (size_t i = 0; i <= places; ++i)
+        line.push_back(north[std::min(i, places - i)]);
+    line.push_back(north[1]);
+    return line;
+}
+
 } // namespace
 
 int RingGrid::ringsFor(const std::vector<double>& share, double tolerance)
@@ -104,19 +119,27 @@ int RingGrid::ringsFor(const std::vector<double>& share, double tolerance)
             return rings;
 }
 
+int RingGrid::leastRings(int bandLimit) { return goodRings(bandLimit + 1); }
+
+double RingGrid::leakage(int degree, int rings)
+{
+    // The strongest alias of a frequency x (in samples) that a spline of degree 5 lets through, (x/(1-x))^6; one from either side, along
+    // the azimuth and along the meridian.
+    const double x = static_cast<double>(degree) / (2.0 * rings), alias = x / (1.0 - x);
+    const double alias4 = alias * alias * alias * alias;
+    return 4.0 * alias4 * alias4 * alias4;
+}
+
 double RingGrid::interpolationError(const std::vector<double>& share, int rings)
 {
     double lost = 0.0;
-    for (size_t l = 0; l < share.size(); ++l) {
-        // The strongest alias of a frequency x (in samples) that a spline of degree 5 lets through, (x/(1-x))^6; one from either
-        // side, along the azimuth and along the meridian.
-        const double x = static_cast<double>(l) / (2.0 * rings);
-        lost += 4.0 * std::pow(x / (1.0 - x), 12) * share[l];
-    }
+    for (size_t l = 0; l < share.size(); ++l)
+        lost += leakage(static_cast<int>(l), rings) * share[l];
     return std::sqrt(lost);
 }
 
-RingGrid::RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int rings, double yaw, const JobControl& job)
+RingGrid::RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int rings, double yaw, const JobControl& job,
+                   const std::vector<double>& longer)
     : m_rings(rings), m_stride(2 * rings + haloBefore + haloAfter)
 {
     const int samples = 2 * rings;
@@ -129,7 +152,24 @@ RingGrid::RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int r
         // Azimuth runs against longitude, so turning the map by +yaw is a shift by -yaw along it.
         azimuth[i] = std::polar(120.0 / (66.0 + 52.0 * std::cos(w) + 2.0 * std::cos(2.0 * w)), m * yaw);
     }
-    const FilteredRings filtered = synthesise(spectrum, k, theta, samples, 0.0, azimuth, job);
+    FilteredRings filtered = synthesise(spectrum, k, theta, samples, 0.0, azimuth, job);
+    m_mean = filtered.mean;
+    // The zonal norm has its own line of samples: it repeats with the probe's rows, which may be finer than the rings.
+    const std::vector<double>& factors = longer.empty() ? k : longer;
+    const std::vector<double> zonal = zonalNorm(spectrum, k, theta);
+    for (size_t i = 0; i < filtered.norm.size(); ++i) {
+        // In doubles: beside a sun the mean times this is many times what is left in the dark.
+        for (int c = 0; c < 3; ++c)
+            filtered.rgb[static_cast<size_t>(c)][i] += m_mean[c] * (filtered.norm[i] - 1.0);
+        filtered.norm[i] -= zonal[i / static_cast<size_t>(samples)];
+    }
+    m_zonal = poleToPole(spectrum, factors, zonalNormLimit(spectrum, factors));
+    m_zonalBeyond = m_zonal;
+    const std::vector<double> within = poleToPole(spectrum, k, zonalNormLimit(spectrum, factors));
+    for (size_t i = 0; i < within.size(); ++i)
+        m_zonalBeyond[i] -= within[i];
+    for (double& value : m_zonal)
+        value -= 1.0;
 
     m_texels.resize(4 * static_cast<size_t>(rings + haloBefore + haloAfter) * static_cast<size_t>(m_stride));
     const auto at = [&](int row, int x) {
@@ -199,6 +239,24 @@ MIRRORBALL_CLONES // the loop over taps is the hot one of every export
 void RingGrid::read(std::span<const SpherePoint> points, float* rgbn) const
 {
     interpolate(m_texels.data(), m_stride, m_rings / pi, points, rgbn);
+    const double intervals = static_cast<double>(m_zonal.size()) - 3.0;
+    for (const SpherePoint& p : points) {
+        const double at = std::clamp(p.colatitude / pi * intervals, 0.0, intervals);
+        const auto i = std::min(static_cast<size_t>(at), m_zonal.size() - 4);
+        const double t = at - static_cast<double>(i);
+        // Lagrange's cubic through the four places about it.
+        const std::array<double, 4> w{-t * (t - 1.0) * (t - 2.0) / 6.0, (t + 1.0) * (t - 1.0) * (t - 2.0) / 2.0,
+                                      -(t + 1.0) * t * (t - 2.0) / 2.0, (t + 1.0) * t * (t - 1.0) / 6.0};
+        double zonal = 0.0, beyond = 0.0;
+        for (size_t j = 0; j < w.size(); ++j) {
+            zonal += w[j] * m_zonal[i + j];
+            beyond += w[j] * m_zonalBeyond[i + j];
+        }
+        for (int c = 0; c < 3; ++c)
+            rgbn[c] = static_cast<float>(rgbn[c] + m_mean[c] * beyond);
+        rgbn[3] += static_cast<float>(zonal);
+        rgbn += 4;
+    }
 }
 
 std::vector<SpherePoint> spherePoints(const MapLayout& layout, const JobControl& job)

@@ -27,19 +27,31 @@ public:
     /// (0 .. band limit); at least one more than the band limit, a length FFTs like.
     static int ringsFor(const std::vector<double>& share, double tolerance);
 
+    /// Share of a degree's power that the interpolation gets wrong, at most.
+    static double leakage(int degree, int rings);
+    /// Rings that hold a function of this band limit, a length FFTs like: at least one more than it.
+    static int leastRings(int bandLimit);
+
     /// That error for a number of rings, at most.
     static double interpolationError(const std::vector<double>& share, int rings);
 
     /// @param yaw radians, as yawed(): the function is turned about +Y
-    RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int rings, double yaw, const JobControl& job = {});
+    /// @param longer  k followed further, for the norm; empty: k
+    RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int rings, double yaw, const JobControl& job = {},
+             const std::vector<double>& longer = {});
 
-    /// Numerators and norm (FilteredRings) at many places, 4 floats each.
+    /// The reference sum's numerators (what was taken out of the probe apart) and its denominator less 1 at many places, 4 floats each.
     void read(std::span<const SpherePoint> points, float* rgbn) const;
 
 private:
     int m_rings;
-    int m_stride;                ///< samples a row of m_texels, halo included
-    std::vector<float> m_texels; ///< spline coefficients of RGB and the norm, with a halo so that no tap needs wrapping
+    int m_stride; ///< samples a row of m_texels, halo included
+    std::vector<float>
+        m_texels;               ///< spline coefficients of RGB and what of the norm is not zonal, with a halo so that no tap needs wrapping
+    /// From pole to pole and one place beyond either: the zonal norm less 1, and that part of it that lies beyond the rings' band limit,
+    /// which the numerators of RGB have times the mean.
+    std::vector<double> m_zonal, m_zonalBeyond;
+    glm::dvec3 m_mean{0.0};
 };
 
 /// The places of a layout's texels on the sphere, row by row: worth keeping when several lobes are read off in the same layout.

@@ -1,5 +1,9 @@
 #include "source_file.h"
 
+#include "band_limit.h"
+#include "bright_texels.h"
+#include "spectral.h"
+
 #include <algorithm>
 #include <sstream>
 
@@ -8,7 +12,7 @@ namespace mirrorball {
 namespace {
 
 /// Whether the file can and should be streamed; if so, the band limit that all jobs need, else -1.
-int streamedBandLimit(const ProbeFile& probe, std::span<const PrefilterOptions> jobs)
+int bandLimitOfAll(const ProbeFile& probe, std::span<const PrefilterOptions> jobs)
 {
     const MapLayout& layout = probe.layout();
     if (probe.isBuiltin() || probe.detection().orientation != glm::dmat3(1.0) || probe.detection().arrangement != Arrangement::Whole ||
@@ -20,16 +24,17 @@ int streamedBandLimit(const ProbeFile& probe, std::span<const PrefilterOptions> 
             return -1;
         if (filter.lobe.isMirror() || isUnresolved(filter.lobe, layout.width()))
             return -1;
-        bandLimit = std::max(bandLimit, planPrefilter(filter, {.width = layout.width(), .streamed = true}).bandLimit);
+        bandLimit = std::max(bandLimit, streamedBandLimit(filter));
     }
     return bandLimit;
 }
 
 /// Every row, truncated to the band limit as it arrives.
-Spectrum streamedSpectrum(ProbeFile& probe, int bandLimit, const JobControl& job)
+FilterSource streamedSource(ProbeFile& probe, int bandLimit, const JobControl& job)
 {
     const int width = probe.layout().width(), height = probe.layout().height();
-    SpectrumBuilder builder(width, height, bandLimit);
+    auto builder = std::make_shared<SpectrumBuilder>(width, height, bandLimit);
+    BrightTexelFinder brightest(probe.layout());
     constexpr int block = 64;
     std::vector<float> rows(static_cast<size_t>(block) * static_cast<size_t>(width) * 3);
     JobControl inner = job;
@@ -37,21 +42,33 @@ Spectrum streamedSpectrum(ProbeFile& probe, int bandLimit, const JobControl& job
     for (int y = 0; y < height; y += block) {
         const int count = std::min(block, height - y);
         probe.rows().readRows(y, count, rows.data());
-        builder.addRows(y, count, rows.data(), inner);
+        builder->addRows(y, count, rows.data(), inner);
+        brightest.addRows(y, count, rows.data());
         if (job.progress)
             job.progress(static_cast<float>(y + count) / static_cast<float>(height));
     }
-    return builder.finish(job);
+    return FilterSource(std::move(builder), std::move(brightest));
 }
 
 } // namespace
 
+int streamedBandLimit(const PrefilterOptions& filter)
+{
+    // A lobe with a kink has no end of its own; its bright texels are taken out from the start.
+    const double dark = splitsBrightTexels(filter.lobe) ? 1.0 : 1e-3;
+    for (int length = firstCoefficients;; length = std::min(2 * length, largestBandLimit)) {
+        const int bandLimit = planBandLimit(legendreCoefficients(filter.lobe, length), dark * filter.tolerance).bandLimit;
+        if (2 * bandLimit <= length || splitsBrightTexels(filter.lobe) || length == largestBandLimit)
+            return bandLimit;
+    }
+}
+
 OpenedSource openFilterSource(ProbeFile& probe, std::span<const PrefilterOptions> jobs, const JobControl& job)
 {
     std::vector<Stage> stages;
-    const int bandLimit = streamedBandLimit(probe, jobs);
+    const int bandLimit = bandLimitOfAll(probe, jobs);
     if (bandLimit >= 0) {
-        Spectrum spectrum = timedStage(stages, "read probe into spectrum", [&] { return streamedSpectrum(probe, bandLimit, job); });
+        FilterSource source = timedStage(stages, "read probe into spectrum", [&] { return streamedSource(probe, bandLimit, job); });
         const ImageFileInfo& info = probe.rows().info();
         std::ostringstream why;
         why << probe.layout().width() << " x " << probe.layout().height() << ": rows are truncated to band limit " << bandLimit
@@ -60,7 +77,7 @@ OpenedSource openFilterSource(ProbeFile& probe, std::span<const PrefilterOptions
             why << "; " << chosen;
         stages.back().why = why.str();
         stages.push_back({.name = "hold the probe", .leftOut = true, .why = "only its spectrum is needed"});
-        return {FilterSource(std::move(spectrum)), probe.rows().report(), probe.detection().reason, true, std::move(stages),
+        return {std::move(source), probe.rows().report(), probe.detection().reason, true, std::move(stages),
                 allNotes(info, probe.detection())};
     }
 

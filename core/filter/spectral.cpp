@@ -140,56 +140,49 @@ BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance, cons
     return finishPlan(k, bandLimit, tolerance, term, scale);
 }
 
-EnvironmentMap filterSpectral(const Spectrum& spectrum, const BandLimitPlan& plan, const BrightLobe& bright, const MapLayout& target,
-                              std::span<const SpherePoint> points, double tolerance, double yaw, const JobControl& job)
+EnvironmentMap filterSpectral(const Spectrum& spectrum, const std::vector<double>& k, int rings, const BrightLobe& bright,
+                              const MapLayout& target, std::span<const SpherePoint> points, double yaw, const JobControl& job,
+                              const std::vector<double>& longer)
 {
-    assert(plan.bandLimit <= spectrum.bandLimit);
+    assert(static_cast<int>(k.size()) <= spectrum.bandLimit + 1);
     EnvironmentMap map(target);
     const int width = map.image.width, height = map.image.height;
     const auto w = static_cast<size_t>(width);
 
-    // Rows of numerators and norm, from either source, become rows of the map.
-    const auto finishRows = [&](const std::function<void(int first, int last, float* rgbn)>& read) {
-        parallelRows(height, job, [&](int first, int last) {
-            std::vector<float> rgbn(4 * w * static_cast<size_t>(last - first));
-            std::vector<double> weights;
-            read(first, last, rgbn.data());
-            const float* from = rgbn.data();
-            float* to = map.image.row(first);
-            for (int y = first; y < last; ++y)
-                for (int x = 0; x < width; ++x, from += 4, to += 3) {
-                    glm::dvec3 sum(from[0], from[1], from[2]);
-                    if (!bright.empty())
-                        sum += bright.radiance(yawed(texelDirection(target, x, y), -yaw), weights);
-                    for (int c = 0; c < 3; ++c)
-                        to[c] = static_cast<float>(sum[c] / from[3]);
-                }
-        });
+    const auto brightAt = [&](int x, int y) {
+        return bright.empty() ? glm::dvec3(0.0) : bright.radiance(yawed(texelDirection(target, x, y), -yaw));
     };
-
     if (target.kind == Parameterization::Latlong) {
         std::vector<double> theta;
         for (int y = 0; y < height; ++y)
             theta.push_back(pi * (y + 0.5) / height);
         std::vector<std::complex<double>> turn;
-        for (int m = 0; m <= plan.bandLimit; ++m)
-            turn.push_back(std::polar(1.0, m * yaw)); // azimuth runs against longitude, see RingGrid
-        const FilteredRings rings = synthesise(spectrum, plan.k, theta, width, pi / width, turn, job);
-        finishRows([&](int first, int last, float* rgbn) {
-            for (size_t i = static_cast<size_t>(first) * w; i < static_cast<size_t>(last) * w; ++i, rgbn += 4) {
-                for (size_t c = 0; c < 3; ++c)
-                    rgbn[c] = static_cast<float>(rings.rgb[c][i]);
-                rgbn[3] = static_cast<float>(rings.norm[i]);
-            }
+        for (size_t m = 0; m < k.size(); ++m)
+            turn.push_back(std::polar(1.0, static_cast<double>(m) * yaw)); // azimuth runs against longitude, see RingGrid
+        const FilteredRings rows = synthesise(spectrum, k, theta, width, pi / width, turn, job, longer);
+        parallelRows(height, job, [&](int first, int last) {
+            for (int y = first; y < last; ++y)
+                for (int x = 0; x < width; ++x) {
+                    const glm::vec3 value(rows.radiance(static_cast<size_t>(y) * w + static_cast<size_t>(x), brightAt(x, y)));
+                    std::copy_n(&value.x, 3, map.image.texel(x, y));
+                }
         });
         return map;
     }
 
     assert(points.size() == w * static_cast<size_t>(height));
-    const int rings = RingGrid::ringsFor(plan.share, interpolationShare * tolerance);
-    const RingGrid grid(spectrum, plan.k, rings, yaw, job);
-    finishRows([&](int first, int last, float* rgbn) {
-        grid.read(points.subspan(static_cast<size_t>(first) * w, static_cast<size_t>(last - first) * w), rgbn);
+    const RingGrid grid(spectrum, k, rings, yaw, job, longer);
+    parallelRows(height, job, [&](int first, int last) {
+        std::vector<float> rgbn(4 * w * static_cast<size_t>(last - first));
+        grid.read(points.subspan(static_cast<size_t>(first) * w, static_cast<size_t>(last - first) * w), rgbn.data());
+        const float* from = rgbn.data();
+        float* to = map.image.row(first);
+        for (int y = first; y < last; ++y)
+            for (int x = 0; x < width; ++x, from += 4, to += 3) {
+                const glm::dvec3 sum = glm::dvec3(from[0], from[1], from[2]) + brightAt(x, y);
+                for (int c = 0; c < 3; ++c)
+                    to[c] = static_cast<float>(sum[c] / (1.0 + from[3]));
+            }
     });
     return map;
 }

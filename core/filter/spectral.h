@@ -18,8 +18,9 @@ struct BandLimitPlan {
     double predictedError = 0.0; ///< rel_rms that the truncation costs at most
 };
 
-/// The largest band limit that is ever used: its ring grid takes about 0.4 GB.
+/// The largest band limit that is ever used, and the most rings: such a grid takes about 0.5 GB.
 inline constexpr int largestBandLimit = 2048;
+inline constexpr int largestRings = 4096;
 
 /// The band limit a lobe needs whatever the probe holds. With a_00 the mean, a non-negative probe has at most the power
 /// (2l+1) a_00^2 in degree l (that of a single bright texel), so that
@@ -43,9 +44,13 @@ double spectralError(const BandLimitPlan& plan, const MapLayout& target, double 
 
 /// The filtered map. The rows of a latlong target are rings, on which it is synthesised in place; other targets are read off a
 /// RingGrid at `points`, the target's spherePoints() (unused for latlong).
+/// @param k  the lobe's coefficients, 0 .. band limit, at most the spectrum's
+/// @param rings  of the ring grid (unused for latlong)
 /// @param bright  what was taken out of the probe before its spectrum was made; empty for a whole probe
+/// @param longer  k followed further, for the norm; empty: k
 /// @throws Cancelled
-EnvironmentMap filterSpectral(const Spectrum& spectrum, const BandLimitPlan& plan, const BrightLobe& bright, const MapLayout& target,
-                              std::span<const SpherePoint> points, double tolerance, double yaw, const JobControl& job = {});
+EnvironmentMap filterSpectral(const Spectrum& spectrum, const std::vector<double>& k, int rings, const BrightLobe& bright,
+                              const MapLayout& target, std::span<const SpherePoint> points, double yaw, const JobControl& job = {},
+                              const std::vector<double>& longer = {});
 
 } // namespace mirrorball

@@ -152,22 +152,41 @@ std::mutex& plannerMutex()
 
 } // namespace
 
-std::vector<double> Spectrum::powerAboutMean() const
+std::vector<glm::dvec3> Spectrum::channelPowerAboutMean() const
 {
-    std::vector<double> result(static_cast<size_t>(bandLimit) + 1);
-    for (const auto& channel : coefficients) {
+    std::vector<glm::dvec3> result(static_cast<size_t>(bandLimit) + 1, glm::dvec3(0.0));
+    for (int c = 0; c < 3; ++c) {
+        const std::vector<Complex>& channel = coefficients[static_cast<size_t>(c)];
         const double mean = channel[0].real() / unit[0].real();
-        const auto add = [&](int l, int m, bool zonal) {
-            const size_t i = index(l, m);
-            const Complex a = zonal ? channel[i] - mean * unit[i] : channel[i];
-            result[static_cast<size_t>(l)] += (m == 0 ? 1.0 : 2.0) * std::norm(a);
-        };
-        result[0] += std::norm(channel[0]);
-        for (int m = 0; m <= bandLimit; ++m)
-            for (int l = std::max(m, 1); l <= bandLimit; ++l)
-                add(l, m, m % ringLength == 0);
+        result[0][c] = std::norm(channel[0]);
+        for (int m = 0; m <= bandLimit; ++m) {
+            const bool zonal = m % ringLength == 0;
+            const double twice = m == 0 ? 1.0 : 2.0;
+            for (int l = std::max(m, 1); l <= bandLimit; ++l) {
+                const size_t i = index(l, m);
+                result[static_cast<size_t>(l)][c] += twice * std::norm(zonal ? channel[i] - mean * unit[i] : channel[i]);
+            }
+        }
     }
     return result;
+}
+
+std::vector<double> Spectrum::powerAboutMean() const
+{
+    std::vector<double> result;
+    for (const glm::dvec3& p : channelPowerAboutMean())
+        result.push_back(p.r + p.g + p.b);
+    return result;
+}
+
+glm::dvec3 Spectrum::varianceAboutMean() const
+{
+    glm::dvec3 variance;
+    for (int c = 0; c < 3; ++c) {
+        const double mean = coefficients[static_cast<size_t>(c)][0].real() / unit[0].real(); // unit[0] is sqrt(4 pi)
+        variance[c] = std::max(0.0, secondMoment[c] - mean * mean * 4.0 * pi);
+    }
+    return variance;
 }
 
 /// Transforms of one row: to its Fourier coefficients, and back at the kept length.
@@ -196,6 +215,33 @@ struct SpectrumBuilder::Plans {
     Plans& operator=(const Plans&) = delete;
 };
 
+/// One texel's row truncated to |m| <= B: Dirichlet's kernel, sin((B + 1/2) t) / sin(t/2), at the kept samples.
+struct SpectrumBuilder::Dirichlet {
+    double order;                           ///< B + 1/2
+    std::vector<glm::dvec2> fast{}, slow{}; ///< (cos, sin) of order t and of t/2 at each sample, t counted from the first
+
+    Dirichlet(int keptLength, int bandLimit) : order(bandLimit + 0.5)
+    {
+        for (int s = 0; s < keptLength; ++s) {
+            const double t = 2.0 * pi * s / keptLength;
+            fast.emplace_back(std::cos(order * t), std::sin(order * t));
+            slow.emplace_back(std::cos(0.5 * t), std::sin(0.5 * t));
+        }
+    }
+
+    /// @param turn  where the texel is, in [0, 1) of the row
+    void add(double* row, double turn, double amount) const
+    {
+        const double t = 2.0 * pi * turn;
+        const double fastCos = std::cos(order * t), fastSin = std::sin(order * t), slowCos = std::cos(0.5 * t), slowSin = std::sin(0.5 * t);
+        for (size_t s = 0; s < fast.size(); ++s) {
+            const double half = slow[s].y * slowCos - slow[s].x * slowSin;
+            const double kernel = std::abs(half) < 1e-9 ? 2.0 * order : (fast[s].y * fastCos - fast[s].x * fastSin) / half;
+            row[s] += amount * kernel;
+        }
+    }
+};
+
 SpectrumBuilder::SpectrumBuilder(int width, int height, int bandLimit) : m_width(width), m_height(height), m_bandLimit(bandLimit)
 {
     assert(width > 0 && height > 0 && bandLimit >= 0);
@@ -205,6 +251,7 @@ SpectrumBuilder::SpectrumBuilder(int width, int height, int bandLimit) : m_width
         m_plans = std::make_unique<Plans>(width, m_keptLength);
     for (auto& channel : m_rows)
         channel.resize(static_cast<size_t>(height) * static_cast<size_t>(m_keptLength));
+    m_rowSquares.resize(static_cast<size_t>(height), glm::dvec3(0.0));
 }
 
 SpectrumBuilder::~SpectrumBuilder() = default;
@@ -216,17 +263,21 @@ void SpectrumBuilder::addRows(int firstRow, int rows, const float* rgb, const Jo
     parallelRows(rows, job, [&](int first, int last) {
         std::vector<double> row(width);
         std::vector<Complex> modes(width / 2 + 1);
-        float peak = 0.0f;
+        float peak = 0.0f, least = HUGE_VALF;
         for (int y = first; y < last; ++y) {
             const float* texels = rgb + static_cast<size_t>(y) * width * 3;
             for (size_t c = 0; c < 3; ++c) {
                 double* target = m_rows[c].data() + static_cast<size_t>(firstRow + y) * kept;
                 double* input = m_plans ? row.data() : target;
+                std::array<double, 4> squares{}; // sums that do not wait for one another
                 for (size_t x = 0; x < width; ++x) {
                     const float value = texels[3 * x + c];
                     peak = std::max(peak, std::abs(value));
+                    least = std::min(least, value);
                     input[x] = value;
+                    squares[x % 4] += input[x] * input[x];
                 }
+                m_rowSquares[static_cast<size_t>(firstRow + y)][static_cast<int>(c)] = squares[0] + squares[1] + squares[2] + squares[3];
                 if (!m_plans)
                     continue;
                 fftw_execute_dft_r2c(m_plans->forward, row.data(), reinterpret_cast<fftw_complex*>(modes.data()));
@@ -240,7 +291,23 @@ void SpectrumBuilder::addRows(int firstRow, int rows, const float* rgb, const Jo
         }
         const std::lock_guard lock(peakMutex);
         m_peak = std::max(m_peak, static_cast<double>(peak));
+        m_least = std::min(m_least, static_cast<double>(least));
     });
+}
+
+void SpectrumBuilder::replace(int x, int y, const glm::dvec3& before, const glm::dvec3& radiance)
+{
+    if (m_plans && !m_dirichlet)
+        m_dirichlet = std::make_unique<Dirichlet>(m_keptLength, m_bandLimit);
+    for (int c = 0; c < 3; ++c) {
+        double* row = m_rows[static_cast<size_t>(c)].data() + static_cast<size_t>(y) * static_cast<size_t>(m_keptLength);
+        const double change = radiance[c] - before[c];
+        if (m_plans)
+            m_dirichlet->add(row, static_cast<double>(x) / m_width, change / m_width);
+        else
+            row[x] = radiance[c];
+        m_rowSquares[static_cast<size_t>(y)][c] += change * (radiance[c] + before[c]);
+    }
 }
 
 Spectrum SpectrumBuilder::finish(const JobControl& job)
@@ -255,6 +322,9 @@ Spectrum SpectrumBuilder::finish(const JobControl& job)
     spectrum.rings = m_height;
     spectrum.ringLength = m_width;
     spectrum.peak = m_peak;
+    spectrum.least = m_least;
+    for (int j = 0; j < m_height; ++j)
+        spectrum.secondMoment += bandHeight(j, m_height) * 2.0 * pi / m_width * m_rowSquares[static_cast<size_t>(j)];
     const size_t count = spectrum.index(m_bandLimit, m_bandLimit) + 1;
     // The first sample of a truncated row keeps its texel's azimuth, half a texel of the full row.
     constexpr size_t largeCount = size_t{1} << 19;
@@ -265,24 +335,33 @@ Spectrum SpectrumBuilder::finish(const JobControl& job)
     fromRings(spectrum.coefficients, m_rows, blocks, layout, job);
 
     // A constant 1 on these rings holds orders that are multiples of the row's length only. Below the first of those it is zonal, and
-    // its coefficients are a sum over the rows.
+    // its coefficients are a sum over the rows: of w_j P_l(cos theta_j), all rows at once, the northern half standing for both.
+    constexpr int longest = 2048;
+    const int zonalLimit = std::max(m_bandLimit, std::min(m_width + m_width / 4, longest));
+    std::vector<double> x, w;
+    for (int j = 0; 2 * j < m_height; ++j) {
+        x.push_back(std::cos(theta[static_cast<size_t>(j)]));
+        w.push_back(2.0 * pi * bandHeight(j, m_height) * (2 * j + 1 == m_height ? 1.0 : 2.0));
+    }
+    std::vector<double> previous(x.size(), 0.0), p(x.size(), 1.0);
+    for (int l = 0; l <= zonalLimit; ++l) {
+        const double a = (2.0 * l + 1.0) / (l + 1.0), b = l / (l + 1.0);
+        double sum = 0.0;
+        for (size_t j = 0; j < x.size(); ++j) {
+            sum += w[j] * p[j];
+            const double next = a * x[j] * p[j] - b * previous[j];
+            previous[j] = p[j];
+            p[j] = next;
+        }
+        spectrum.zonalUnit.push_back(l % 2 == 0 ? std::sqrt((2.0 * l + 1.0) / (4.0 * pi)) * sum : 0.0); // odd ones cancel
+    }
     spectrum.unit.resize(count);
     if (m_bandLimit >= m_width) {
-        std::fill(m_rows[0].begin(), m_rows[0].end(), 1.0);
-        fromRings({&spectrum.unit, 1}, {m_rows.data(), 1}, blocks, layout, job);
-        return spectrum;
-    }
-    std::vector<double> sums(static_cast<size_t>(m_bandLimit) + 1); // of w_j P_l(cos theta_j)
-    for (int j = 0; j < m_height; ++j) {
-        const double x = std::cos(theta[static_cast<size_t>(j)]);
-        double previous = 0.0, p = 1.0;
-        for (int l = 0; l <= m_bandLimit; ++l) {
-            sums[static_cast<size_t>(l)] += 2.0 * pi * bandHeight(j, m_height) * p;
-            previous = std::exchange(p, ((2.0 * l + 1.0) * x * p - l * previous) / (l + 1.0));
-        }
+        std::vector<double> ones(m_rows[0].size(), 1.0);
+        fromRings({&spectrum.unit, 1}, {&ones, 1}, blocks, layout, job);
     }
     for (int l = 0; l <= m_bandLimit; ++l)
-        spectrum.unit[spectrum.index(l, 0)] = std::sqrt((2.0 * l + 1.0) / (4.0 * pi)) * sums[static_cast<size_t>(l)];
+        spectrum.unit[spectrum.index(l, 0)] = spectrum.zonalUnit[static_cast<size_t>(l)];
     return spectrum;
 }
 
@@ -296,7 +375,7 @@ Spectrum analyse(const EnvironmentMap& latlong, int bandLimit, const JobControl&
 }
 
 FilteredRings synthesise(const Spectrum& spectrum, const std::vector<double>& k, const std::vector<double>& theta, int ringLength,
-                         double phi0, const std::vector<Complex>& azimuthFactors, const JobControl& job)
+                         double phi0, const std::vector<Complex>& azimuthFactors, const JobControl& job, const std::vector<double>& longer)
 {
     const int bandLimit = static_cast<int>(k.size()) - 1;
     assert(bandLimit <= spectrum.bandLimit && azimuthFactors.size() > static_cast<size_t>(bandLimit));
@@ -305,36 +384,77 @@ FilteredRings synthesise(const Spectrum& spectrum, const std::vector<double>& k,
     Spectrum filtered; // only for its index
     filtered.bandLimit = bandLimit;
     std::vector<Complex> product(filtered.index(bandLimit, bandLimit) + 1);
-    const auto onRings = [&](const std::vector<Complex>& coefficients) {
+    // @param mean  of the map: what is filtered is what differs from it
+    const auto onRings = [&](const std::vector<Complex>& coefficients, double mean) {
         for (int m = 0; m <= bandLimit; ++m) {
             const Complex factor = azimuthFactors[static_cast<size_t>(m)];
             const Complex* from = coefficients.data() + spectrum.index(0, m);
+            const Complex* unit = spectrum.unit.data() + spectrum.index(0, m);
             Complex* to = product.data() + filtered.index(0, m);
-            for (int l = m; l <= bandLimit; ++l)
-                to[l] = from[l] * (factor * k[static_cast<size_t>(l)]);
+            if (m % spectrum.ringLength == 0)
+                for (int l = m; l <= bandLimit; ++l)
+                    to[l] = (from[l] - mean * unit[l]) * (factor * k[static_cast<size_t>(l)]);
+            else
+                for (int l = m; l <= bandLimit; ++l)
+                    to[l] = from[l] * (factor * k[static_cast<size_t>(l)]);
         }
+        product[0] = coefficients[0] * k[0];
         std::vector<double> map(theta.size() * static_cast<size_t>(ringLength));
         toRings(product, map, blocks, layout, job);
         return map;
     };
 
     FilteredRings rings;
-    for (size_t c = 0; c < 3; ++c)
-        rings.rgb[c] = onRings(spectrum.coefficients[c]);
-    if (bandLimit >= spectrum.ringLength) {
-        rings.norm = onRings(spectrum.unit);
-        return rings;
+    for (int c = 0; c < 3; ++c) {
+        const std::vector<Complex>& channel = spectrum.coefficients[static_cast<size_t>(c)];
+        rings.mean[c] = channel[0].real() / spectrum.unit[0].real();
+        rings.rgb[static_cast<size_t>(c)] = onRings(channel, rings.mean[c]);
     }
-    for (const double t : theta) { // zonal: one value a ring
-        const double x = std::cos(t);
-        double previous = 0.0, p = 1.0, sum = 0.0;
-        for (int l = 0; l <= bandLimit; ++l) {
-            sum += k[static_cast<size_t>(l)] * std::sqrt((2.0 * l + 1.0) / (4.0 * pi)) * spectrum.unit[spectrum.index(l, 0)].real() * p;
-            previous = std::exchange(p, ((2.0 * l + 1.0) * x * p - l * previous) / (l + 1.0));
-        }
-        rings.norm.insert(rings.norm.end(), static_cast<size_t>(ringLength), sum);
+    const std::vector<double> zonal = zonalNorm(spectrum, longer.empty() ? k : longer, theta);
+    for (const double n : zonal)
+        rings.norm.insert(rings.norm.end(), static_cast<size_t>(ringLength), n);
+    if (bandLimit >= spectrum.ringLength) { // what repeats along the rows
+        std::vector<Complex> repeating(spectrum.unit.size());
+        for (int m = spectrum.ringLength; m <= bandLimit; m += spectrum.ringLength)
+            for (int l = m; l <= bandLimit; ++l)
+                repeating[spectrum.index(l, m)] = spectrum.unit[spectrum.index(l, m)];
+        const std::vector<double> map = onRings(repeating, 0.0);
+        for (size_t i = 0; i < map.size(); ++i)
+            rings.norm[i] += map[i];
     }
     return rings;
+}
+
+int zonalNormLimit(const Spectrum& spectrum, const std::vector<double>& k)
+{
+    constexpr size_t cheap = 512;
+    double rest = 0.0; // mean square of what is left out, relative to 1
+    for (size_t l = std::min(k.size(), spectrum.zonalUnit.size()); l-- > 1;) {
+        rest += k[l] * k[l] * spectrum.zonalUnit[l] * spectrum.zonalUnit[l] / (4.0 * pi);
+        const double negligible = l <= cheap ? 1e-13 : negligibleNorm;
+        if (rest > negligible * negligible)
+            return static_cast<int>(l);
+    }
+    return 0;
+}
+
+std::vector<double> zonalNorm(const Spectrum& spectrum, const std::vector<double>& k, const std::vector<double>& theta)
+{
+    const auto last = static_cast<size_t>(zonalNormLimit(spectrum, k));
+    std::vector<double> x, previous(theta.size(), 0.0), p(theta.size(), 1.0), norm(theta.size(), 0.0);
+    for (const double t : theta)
+        x.push_back(std::cos(t));
+    for (size_t l = 0; l <= last; ++l) {
+        const double d = static_cast<double>(l), a = (2.0 * d + 1.0) / (d + 1.0), b = d / (d + 1.0);
+        const double factor = k[l] * std::sqrt((2.0 * d + 1.0) / (4.0 * pi)) * spectrum.zonalUnit[l];
+        for (size_t j = 0; j < x.size(); ++j) {
+            norm[j] += factor * p[j];
+            const double next = a * x[j] * p[j] - b * previous[j];
+            previous[j] = p[j];
+            p[j] = next;
+        }
+    }
+    return norm;
 }
 
 } // namespace mirrorball

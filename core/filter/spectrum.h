@@ -4,6 +4,7 @@
 #include "core/image/environment_map.h"
 
 #include <array>
+#include <cmath>
 #include <complex>
 #include <memory>
 #include <vector>
@@ -24,7 +25,10 @@ struct Spectrum {
     int ringLength = 0;                                              ///< texels in a row
     std::array<std::vector<std::complex<double>>, 3> coefficients{}; ///< R, G, B; m >= 0 only, at index(l, m)
     std::vector<std::complex<double>> unit{};                        ///< the same sum over a constant 1, which normalises the filters
+    std::vector<double> zonalUnit{};                                 ///< its m = 0, followed at least as far as the rows repeat themselves
     double peak = 0.0;                                               ///< largest |texel| of the map
+    double least = 0.0;                                              ///< smallest texel of the map as it was read
+    glm::dvec3 secondMoment{0.0};                                    ///< sum_j w_j L_j^2 of each channel: no degrees hold more together
 
     size_t index(int l, int m) const
     {
@@ -34,6 +38,10 @@ struct Spectrum {
     /// Power per degree of the map about its mean, sum over m and the channels of |a_lm - mean unit_lm|^2; that of the mean itself at
     /// l = 0. A filter reproduces the mean exactly, so this is what a truncation can lose.
     std::vector<double> powerAboutMean() const;
+    /// The same of each channel; [0] is that of the mean itself.
+    std::vector<glm::dvec3> channelPowerAboutMean() const;
+    /// sum_j w_j (L_j - mean)^2 of each channel: bounds the power of all degrees from 1 to the map's rows together.
+    glm::dvec3 varianceAboutMean() const;
 };
 
 /// Builds a Spectrum from rows that arrive one block after the other, so that a probe of any size streams through: each row is
@@ -46,34 +54,62 @@ public:
     SpectrumBuilder(const SpectrumBuilder&) = delete;
     SpectrumBuilder& operator=(const SpectrumBuilder&) = delete;
 
+    int width() const { return m_width; }
+    int height() const { return m_height; }
+
     /// Rows [firstRow, firstRow + rows) of a centre-sampled latlong map, 3 floats a texel, finite.
     void addRows(int firstRow, int rows, const float* rgb, const JobControl& job = {});
-    /// The transform along the meridians. Every row must have been added.
+    /// Another radiance for the texel (x, y) of a row that was added: as if the row had come with it.
+    /// @param before  what it came with
+    void replace(int x, int y, const glm::dvec3& before, const glm::dvec3& radiance);
+    /// The transform along the meridians. Every row must have been added. The rows stay, so that it may be called again after replace().
     Spectrum finish(const JobControl& job = {});
 
 private:
     struct Plans;
+    struct Dirichlet;
     int m_width, m_height, m_bandLimit;
     int m_keptLength; ///< samples kept of each row: all of them where the band limit asks for it
-    double m_peak = 0.0;
+    double m_peak = 0.0, m_least = HUGE_VAL;
+    std::vector<glm::dvec3> m_rowSquares; ///< sum of L^2 over each row; their total does not depend on the threads
     std::array<std::vector<double>, 3> m_rows{};
     std::unique_ptr<Plans> m_plans;
+    std::unique_ptr<Dirichlet> m_dirichlet; ///< made by the first replace() of a truncated row
 };
 
 /// The spectrum of a latlong map in memory. @throws InvalidArgument for another parameterization
 Spectrum analyse(const EnvironmentMap& latlong, int bandLimit, const JobControl& job = {});
 
-/// A filtered spectrum on rings, not yet normalised: the numerators of the reference sum, and its denominator, the filter of a constant
-/// 1, which differs from 1 by the quadrature error of the texel sum. Their quotient is the filtered map.
+/// A filtered spectrum on rings, not yet normalised. The reference sum's denominator N, the filter of a constant 1, differs from 1 by the
+/// quadrature error of the texel sum; of the numerator the part about the mean is followed to the band limit, and the mean's own, mean N,
+/// as far as N is.
 struct FilteredRings {
-    std::array<std::vector<double>, 3> rgb{}; ///< rings x ringLength each
-    std::vector<double> norm{};
+    std::array<std::vector<double>, 3> rgb{}; ///< rings x ringLength each: the filter of what differs from the mean, plus the mean
+    std::vector<double> norm{};               ///< N
+    glm::dvec3 mean{0.0};
+
+    /// The filtered map. @param bright  numerators of what was taken out of the probe
+    glm::dvec3 radiance(size_t i, const glm::dvec3& bright = glm::dvec3(0.0)) const
+    {
+        return (glm::dvec3(rgb[0][i], rgb[1][i], rgb[2][i]) + mean * (norm[i] - 1.0) + bright) / norm[i];
+    }
 };
 
 /// e_lm = k_l a_lm on the rings of colatitudes `theta`, each of `ringLength` samples that start at azimuth `phi0`.
 /// @param k  0 .. B, at most the spectrum's band limit
 /// @param azimuthFactors  multiply every coefficient of order m; that of m = 0 is 1
+/// @param longer  k followed further, for N; empty: k
 FilteredRings synthesise(const Spectrum& spectrum, const std::vector<double>& k, const std::vector<double>& theta, int ringLength,
-                         double phi0, const std::vector<std::complex<double>>& azimuthFactors, const JobControl& job);
+                         double phi0, const std::vector<std::complex<double>>& azimuthFactors, const JobControl& job,
+                         const std::vector<double>& longer = {});
+
+/// The zonal part of N at the colatitudes `theta`: all of it but what repeats along the rows, which only a band limit of a row's length
+/// sees.
+std::vector<double> zonalNorm(const Spectrum& spectrum, const std::vector<double>& k, const std::vector<double>& theta);
+/// What zonalNorm() leaves out at most of a lobe's norm, root mean square.
+inline constexpr double negligibleNorm = 1e-8;
+/// The largest degree that zonalNorm() looks at. Within the first hundreds of degrees, which cost little, it leaves out no more than 1e-13:
+/// beside a sun the norm's error counts as many times as the mean is brighter than the dark.
+int zonalNormLimit(const Spectrum& spectrum, const std::vector<double>& k);
 
 } // namespace mirrorball

@@ -249,6 +249,14 @@ void stability(const Report& report, std::vector<std::string>& sentences)
     if (holds + refused < report.stability.size())
         sentence += "; " + std::to_string(report.stability.size() - holds - refused) + " do not hold, among them " + list(failing);
     sentences.push_back(sentence + ".");
+
+    std::vector<std::string> wrong;
+    for (const ShadingRow& row : report.shading)
+        if (!row.holds())
+            wrong.push_back(row.family + ", " + row.name);
+    if (!report.shading.empty())
+        sentences.push_back("Of " + plural(report.shading.size(), "extreme case") + " of shading " +
+                            (wrong.empty() ? "all hold" : std::to_string(wrong.size()) + " do not hold: " + list(wrong)) + ".");
 }
 
 } // namespace

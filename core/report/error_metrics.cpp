@@ -32,6 +32,7 @@ ErrorMetrics errorMetrics(std::span<const glm::dvec3> values, std::span<const gl
     if (referencePower <= 0.0 || total <= 0.0)
         return {.relRms = differencePower > 0.0 ? HUGE_VAL : 0.0,
                 .maxAbs = largest > 0.0 ? HUGE_VAL : 0.0,
+                .medianRel = largest > 0.0 ? HUGE_VAL : 0.0,
                 .p99Rel = largest > 0.0 ? HUGE_VAL : 0.0};
     mean /= total;
 
@@ -43,14 +44,19 @@ ErrorMetrics errorMetrics(std::span<const glm::dvec3> values, std::span<const gl
                 relative.push_back({std::abs(values[i][c] - reference[i][c]) / std::max(reference[i][c], 1e-6 * std::abs(mean)), w});
     }
     std::sort(relative.begin(), relative.end(), [](const Weighted& a, const Weighted& b) { return a.error < b.error; });
-    double passed = 0.0, p99 = 0.0;
+    double passed = 0.0, median = -1.0, p99 = 0.0;
     for (const Weighted& r : relative) {
         p99 = r.error;
         passed += r.weight;
+        if (median < 0.0 && passed >= 0.5 * total)
+            median = r.error;
         if (passed >= 0.99 * total)
             break;
     }
-    return {.relRms = std::sqrt(differencePower / referencePower), .maxAbs = largest / std::sqrt(referencePower / total), .p99Rel = p99};
+    return {.relRms = std::sqrt(differencePower / referencePower),
+            .maxAbs = largest / std::sqrt(referencePower / total),
+            .medianRel = median,
+            .p99Rel = p99};
 }
 
 ErrorMetrics errorMetrics(const EnvironmentMap& map, const EnvironmentMap& reference)

@@ -12,7 +12,9 @@ namespace mirrorball {
 struct ErrorMetrics {
     double relRms = 0.0; ///< rms(E - R) / rms(R); 0 where both are 0
     double maxAbs = 0.0; ///< max|E - R| / rms(R)
-    double p99Rel = 0.0; ///< 99th percentile of |E - R| / max(R, 1e-6 mean(R)): shows ringing in the dark beside a sun
+    /// Median of |E - R| / max(R, 1e-6 mean(R)): what most of the map is seen to miss, beside whatever sun.
+    double medianRel = 0.0;
+    double p99Rel = 0.0; ///< 99th percentile of the same: shows ringing in the dark beside a sun
 };
 
 /// @param solidAngles one a direction; empty: all equal

@@ -130,7 +130,7 @@ private:
         m.ran = outcome.method;
         m.filtered = outcome.filtered;
         m.bandLimit = outcome.bandLimit;
-        m.predictedError = informedError(outcome, options, source, m_job);
+        m.predictedError = informedErrors(outcome, options, source, m_job).relRms;
         if (options.method == Method::Auto || !outcome.filtered)
             m.why = outcome.why;
         map = std::move(outcome.map);

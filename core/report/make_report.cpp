@@ -90,6 +90,8 @@ void measureStability(const ReportOptions& options, const JobControl& job, Repor
         if (job.progress)
             job.progress(static_cast<float>(++done) / static_cast<float>(cases.size()));
     }
+    for (const ShadingCase& test : shadingCases())
+        report.shading.push_back(runShading(test, inner));
 }
 
 } // namespace

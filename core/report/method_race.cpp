@@ -72,7 +72,7 @@ RacePoint MethodRace::measure(const MethodSetting& setting, const JobControl& jo
         });
         point.seconds = times.median();
         point.ran = outcome.method;
-        point.predictedError = informedError(outcome, options, source, job);
+        point.predictedError = informedErrors(outcome, options, source, job).relRms;
         point.error = errorAt(m_reference, outcome.map);
         point.map = std::make_shared<const EnvironmentMap>(std::move(outcome.map));
     } catch (const Cancelled&) {

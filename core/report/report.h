@@ -4,6 +4,7 @@
 #include "machine.h"
 #include "method_settings.h"
 #include "run_times.h"
+#include "shading_stability.h"
 #include "stability.h"
 
 #include "core/image/repair.h"
@@ -147,6 +148,7 @@ struct Report {
     std::vector<GrowthPoint> growth{};
     Lobe growthLobe{};
     std::vector<StabilityRow> stability{};
+    std::vector<ShadingRow> shading{}; ///< with the table of extreme cases
     std::vector<Verdict> verdicts{};
     std::vector<std::string> conclusions{};
 };

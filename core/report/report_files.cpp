@@ -83,6 +83,7 @@ Json measurementJson(const Measurement& m, Pictures pictures)
                  {"peak_bytes", optionalNumber(m.peakBytes)},
                  {"rel_rms", m.error.relRms},
                  {"max_abs", m.error.maxAbs},
+                 {"median_rel", m.error.medianRel},
                  {"p99_rel", m.error.p99Rel},
                  {"energy", m.energy},
                  {"seam_ratios", m.seamRatios},
@@ -153,7 +154,9 @@ Json stabilityJson(const StabilityRow& r)
             {"finite", r.finite},
             {"rel_rms", r.error.relRms},
             {"max_abs", r.error.maxAbs},
+            {"median_rel", r.error.medianRel},
             {"p99_rel", r.error.p99Rel},
+            {"promised", r.promised},
             {"predicted_error", r.predictedError},
             {"energy", r.energy},
             {"lowest", r.lowest},
@@ -161,6 +164,12 @@ Json stabilityJson(const StabilityRow& r)
             {"seconds", r.seconds},
             {"holds", r.holds()},
             {"failures", r.failures}};
+}
+
+Json shadingJson(const ShadingRow& r)
+{
+    return {{"family", r.family}, {"name", r.name},     {"places", r.places},    {"error", r.largestError},
+            {"bound", r.bound},   {"holds", r.holds()}, {"failures", r.failures}};
 }
 
 Json verdictJson(const Verdict& v)
@@ -283,7 +292,8 @@ std::string reportJson(const Report& report, Pictures pictures)
                     {"parameterizations", listJson(report.parameterizations, studyJson)},
                     {"growth_lobe", describe(report.growthLobe)},
                     {"growth", listJson(report.growth, growthJson)},
-                    {"stability", listJson(report.stability, stabilityJson)}};
+                    {"stability", listJson(report.stability, stabilityJson)},
+                    {"shading", listJson(report.shading, shadingJson)}};
     return json.dump(pictures == Pictures::Embedded ? -1 : 1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -307,6 +317,7 @@ std::string measurementsCsv(const Report& report)
              "peak_bytes",
              "rel_rms",
              "max_abs",
+             "median_rel",
              "p99_rel",
              "predicted_error",
              "energy",
@@ -323,7 +334,7 @@ std::string measurementsCsv(const Report& report)
                 .cell(m.setting.label)
                 .cell(word(m.state));
             if (m.state != MeasurementState::Measured) {
-                csv.empty(19);
+                csv.empty(20);
             } else {
                 csv.cell(name(m.ran)).cell(m.filtered ? "yes" : "no").cell(m.bandLimit);
                 csv.cell(m.times.median())
@@ -331,7 +342,8 @@ std::string measurementsCsv(const Report& report)
                     .cell(m.times.longest())
                     .cell(static_cast<double>(m.times.seconds.size()));
                 csv.cell(m.scaled ? "yes" : "no").cell(m.nextLobe.empty() ? absent : m.nextLobe.median()).cell(m.predictedSeconds);
-                csv.cell(bytesOrAbsent(m.peakBytes)).cell(m.error.relRms).cell(m.error.maxAbs).cell(m.error.p99Rel).cell(m.predictedError);
+                csv.cell(bytesOrAbsent(m.peakBytes)).cell(m.error.relRms).cell(m.error.maxAbs);
+                csv.cell(m.error.medianRel).cell(m.error.p99Rel).cell(m.predictedError);
                 csv.cell(m.energy).cell(m.seamRatios.empty() ? absent : m.seamRatios.front());
                 csv.cell(m.seamRatios.empty() ? absent : *std::max_element(m.seamRatios.begin(), m.seamRatios.end()))
                     .cell(m.onFront ? "yes" : "no");
@@ -379,17 +391,19 @@ std::string parameterizationsCsv(const Report& report)
 
 std::string stabilityCsv(const Report& report)
 {
-    Csv csv({"case", "method", "outcome", "finite", "rel_rms", "max_abs", "p99_rel", "predicted_error", "energy", "lowest",
-             "constant_error", "seconds", "why"});
+    Csv csv({"case", "method", "outcome", "finite", "promised", "rel_rms", "max_abs", "median_rel", "p99_rel", "predicted_error", "energy",
+             "lowest", "constant_error", "seconds", "why"});
     for (const StabilityRow& r : report.stability) {
         csv.cell(r.name).cell(name(r.method)).cell(!r.refused.empty() ? "refused" : r.holds() ? "holds" : "fails");
         if (!r.refused.empty()) {
-            csv.empty(9).cell(r.refused).endRow();
+            csv.empty(11).cell(r.refused).endRow();
             continue;
         }
         csv.cell(r.finite ? "yes" : "no")
+            .cell(r.promised ? "yes" : "no")
             .cell(r.error.relRms)
             .cell(r.error.maxAbs)
+            .cell(r.error.medianRel)
             .cell(r.error.p99Rel)
             .cell(r.predictedError)
             .cell(r.energy);
@@ -398,6 +412,16 @@ std::string stabilityCsv(const Report& report)
         for (const std::string& failure : r.failures)
             why += (why.empty() ? "" : "; ") + failure;
         csv.cell(why).endRow();
+    }
+    return std::move(csv).text();
+}
+
+std::string shadingCsv(const Report& report)
+{
+    Csv csv({"family", "case", "outcome", "places", "error", "bound", "why"});
+    for (const ShadingRow& r : report.shading) {
+        csv.cell(r.family).cell(r.name).cell(r.holds() ? "holds" : "fails").cell(static_cast<double>(r.places));
+        csv.cell(r.largestError).cell(r.bound).cell(r.holds() ? "" : r.failures.front()).endRow();
     }
     return std::move(csv).text();
 }
@@ -434,6 +458,8 @@ std::vector<std::filesystem::path> writeReport(const Report& report, const std::
         add("parameterizations.csv", parameterizationsCsv(report));
     if (!report.stability.empty())
         add("stability.csv", stabilityCsv(report));
+    if (!report.shading.empty())
+        add("shading.csv", shadingCsv(report));
     return files;
 }
 

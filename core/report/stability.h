@@ -24,7 +24,7 @@ struct StabilityCase {
     Lobe lobe{};
     MapLayout target{};
     MethodKnobs knobs{};
-    double tolerance = 1e-5;
+    double tolerance = 1e-5;                                   ///< what is asked for, by lobes with a kink, too
     std::optional<double> constant{};                          ///< of a constant probe: the radiance that must come out
     bool nonNegative = true;                                   ///< the probe has no negative texel
     std::function<glm::dvec3(const glm::dvec3& r)> expected{}; ///< closed form, where the probe has one; empty: the reference sum
@@ -32,36 +32,41 @@ struct StabilityCase {
 
 std::vector<StabilityCase> stabilityCases(StabilityScale scale = StabilityScale::Small);
 
-/// What a method may do at most: one that holds a tolerance, within that; one that approximates, within what it predicts of itself. A
-/// method's ringing is bounded by its kernel's negative part.
-struct StabilityBounds {
-    std::optional<double> tolerance{};  ///< factor of the case's tolerance that rel_rms keeps within
-    std::optional<double> prediction{}; ///< factor of the predicted error that rel_rms keeps within, where there is no tolerance
-    double energy = 0.0;                ///< largest |energy - 1|
-    double negative = 0.0;              ///< largest -lowest, see StabilityRow
+/// What a method that promises nothing may do at most, by what it says of itself. (One that keeps a tolerance is judged by the promise,
+/// errorLimits().) A method's ringing is bounded by its kernel's negative part.
+struct ApproximationBounds {
+    double prediction = 1.0; ///< factor of the predicted error that rel_rms keeps within
+    double energy = 0.0;     ///< largest |energy - 1|
+    double negative = 0.0;   ///< largest -lowest, see StabilityRow
 };
-/// @param predictedError  the method's own, see informedError()
-StabilityBounds stabilityBounds(Method method, const StabilityCase& test, double predictedError);
+/// @param predictedError  the method's own, see informedErrors()
+ApproximationBounds approximationBounds(Method method, double predictedError);
 
 /// What a method did in a case.
 struct StabilityRow {
     std::string name{};
     Method method = Method::Auto;
-    std::string refused{}; ///< the reason, where the method cannot do the case; the rest is then empty
+    std::string refused{}; ///< the reason, where the method cannot do the case or not keep the tolerance; the rest is then empty
     bool finite = true;
     ErrorMetrics error{};
-    double predictedError = 0.0;
-    double energy = 1.0;        ///< mean of the map over the mean of what is expected
-    double lowest = 0.0;        ///< smallest value of the map over the largest expected one; negative: ringing
-    double constantError = 0.0; ///< largest |value / constant - 1|; 0 where the probe is not constant
+    double predictedError = 0.0; ///< rel_rms
+    bool promised = false;       ///< the tolerance
+    double energy = 1.0;         ///< mean of the map over the mean of what is expected
+    double lowest = 0.0;         ///< smallest value of the map over the largest expected one; negative: ringing
+    double constantError = 0.0;  ///< largest |value / constant - 1|; 0 where the probe is not constant
     double seconds = 0.0;
     std::vector<std::string> failures{}; ///< what does not hold, in words
 
     bool holds() const { return failures.empty(); }
 };
 
-/// Runs one method through one case and judges the outcome: finite, within the tolerance, energy kept, a constant kept to 1e-6, not
-/// negative.
+/// Judges a map: finite; the four promises of the tolerance where it was promised, else within what the method says of itself; energy kept;
+/// a constant kept to 1e-6.
+/// @param predictedError  see informedErrors()
+StabilityRow judgeStability(const StabilityCase& test, const PrefilterOutcome& outcome, double predictedError,
+                            const EnvironmentMap& expected);
+
+/// Runs one method through one case and judges the outcome.
 /// @param device  for the paraboloid method; null: the CPU
 /// @throws Cancelled
 StabilityRow runStability(const StabilityCase& test, Method method, const JobControl& job = {},

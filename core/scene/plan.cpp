@@ -54,7 +54,8 @@ void Planner::addLevel(MapPlan& map, PlannedFilter planned, const std::string& n
     if (prediction.filtered) {
         const std::string how = prediction.method == Method::Spectral ? text("spectral, band limit ", prediction.bandLimit, " at most")
                                                                       : text(mirrorball::name(prediction.method));
-        need("filter " + name, text(describe(filter.lobe), " into ", sizeText(filter.target), ": ", how, note), planned.filtering);
+        need("filter " + name, text(describe(filter.lobe), " into ", sizeText(filter.target), ": ", how, promiseText(planned), note),
+             planned.filtering);
     } else {
         if (!filter.lobe.isMirror() || !whyMirror.empty())
             leaveOut("filter " + name, filter.lobe.isMirror() ? whyMirror : prediction.why);
@@ -92,9 +93,12 @@ void Planner::planReading()
         const bool streamed =
             large && m_probe.kind == Parameterization::Latlong && !builtin && filtered == static_cast<int>(filters.size());
         std::string how = m_scene.probe.source + ", " + sizeText(m_probe);
-        if (streamed)
-            how += text("; each row is truncated to band limit ", bandLimit, " while it is read, which is exact");
-        else if (large)
+        if (streamed) {
+            int kept = 0;
+            for (const PlannedFilter* filter : filters)
+                kept = std::max(kept, streamedBandLimit(filter->options));
+            how += text("; each row is truncated to band limit ", kept, " while it is read, which is exact");
+        } else if (large)
             how += "; held whole, because not every map is filtered";
         stages.push_back({.name = read, .why = how, .expected = readingCost(m_probe, builtin, streamed)});
         if (spectral > 0)

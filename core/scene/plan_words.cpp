@@ -9,6 +9,15 @@ namespace mirrorball {
 
 std::string sizeText(const MapLayout& layout) { return text(name(layout.kind), ' ', layout.width(), " x ", layout.height()); }
 
+std::string promiseText(const PlannedFilter& filter)
+{
+    if (keepsTolerance(filter.plan.method))
+        return text("; a tolerance of ", filter.options.tolerance, " is promised");
+    const PredictedErrors& predicted = filter.plan.predicted;
+    return text("; not promised: predicted are rel_rms ", predicted.relRms, ", median_rel ", predicted.medianRel, ", p99_rel ",
+                predicted.p99Rel);
+}
+
 std::string plural(int count, const std::string& thing) { return text(count, ' ', thing, count == 1 ? "" : "s"); }
 
 const SphereMapDocument* documentAtHand(const SphereMapPlan& map)

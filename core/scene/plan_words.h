@@ -21,6 +21,9 @@ std::string text(const Parts&... parts)
 /// "cube 64 x 384"
 std::string sizeText(const MapLayout& layout);
 
+/// What is promised of a filtered map before the probe is read, or what is predicted of it where nothing is; begins with "; ".
+std::string promiseText(const PlannedFilter& filter);
+
 /// "1 level", "3 levels"
 std::string plural(int count, const std::string& thing);
 

@@ -11,14 +11,16 @@ namespace mirrorball {
 
 namespace {
 
-WorkRecord workOf(PrefilterOutcome& outcome)
+WorkRecord workOf(const PrefilterOptions& options, PrefilterOutcome& outcome)
 {
     WorkRecord work{.stages = std::move(outcome.stages)};
     if (!outcome.filtered)
         return work;
     work.methods.emplace_back(name(outcome.method));
     work.bandLimit = outcome.bandLimit;
-    work.predictedError = outcome.predictedError;
+    work.predicted = outcome.predicted;
+    if (!outcome.promised)
+        work.unpromised.push_back(unpromisedText(options, outcome));
     return work;
 }
 
@@ -32,7 +34,7 @@ EnvironmentMap buildLevel(const PlannedFilter& planned, const std::string& name,
     PrefilterOutcome outcome = prefilter(*probe.source, filter, job);
     for (Stage& stage : outcome.stages)
         stage.name += " of " + name;
-    record += workOf(outcome);
+    record += workOf(filter, outcome);
     return std::move(outcome.map);
 }
 
@@ -56,7 +58,8 @@ WorkRecord& WorkRecord::operator+=(WorkRecord more)
             methods.push_back(std::move(method));
     notes.insert(notes.end(), more.notes.begin(), more.notes.end());
     bandLimit = std::max(bandLimit, more.bandLimit);
-    predictedError = std::max(predictedError, more.predictedError);
+    predicted = largest(predicted, more.predicted);
+    unpromised.insert(unpromised.end(), std::make_move_iterator(more.unpromised.begin()), std::make_move_iterator(more.unpromised.end()));
     return *this;
 }
 

@@ -29,8 +29,10 @@ struct WorkRecord {
     std::vector<Stage> stages{};
     std::vector<std::string> methods{}; ///< those that ran, each once: "spectral"; "paint"; empty when nothing was filtered
     int bandLimit = 0;                  ///< the largest
-    double predictedError = 0.0;        ///< the largest rel_rms
-    std::vector<std::string> notes{};   ///< what of the probe's file a user should know
+    PredictedErrors predicted{};        ///< the largest of each
+    /// Of each map whose tolerance is not promised: its lobe, its method and what is predicted of it, in words. Empty: all are promised.
+    std::vector<std::string> unpromised{};
+    std::vector<std::string> notes{}; ///< what of the probe's file a user should know
 
     WorkRecord& operator+=(WorkRecord more);
     /// "spectral, direct"; empty as methods

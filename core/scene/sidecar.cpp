@@ -184,7 +184,7 @@ std::string sidecar(const Scene& scene, const ExportPlan& planned, const std::ve
                                                           : "one level";
     json["probe"] = {{"source", scene.probe.source}, {"yaw_degrees", scene.probe.yawDeg}, {"exposure", scene.probe.exposure}};
     if (!work.methods.empty())
-        json["filter"] = {{"method", work.methodText()}, {"band_limit", work.bandLimit}, {"predicted_rel_rms", work.predictedError}};
+        json["filter"] = {{"method", work.methodText()}, {"band_limit", work.bandLimit}, {"predicted_rel_rms", work.predicted.relRms}};
     return closed(json);
 }
 

@@ -136,7 +136,7 @@ void printMethods(const std::vector<NamedProbe>& all)
                 const Measured m = measure(probe.map, options, exactMap(probe.map, options), 3);
                 const double seconds = predictedSeconds(s.method, options, {.width = probe.map.image.width});
                 FilterSource source(probe.map);
-                const double error = informedError(m.outcome, options, source, oneThread);
+                const double error = informedErrors(m.outcome, options, source, oneThread).relRms;
                 std::printf("%-11s %-20s %11.3g %11.3g %7.2f %11.3g %11.3g %7.2f\n", describe(lobe).c_str(),
                             (describe(s) + (s.target == cube16 ? " *" : "")).c_str(), m.seconds, seconds, m.seconds / seconds, m.relRms,
                             error, m.relRms / error);

@@ -32,7 +32,7 @@ void printRow(FilterSource& source, double exponent, const Variant& variant)
     const PrefilterOutcome outcome = prefilter(source, options);
     const double seconds = cpuSeconds() - start;
     const ErrorMetrics error = errorMetrics(outcome.map, reference);
-    std::printf("%8g  %-24s  %9.1e  %9.1e  %9.1e  %9.1e  %7.0f ms\n", exponent, variant.name, outcome.predictedError, error.relRms,
+    std::printf("%8g  %-24s  %9.1e  %9.1e  %9.1e  %9.1e  %7.0f ms\n", exponent, variant.name, outcome.predicted.relRms, error.relRms,
                 error.maxAbs, error.p99Rel, 1e3 * seconds);
     std::fflush(stdout);
 }

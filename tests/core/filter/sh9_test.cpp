@@ -43,7 +43,7 @@ TEST(Sh9, MissesWhatItsSpectrumSaysItMisses)
         const PrefilterOutcome outcome = prefilter(source, options);
         options.method = Method::Reference;
         const double error = errorMetrics(outcome.map, prefilter(source, options).map).relRms;
-        EXPECT_NEAR(outcome.predictedError / error, 1.0, 0.1);
+        EXPECT_NEAR(outcome.predicted.relRms / error, 1.0, 0.1);
     }
 }
 
