@@ -1,5 +1,6 @@
 #include "command.h"
 
+#include "core/base/error.h"
 #include "core/base/shell_word.h"
 #include "core/batch/recipe.h"
 

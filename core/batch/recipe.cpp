@@ -32,7 +32,7 @@ std::string wayTo(const std::filesystem::path& folder, const std::filesystem::pa
 RecipeFile described(const std::filesystem::path& path, const std::filesystem::path& folder)
 {
     const FileContent content = fileContent(path);
-    return {.file = kept(path, folder), .bytes = static_cast<double>(content.bytes), .sha256 = content.sha256};
+    return {.file = kept(path, folder), .bytes = {content.bytes}, .sha256 = content.sha256};
 }
 
 std::filesystem::path withoutSlash(const std::filesystem::path& output) { return output.has_filename() ? output : output.parent_path(); }
@@ -43,6 +43,15 @@ std::filesystem::path folderAbove(const std::filesystem::path& path)
 }
 
 } // namespace
+
+void readJson(const std::string& path, const nlohmann::json& json, ByteCount& value)
+{
+    if (!json.is_number_unsigned())
+        refuse(path, "a whole number", json);
+    value.bytes = json.get<std::uint64_t>();
+}
+
+nlohmann::ordered_json writeJson(const ByteCount& value) { return value.bytes; }
 
 std::string Recipe::hash() const
 {
@@ -150,7 +159,7 @@ std::string RecipeChecker::difference(const RecipeFile& file, const std::filesys
     if (!std::filesystem::is_regular_file(path, error))
         return shownPath(file.file) + " is missing";
     const FileStamp stamp = fileStamp(path);
-    if (static_cast<double>(stamp.bytes) != file.bytes)
+    if (stamp.bytes != file.bytes.bytes)
         return shownPath(file.file) + " has changed";
     auto known = m_known.find(path);
     if (known == m_known.end() || known->second.stamp != stamp)

@@ -4,6 +4,9 @@
 #include "core/base/fields.h"
 #include "core/base/file_log.h"
 
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -14,10 +17,18 @@
 /// output when the output is whole, so that whoever finds both knows that the work is done, and whether it would be the same today.
 namespace mirrorball {
 
+/// The length of a file, a whole number in JSON.
+struct ByteCount {
+    std::uint64_t bytes = 0;
+    bool operator==(const ByteCount&) const = default;
+};
+void readJson(const std::string& path, const nlohmann::json& json, ByteCount& value);
+nlohmann::ordered_json writeJson(const ByteCount& value);
+
 /// A file of a recipe.
 struct RecipeFile {
-    std::string file{};   ///< from the folder where the command ran, or absolute
-    double bytes = 0.0;   ///< its length
+    std::string file{}; ///< from the folder where the command ran, or absolute
+    ByteCount bytes{};
     std::string sha256{}; ///< of its content, 64 hexadecimal digits
     UnknownKeys unknown{};
 
@@ -25,7 +36,7 @@ struct RecipeFile {
     static void visitFields(Self& file, Visit&& visit)
     {
         visit(Field{"file", "from the folder where the command ran, or absolute"}, file.file);
-        visit(Field{"bytes", "length", 0, 1e16}, file.bytes);
+        visit(Field{"bytes", "length"}, file.bytes);
         visit(Field{"sha256", "of the content"}, file.sha256);
     }
 };
