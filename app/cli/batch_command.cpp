@@ -8,7 +8,6 @@
 #include "core/batch/scheduler_template.h"
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -140,9 +139,10 @@ private:
         if (end.status == 0) {
             ++m_made;
             print("made " + output + " in " + seconds + ": " + call.why);
-        } else if (const int signal = end.status - 128; signal == SIGTERM || signal == SIGINT || signal == SIGHUP) {
+        } else if (end.wasStopped) {
             print("stopped " + output); // and wants to run again
         } else {
+            const int signal = end.status - 128;
             ++m_failed;
             print("failed " + output + (signal > 0 ? ": ended by SIG" + std::string(::sigabbrev_np(signal)) : ""));
         }

@@ -214,7 +214,7 @@ public:
             return std::nullopt;
         m_id = 0;
         return CallEnd{WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status),
-                       std::chrono::duration<double>(Clock::now() - m_started).count()};
+                       std::chrono::duration<double>(Clock::now() - m_started).count(), false};
     }
 
 private:
@@ -276,7 +276,9 @@ int JobProcesses::run(int atOnce, const Events& events)
                 for (const auto& each : running)
                     each->take(watched[i].fd, events);
         std::erase_if(running, [&](const std::unique_ptr<Running>& each) {
-            const std::optional<CallEnd> end = each->end();
+            std::optional<CallEnd> end = each->end();
+            if (end)
+                end->wasStopped = ending != 0 && end->status != 0;
             if (end)
                 events.ended(each->number(), *end);
             return end.has_value();

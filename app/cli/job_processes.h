@@ -19,6 +19,7 @@ struct ProgramCall {
 struct CallEnd {
     int status = 0; ///< its exit status, or 128 plus the signal that ended it
     double seconds = 0.0;
+    bool wasStopped = false; ///< it failed after a signal had asked for the end, and may well succeed another time
 };
 
 /// Runs calls of this very program, each in a process of its own, so many at once. What one of them does to itself, the others do not see.

@@ -1,8 +1,10 @@
 #include "progress.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <memory>
 
 #include <unistd.h>
@@ -57,10 +59,23 @@ private:
 class ProgressLines {
 public:
     ProgressLines(std::string label, ProgressStyle style) : m_label(std::move(label)), m_style(style) {}
+    ProgressLines(const ProgressLines&) = delete;
+    ProgressLines& operator=(const ProgressLines&) = delete;
+    /// The work is done, unless an error takes this object along.
+    ~ProgressLines()
+    {
+        if (std::uncaught_exceptions() == m_exceptions)
+            print(100);
+    }
 
     void show(float fraction)
     {
-        const int percent = static_cast<int>(std::lround(100.0f * std::min(std::max(fraction, 0.0f), 1.0f)));
+        print(static_cast<int>(std::lround(99.0f * std::min(std::max(fraction, 0.0f), 1.0f)))); // files are still to be written at 1
+    }
+
+private:
+    void print(int percent)
+    {
         if (percent <= m_percent)
             return;
         if (m_style == ProgressStyle::OpenJobDescription) {
@@ -76,11 +91,11 @@ public:
         m_percent = percent;
     }
 
-private:
     std::string m_label;
     ProgressStyle m_style;
     Clock::time_point m_last = Clock::now();
     int m_percent = -1;
+    int m_exceptions = std::uncaught_exceptions();
 };
 
 } // namespace

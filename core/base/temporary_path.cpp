@@ -184,6 +184,15 @@ int openNew(const std::filesystem::path& path, TemporaryPath::Kind kind)
     return descriptor;
 }
 
+/// Whether the path leads to what the descriptor is open on.
+bool isStillNamed(int descriptor, const std::filesystem::path& path)
+{
+    struct stat open {
+    }, named{};
+    return ::fstat(descriptor, &open) == 0 && ::lstat(path.c_str(), &named) == 0 && open.st_dev == named.st_dev &&
+           open.st_ino == named.st_ino;
+}
+
 } // namespace
 
 TemporaryPath::TemporaryPath(const std::filesystem::path& target, Kind kind)
@@ -193,8 +202,9 @@ TemporaryPath::TemporaryPath(const std::filesystem::path& target, Kind kind)
         m_path = newName(target);
         m_slot = registerPath(m_path); // before it is made: a signal may come between
         m_descriptor = openNew(m_path, kind);
-        if (m_descriptor >= 0 && ::flock(m_descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-            ::close(m_descriptor); // a sweep of another process was faster: it is gone
+        if (m_descriptor >= 0 &&
+            ((::flock(m_descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) || !isStillNamed(m_descriptor, m_path))) {
+            ::close(m_descriptor); // a sweep of another process came between making and locking: it is gone
             m_descriptor = -1;
             errno = EEXIST;
         }

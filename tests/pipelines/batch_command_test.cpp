@@ -125,7 +125,7 @@ TEST(Batch, MakesAgainWhatOtherSettingsMakeAndOnlyThat)
 TEST(Batch, CountsEveryFileThatASceneLeadsTo)
 {
     const BatchFolder folder;
-    folder.run("paint glossy -o matcap.png --size 16");
+    folder.run("paint porcelain -o matcap.png --size 16");
     const std::string triangle("\0\0\x80\xbf\0\0\x80\xbf\0\0\0\0\0\0\x80\x3f\0\0\x80\xbf\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0", 36);
     test::writeBytes(folder / "mesh.bin", triangle);
     test::writeBytes(folder / "mesh.gltf",

@@ -38,7 +38,7 @@ TEST(Progress, GrowsToAHundredInEveryCommand)
     for (const char* command :
          {"convert probe.hdr -o a.exr --to cube --size 64",
           "filter probe.hdr -o a.exr --lobe phong --exponent 9 --to cube --size 64 --method reference", "render s.mirrorball -o b.png",
-          "paint glossy -o m.png --size 64", "brdf ggx:alpha=0.3 --table split-sum -o t.exr"}) {
+          "paint porcelain -o m.png --size 64", "brdf ggx:alpha=0.3 --table ab -o t.exr"}) {
         const ProgramRun run = folder.run(std::string(command) + " --progress openjd");
         EXPECT_EQ(run.status, 0) << command << run.err;
         SCOPED_TRACE(std::string(command) + "\n" + run.out);
@@ -68,7 +68,8 @@ TEST(Progress, OfABatchIsThatOfItsCommands)
     const ProgramRun check = folder.run("batch jobs.json --check --progress openjd");
     std::vector<int> ofCheck = percents(check.out, "openjd_progress: ");
     std::erase(ofCheck, -1);
-    EXPECT_EQ(ofCheck, std::vector<int>({50, 100}));
+    expectGrows(ofCheck);
+    EXPECT_EQ(ofCheck.size(), 3u) << check.out; // half of it, all of it, done
 }
 
 } // namespace

@@ -27,8 +27,8 @@ TEST(Recipe, PrintsALineThatMakesTheOutputAgain)
         {"convert probe.hdr -o f_%s.exr --to cube --size 8 --threads 1", "f_ny.exr"},
         {"filter probe.hdr -o lod%d.png --law three --levels 3 --to cube --size 8 --encode rgbm", "lod1.png"},
         {"render s.mirrorball -o b.png --set material.lambda=2 --set view.exposure=1", "b.png"},
-        {"export probe.hdr --for filament --size 16 -o game", "game"},
-        {"paint glossy -o p.png --size 16 --levels", "p.png"},
+        {"export probe.hdr --for filament --size 32 -o game", "game"},
+        {"paint porcelain -o p.png --size 16 --levels", "p.png"},
         {"brdf ward:alpha=0.3 --table albedo -o t.exr", "t.exr"},
     };
     for (const Case& each : cases) {
