@@ -10,7 +10,7 @@
 ///
 ///   {"version": 1, "per_task": 25, "jobs": [
 ///     {"command": ["filter", "probes/{stem}.hdr", "-o", "maps/{stem}.exr", ...], "each": ["probes/*.hdr"]},
-///     {"scene": "car.mirrorball", "frames": "1-24", "picture": "frames/car.####.png", "options": ["--set", "probe.yaw_degrees={frame}"]},
+///     {"scene": "car.mirrorball", "frames": "1-24", "picture": "frames/car.####.png", "options": ["--set", "probe.yaw={frame}"]},
 ///     {"scene": "car.mirrorball", "exports": "game/car"}]}
 namespace mirrorball {
 

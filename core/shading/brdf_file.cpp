@@ -3,8 +3,8 @@
 #include "observer.h"
 
 #include "core/base/error.h"
-#include "core/base/file_log.h"
 #include "core/base/field_checks.h"
+#include "core/base/file_log.h"
 #include "core/sphere/direction.h"
 
 #include <algorithm>

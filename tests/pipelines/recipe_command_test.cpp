@@ -28,7 +28,7 @@ TEST(Recipe, PrintsALineThatMakesTheOutputAgain)
         {"filter probe.hdr -o lod%d.png --law three --levels 3 --to cube --size 8 --encode rgbm", "lod1.png"},
         {"render s.mirrorball -o b.png --set material.lambda=2 --set view.exposure=1", "b.png"},
         {"export probe.hdr --for filament --size 32 -o game", "game"},
-        {"paint porcelain -o p.png --size 16 --levels", "p.png"},
+        {"paint porcelain -o p.png --size 16 --levels", "p.1.png"},
         {"brdf ward:alpha=0.3 --table albedo -o t.exr", "t.exr"},
     };
     for (const Case& each : cases) {
