@@ -38,7 +38,7 @@ TEST(Progress, GrowsToAHundredInEveryCommand)
     for (const char* command :
          {"convert probe.hdr -o a.exr --to cube --size 64",
           "filter probe.hdr -o a.exr --lobe phong --exponent 9 --to cube --size 64 --method reference", "render s.mirrorball -o b.png",
-          "paint porcelain -o m.png --size 64", "brdf ggx:alpha=0.3 --table ab -o t.exr"}) {
+          "paint porcelain -o m.png --size 64", "brdf ggx:alpha=0.3 --table albedo --size 8 -o t.exr"}) {
         const ProgramRun run = folder.run(std::string(command) + " --progress openjd");
         EXPECT_EQ(run.status, 0) << command << run.err;
         SCOPED_TRACE(std::string(command) + "\n" + run.out);
