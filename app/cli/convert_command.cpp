@@ -41,12 +41,12 @@ void runOne(const Options& o, const JobControl& job)
                                    .yaw = radians(o.yawDeg + turn.yawDeg),
                                    .turn = orient,
                                    .resample = o.resample == "cubic" ? Resample::Cubic : Resample::Linear};
-    Probe probe = readResampled(ProbeFile(o.probe, read), options, job);
+    Probe probe = readResampled(ProbeFile(o.probe, read), options, o.mips ? partOf(job, 0.0f, 0.8f) : job);
     printNotes(o.probe, probe.notes);
     EnvironmentMap map = std::move(probe.map);
     std::vector<EnvironmentMap> levels;
     if (o.mips)
-        levels = buildMipPyramid(map, job).levels;
+        levels = buildMipPyramid(map, partOf(job, 0.8f, 1.0f)).levels;
     else
         levels.push_back(std::move(map));
     store(levels, turn.orientation);
