@@ -80,6 +80,7 @@ int main(int argc, char** argv)
     cli::addPresetsCommand(program);
     cli::addReportCommand(program, argc, argv);
     cli::addDoctorCommand(program);
+    cli::addSpectrumCommand(program);
     cli::refuseInfinities(program);
     try {
         try {
