@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/filter/source_file.h"
+#include "core/filter/spectrum_file.h"
 #include "core/image/map_file.h"
 #include "core/image/mip_pyramid.h"
 #include "core/preview/paraboloid_blur.h"
@@ -237,12 +238,18 @@ void run(const Options& o)
     checkOutputsDiffer({{"--output", mapFiles(o.out, layouts)}, {"--stats", filesOf(o.stats)}});
     const JobControl job = jobWithProgress("filter", o.threads);
     WorkRecord record;
-    ProbeFile file(o.probe, read);
-    const Plan plan = timedStage(record.stages, "plan", [&] { return planFilters(o.probe, file.layout(), levels, o.out); });
+    std::optional<ProbeFile> file;
+    std::optional<OpenedSource> spectrum; // which is little enough to be read before the plan
+    if (isSpectrumFile(o.probe))
+        spectrum = openSpectrum(o.probe, job);
+    else
+        file.emplace(o.probe, read);
+    const MapLayout layout = file ? file->layout() : MapLayout{.kind = Parameterization::Latlong, .size = spectrum->source.height()};
+    const Plan plan = timedStage(record.stages, "plan", [&] { return planFilters(o.probe, layout, levels, o.out); });
     if (o.explain)
         printStages(plan.stages);
 
-    OpenedSource opened = openFilterSource(file, levels, job);
+    OpenedSource opened = file ? openFilterSource(*file, levels, job) : std::move(*spectrum);
     opened.source.useParaboloidDevice(std::make_shared<preview::ParaboloidBlur>()); // starts no GPU before it is asked
     record += {.stages = std::move(opened.stages)};
     SceneProbe probe{.source = std::move(opened.source)};
@@ -270,7 +277,7 @@ void addFilterCommand(CLI::App& program)
 {
     const auto o = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand("filter", "Prefilter a probe with a lobe");
-    command->add_option("PROBE", o->probe, "file or builtin:NAME")->required();
+    command->add_option("PROBE", o->probe, "file, builtin:NAME, or a spectrum made by `mirrorball spectrum`")->required();
     command->add_option("-o,--output", o->out, "output file; %s in the name of a cube makes six files, %d one file a level")->required();
     command->add_option("--lobe", o->lobe, "phong, diffuse or ggx; ggx with --law");
     command->add_option("--law", o->law,

@@ -235,7 +235,8 @@ void SpectrumBuilder::addRows(int firstRow, int rows, const float* rgb, const Jo
                     input[x] = value;
                     squares[x % 4] += input[x] * input[x];
                 }
-                m_rowSquares[static_cast<size_t>(firstRow - m_range.first + y)][static_cast<int>(c)] = squares[0] + squares[1] + squares[2] + squares[3];
+                m_rowSquares[static_cast<size_t>(firstRow - m_range.first + y)][static_cast<int>(c)] =
+                    squares[0] + squares[1] + squares[2] + squares[3];
                 if (!m_plans)
                     continue;
                 fftw_execute_dft_r2c(m_plans->forward, row.data(), reinterpret_cast<fftw_complex*>(modes.data()));

@@ -76,7 +76,8 @@ public:
     /// Another radiance for the texel (x, y) of a row that was added: as if the row had come with it.
     /// @param before  what it came with
     void replace(int x, int y, const glm::dvec3& before, const glm::dvec3& radiance);
-    /// The transform along the meridians. Every row of the range must have been added. The rows stay, so that it may be called again after replace().
+    /// The transform along the meridians. Every row of the range must have been added. The rows stay, so that it may be called again after
+    /// replace().
     Spectrum finish(const JobControl& job = {});
 
 private:

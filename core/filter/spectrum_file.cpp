@@ -1,6 +1,6 @@
 #include "spectrum_file.h"
 
-#include "band_limit.h"
+#include "spectral.h"
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
@@ -29,6 +29,8 @@ static_assert(std::endian::native == std::endian::little, "the numbers of the fi
 /// A range of rows as the header has it.
 struct HeaderRows {
     int first = 0, end = 0;
+    UnknownKeys unknown{};
+
     template <typename Self, typename Visit>
     static void visitFields(Self& self, Visit&& visit)
     {
@@ -92,7 +94,7 @@ Header headerOf(const SpectrumPart& part)
                   .clamped = static_cast<double>(r.clamped),
                   .probe = part.probe};
     for (const RowRange& rows : part.rows)
-        header.rows.push_back({rows.first, rows.end});
+        header.rows.push_back({.first = rows.first, .end = rows.end});
     return header;
 }
 
@@ -239,9 +241,14 @@ void writeSpectrum(const std::filesystem::path& path, const SpectrumPart& part)
     for (const auto& channel : part.calm.coefficients)
         file.write(channel.data(), channel.size() * sizeof(Complex));
     for (const BrightTexels::Change& change : part.bright.changes) {
-        const std::array<double, numbersOfBright> numbers{
-            static_cast<double>(change.x), static_cast<double>(change.y), change.before.r, change.before.g,
-            change.before.b,               change.calm.r,                 change.calm.g,   change.calm.b};
+        const std::array<double, numbersOfBright> numbers{static_cast<double>(change.x),
+                                                          static_cast<double>(change.y),
+                                                          change.before.r,
+                                                          change.before.g,
+                                                          change.before.b,
+                                                          change.calm.r,
+                                                          change.calm.g,
+                                                          change.calm.b};
         file.write(numbers.data(), sizeof numbers);
     }
     file.commit();
@@ -278,7 +285,8 @@ SpectrumPart readSpectrum(const std::filesystem::path& path)
     }
     const MapLayout layout{.kind = Parameterization::Latlong, .size = header.height};
     const size_t count = coefficientCount(header.degree), bright = static_cast<size_t>(header.bright);
-    const std::uintmax_t size = firstLine.size() + text.size() + 1 + 3 * count * sizeof(Complex) + bright * numbersOfBright * sizeof(double);
+    const std::uintmax_t size =
+        firstLine.size() + text.size() + 1 + 3 * count * sizeof(Complex) + bright * numbersOfBright * sizeof(double);
     std::error_code ignored;
     int row = 0;
     bool inOrder = layout.width() == header.width && header.degree < header.width;
@@ -333,6 +341,15 @@ FilterSource filterSource(SpectrumPart whole, const JobControl& job)
         return FilterSource(std::move(whole.calm));
     Spectrum all = brightSpectrum(whole, job);
     return {std::move(all), std::move(whole.calm), std::move(whole.bright)};
+}
+
+OpenedSource openSpectrum(const std::filesystem::path& path, const JobControl& job)
+{
+    std::vector<Stage> stages;
+    SpectrumPart part = timedStage(stages, "read spectrum", [&] { return readSpectrum(path); });
+    const RepairReport repaired = part.repaired;
+    FilterSource source = timedStage(stages, "add bright texels", [&] { return filterSource(std::move(part), job); });
+    return {std::move(source), repaired, "a spectrum is that of a latlong", true, std::move(stages)};
 }
 
 } // namespace mirrorball

@@ -2,6 +2,7 @@
 
 #include "bright_texels.h"
 #include "filter_source.h"
+#include "source_file.h"
 #include "spectrum.h"
 
 #include "core/base/job.h"
@@ -19,12 +20,12 @@ namespace mirrorball {
 
 /// The spectrum of some rows of a latlong probe, without what was taken out of its brightest texels.
 struct SpectrumPart {
-    Spectrum calm{};               ///< of the rows that are there; others count as black
-    BrightTexels bright{};         ///< what was taken out, in the order of rows
-    double threshold = 0.0;        ///< largest channel of a texel that stays as it is; 0: nothing was taken out
-    std::vector<RowRange> rows{};  ///< that are there, in order, apart from one another
+    Spectrum calm{};              ///< of the rows that are there; others count as black
+    BrightTexels bright{};        ///< what was taken out, in the order of rows
+    double threshold = 0.0;       ///< largest channel of a texel that stays as it is; 0: nothing was taken out
+    std::vector<RowRange> rows{}; ///< that are there, in order, apart from one another
     RepairReport repaired{};
-    std::string probe{};           ///< its name, for messages
+    std::string probe{}; ///< its name, for messages
 
     /// Whether every row is there.
     bool isWhole() const { return rows.size() == 1 && rows.front() == RowRange{0, calm.rings}; }
@@ -55,5 +56,8 @@ SpectrumPart readSpectrum(const std::filesystem::path& path);
 /// A whole spectrum made ready for filtering: what was taken out is added as the promise of a tolerance needs it.
 /// @throws InvalidArgument when rows are missing, naming the first of them
 FilterSource filterSource(SpectrumPart whole, const JobControl& job = {});
+
+/// The file of a whole spectrum, opened for filtering. @throws as readSpectrum() and filterSource()
+OpenedSource openSpectrum(const std::filesystem::path& path, const JobControl& job = {});
 
 } // namespace mirrorball
