@@ -21,6 +21,7 @@ void addBrdfCommand(CLI::App& program);
 void addDoctorCommand(CLI::App& program);
 void addConvertCommand(CLI::App& program);
 void addFilterCommand(CLI::App& program);
+void addSpectrumCommand(CLI::App& program);
 void addRenderCommand(CLI::App& program);
 void addExportCommand(CLI::App& program);
 void addPaintCommand(CLI::App& program);

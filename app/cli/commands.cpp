@@ -14,6 +14,7 @@ void addCommands(CLI::App& program, int argc, const char* const* argv)
     addPresetsCommand(program);
     addReportCommand(program, argc, argv);
     addDoctorCommand(program);
+    addSpectrumCommand(program);
     addBatchCommand(program);
     addRecipeCommand(program);
     refuseInfinities(program);

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/engine/filter_chain.h"
 #include "core/filter/source_file.h"
+#include "core/filter/spectrum_file.h"
 #include "core/image/map_file.h"
 #include "core/image/mip_pyramid.h"
 #include "core/preview/paraboloid_blur.h"
@@ -226,12 +227,18 @@ void runOne(const Options& o, const JobControl& job)
         layouts.push_back(level.target);
     checkOutputsDiffer({{"--output", mapFiles(o.out, layouts, faceBorder)}, {"--stats", filesOf(o.stats)}});
     WorkRecord record;
-    ProbeFile file(o.probe, read);
-    const Plan plan = timedStage(record.stages, "plan", [&] { return planFilters(o.probe, file.layout(), levels, o.out); });
+    std::optional<ProbeFile> file;
+    std::optional<OpenedSource> spectrum; // which is little enough to be read before the plan
+    if (isSpectrumFile(o.probe))
+        spectrum = openSpectrum(o.probe, job);
+    else
+        file.emplace(o.probe, read);
+    const MapLayout layout = file ? file->layout() : MapLayout{.kind = Parameterization::Latlong, .size = spectrum->source.height()};
+    const Plan plan = timedStage(record.stages, "plan", [&] { return planFilters(o.probe, layout, levels, o.out); });
     if (o.explain)
         printStages(plan.stages);
 
-    OpenedSource opened = openFilterSource(file, levels, partOf(job, 0.0f, 0.3f));
+    OpenedSource opened = file ? openFilterSource(*file, levels, partOf(job, 0.0f, 0.3f)) : std::move(*spectrum);
     printNotes(o.probe, opened.notes);
     opened.source.useParaboloidDevice(std::make_shared<preview::ParaboloidBlur>()); // starts no GPU before it is asked
     record += {.stages = std::move(opened.stages)};
@@ -276,7 +283,7 @@ void addFilterCommand(CLI::App& program)
 {
     const auto o = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand("filter", "Prefilter a probe with a lobe");
-    command->add_option("PROBE", o->probe, "file or builtin:NAME")->required();
+    command->add_option("PROBE", o->probe, "file, builtin:NAME, or a spectrum made by `mirrorball spectrum`")->required();
     command->add_option("-o,--output", o->out, outputHelp)->required();
     command->add_option("--lobe", o->lobe, "phong, diffuse or ggx; ggx with --law");
     command->add_option("--law", o->law,

@@ -111,6 +111,18 @@ FilterSource::FilterSource(Spectrum spectrum) : m_width(spectrum.ringLength), m_
     m_spectrum = std::make_shared<const Spectrum>(std::move(spectrum));
 }
 
+FilterSource::FilterSource(Spectrum whole, Spectrum calm, BrightTexels taken) : FilterSource(std::move(whole))
+{
+    m_taken = true;
+    m_bright[0] = std::make_shared<const BrightTexels>();
+    m_bright[1] = std::make_shared<const BrightTexels>(std::move(taken));
+    m_calmSpectra[1] = std::make_shared<const Spectrum>(std::move(calm));
+    for (size_t split = 2; split < brightSplits.size(); ++split) {
+        m_bright[split] = m_bright[1];
+        m_calmSpectra[split] = m_calmSpectra[1];
+    }
+}
+
 FilterSource::FilterSource(std::shared_ptr<SpectrumBuilder> rows, BrightTexelFinder brightest)
     : m_width(rows->width()), m_height(rows->height()), m_rows(std::move(rows)),
       m_brightest(std::make_shared<const BrightTexelFinder>(std::move(brightest)))

@@ -31,6 +31,8 @@ public:
     explicit FilterSource(EnvironmentMap probe, const JobControl& job = {});
     /// A probe that was streamed, as far as its spectrum goes.
     explicit FilterSource(Spectrum spectrum);
+    /// The same with what is taken out of its brightest texels, however many those are, and the spectrum of the rest.
+    FilterSource(Spectrum whole, Spectrum calm, BrightTexels taken);
     /// A probe that was streamed: its truncated rows, and its brightest texels, which can be taken out of them.
     FilterSource(std::shared_ptr<SpectrumBuilder> rows, BrightTexelFinder brightest);
 
@@ -49,7 +51,7 @@ public:
     int knownBandLimit() const { return m_spectrum ? m_spectrum->bandLimit : -1; }
 
     /// Whether bright texels can be taken out.
-    bool canSplit() const { return m_latlong || m_rows; }
+    bool canSplit() const { return m_latlong || m_rows || m_taken; }
     /// What is taken out by one of the brightSplits; none by the first. Found by the first call and kept.
     const BrightTexels& brightTexels(size_t split, const JobControl& job = {});
     /// The spectrum of the probe without those; for split 0 that of the whole probe. @throws as spectrum()
@@ -83,6 +85,7 @@ private:
     std::shared_ptr<const Spectrum> m_spectrum{};
     std::shared_ptr<SpectrumBuilder> m_rows{}; ///< of a streamed probe
     std::shared_ptr<const BrightTexelFinder> m_brightest{};
+    bool m_taken = false; ///< every split takes out the same, which was decided when the spectrum was made
     std::array<std::shared_ptr<const BrightTexels>, brightSplits.size()> m_bright{};
     std::array<std::shared_ptr<const Spectrum>, brightSplits.size()> m_calmSpectra{}; ///< [0] is not used: m_spectrum
     std::shared_ptr<const LookupPyramid> m_lookupPyramid{};

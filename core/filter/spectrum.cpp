@@ -242,16 +242,17 @@ struct SpectrumBuilder::Dirichlet {
     }
 };
 
-SpectrumBuilder::SpectrumBuilder(int width, int height, int bandLimit) : m_width(width), m_height(height), m_bandLimit(bandLimit)
+SpectrumBuilder::SpectrumBuilder(int width, int height, int bandLimit, RowRange rows)
+    : m_width(width), m_height(height), m_bandLimit(bandLimit), m_range(rows)
 {
-    assert(width > 0 && height > 0 && bandLimit >= 0);
+    assert(width > 0 && bandLimit >= 0 && 0 <= rows.first && rows.first < rows.end && rows.end <= height);
     const int enough = goodLength(2 * bandLimit + 2);
     m_keptLength = enough < width ? enough : width;
     if (m_keptLength < width)
         m_plans = std::make_unique<Plans>(width, m_keptLength);
     for (auto& channel : m_rows)
-        channel.resize(static_cast<size_t>(height) * static_cast<size_t>(m_keptLength));
-    m_rowSquares.resize(static_cast<size_t>(height), glm::dvec3(0.0));
+        channel.resize(static_cast<size_t>(rows.end - rows.first) * static_cast<size_t>(m_keptLength));
+    m_rowSquares.resize(static_cast<size_t>(rows.end - rows.first), glm::dvec3(0.0));
 }
 
 SpectrumBuilder::~SpectrumBuilder() = default;
@@ -267,7 +268,7 @@ void SpectrumBuilder::addRows(int firstRow, int rows, const float* rgb, const Jo
         for (int y = first; y < last; ++y) {
             const float* texels = rgb + static_cast<size_t>(y) * width * 3;
             for (size_t c = 0; c < 3; ++c) {
-                double* target = m_rows[c].data() + static_cast<size_t>(firstRow + y) * kept;
+                double* target = m_rows[c].data() + static_cast<size_t>(firstRow - m_range.first + y) * kept;
                 double* input = m_plans ? row.data() : target;
                 std::array<double, 4> squares{}; // sums that do not wait for one another
                 for (size_t x = 0; x < width; ++x) {
@@ -277,7 +278,8 @@ void SpectrumBuilder::addRows(int firstRow, int rows, const float* rgb, const Jo
                     input[x] = value;
                     squares[x % 4] += input[x] * input[x];
                 }
-                m_rowSquares[static_cast<size_t>(firstRow + y)][static_cast<int>(c)] = squares[0] + squares[1] + squares[2] + squares[3];
+                m_rowSquares[static_cast<size_t>(firstRow - m_range.first + y)][static_cast<int>(c)] =
+                    squares[0] + squares[1] + squares[2] + squares[3];
                 if (!m_plans)
                     continue;
                 fftw_execute_dft_r2c(m_plans->forward, row.data(), reinterpret_cast<fftw_complex*>(modes.data()));
@@ -300,48 +302,29 @@ void SpectrumBuilder::replace(int x, int y, const glm::dvec3& before, const glm:
     if (m_plans && !m_dirichlet)
         m_dirichlet = std::make_unique<Dirichlet>(m_keptLength, m_bandLimit);
     for (int c = 0; c < 3; ++c) {
-        double* row = m_rows[static_cast<size_t>(c)].data() + static_cast<size_t>(y) * static_cast<size_t>(m_keptLength);
+        const auto at = static_cast<size_t>(y - m_range.first);
+        double* row = m_rows[static_cast<size_t>(c)].data() + at * static_cast<size_t>(m_keptLength);
         const double change = radiance[c] - before[c];
         if (m_plans)
             m_dirichlet->add(row, static_cast<double>(x) / m_width, change / m_width);
         else
             row[x] = radiance[c];
-        m_rowSquares[static_cast<size_t>(y)][c] += change * (radiance[c] + before[c]);
+        m_rowSquares[at][c] += change * (radiance[c] + before[c]);
     }
 }
 
-Spectrum SpectrumBuilder::finish(const JobControl& job)
+void setUnit(Spectrum& spectrum)
 {
-    const std::vector<double> theta = ringColatitudes(m_height);
-    std::vector<double> weight(theta.size());
-    for (int j = 0; j < m_height; ++j)
-        weight[static_cast<size_t>(j)] = bandHeight(j, m_height) * 2.0 * pi / m_keptLength;
-
-    Spectrum spectrum;
-    spectrum.bandLimit = m_bandLimit;
-    spectrum.rings = m_height;
-    spectrum.ringLength = m_width;
-    spectrum.peak = m_peak;
-    spectrum.least = m_least;
-    for (int j = 0; j < m_height; ++j)
-        spectrum.secondMoment += bandHeight(j, m_height) * 2.0 * pi / m_width * m_rowSquares[static_cast<size_t>(j)];
-    const size_t count = spectrum.index(m_bandLimit, m_bandLimit) + 1;
-    // The first sample of a truncated row keeps its texel's azimuth, half a texel of the full row.
-    constexpr size_t largeCount = size_t{1} << 19;
-    const std::vector<Geometry> blocks = ringBlocks(theta, weight, m_keptLength, pi / m_width, count > largeCount ? 1 : 16);
-    const Coefficients layout = triangle(m_bandLimit);
-    for (auto& channel : spectrum.coefficients)
-        channel.resize(count);
-    fromRings(spectrum.coefficients, m_rows, blocks, layout, job);
-
+    const int height = spectrum.rings, width = spectrum.ringLength;
+    const std::vector<double> theta = ringColatitudes(height);
     // A constant 1 on these rings holds orders that are multiples of the row's length only. Below the first of those it is zonal, and
     // its coefficients are a sum over the rows: of w_j P_l(cos theta_j), all rows at once, the northern half standing for both.
     constexpr int longest = 2048;
-    const int zonalLimit = std::max(m_bandLimit, std::min(m_width + m_width / 4, longest));
+    const int zonalLimit = std::max(spectrum.bandLimit, std::min(width + width / 4, longest));
     std::vector<double> x, w;
-    for (int j = 0; 2 * j < m_height; ++j) {
+    for (int j = 0; 2 * j < height; ++j) {
         x.push_back(std::cos(theta[static_cast<size_t>(j)]));
-        w.push_back(2.0 * pi * bandHeight(j, m_height) * (2 * j + 1 == m_height ? 1.0 : 2.0));
+        w.push_back(2.0 * pi * bandHeight(j, height) * (2 * j + 1 == height ? 1.0 : 2.0));
     }
     std::vector<double> previous(x.size(), 0.0), p(x.size(), 1.0);
     for (int l = 0; l <= zonalLimit; ++l) {
@@ -355,14 +338,57 @@ Spectrum SpectrumBuilder::finish(const JobControl& job)
         }
         spectrum.zonalUnit.push_back(l % 2 == 0 ? std::sqrt((2.0 * l + 1.0) / (4.0 * pi)) * sum : 0.0); // odd ones cancel
     }
-    spectrum.unit.resize(count);
-    if (m_bandLimit >= m_width) {
+    spectrum.unit.assign(spectrum.index(spectrum.bandLimit, spectrum.bandLimit) + 1, Complex(0.0));
+    for (int l = 0; l <= spectrum.bandLimit; ++l)
+        spectrum.unit[spectrum.index(l, 0)] = spectrum.zonalUnit[static_cast<size_t>(l)];
+}
+
+Spectrum SpectrumBuilder::finish(const JobControl& job)
+{
+    const std::vector<double> theta = ringColatitudes(m_height);
+    const std::vector<double> here(theta.begin() + m_range.first, theta.begin() + m_range.end);
+    std::vector<double> weight;
+    for (int j = m_range.first; j < m_range.end; ++j)
+        weight.push_back(bandHeight(j, m_height) * 2.0 * pi / m_keptLength);
+
+    Spectrum spectrum;
+    spectrum.bandLimit = m_bandLimit;
+    spectrum.rings = m_height;
+    spectrum.ringLength = m_width;
+    spectrum.peak = m_peak;
+    spectrum.least = m_least;
+    for (int j = m_range.first; j < m_range.end; ++j)
+        spectrum.secondMoment += bandHeight(j, m_height) * 2.0 * pi / m_width * m_rowSquares[static_cast<size_t>(j - m_range.first)];
+    const size_t count = spectrum.index(m_bandLimit, m_bandLimit) + 1;
+    // The first sample of a truncated row keeps its texel's azimuth, half a texel of the full row.
+    constexpr size_t largeCount = size_t{1} << 19;
+    const std::vector<Geometry> blocks = ringBlocks(here, weight, m_keptLength, pi / m_width, count > largeCount ? 1 : 16);
+    const Coefficients layout = triangle(m_bandLimit);
+    for (auto& channel : spectrum.coefficients)
+        channel.resize(count);
+    fromRings(spectrum.coefficients, m_rows, blocks, layout, job);
+
+    setUnit(spectrum);
+    if (m_bandLimit >= m_width) { // what repeats along the rows
+        assert(m_range == (RowRange{0, m_height}));
+        const std::vector<Complex> zonal = std::exchange(spectrum.unit, std::vector<Complex>(count));
         std::vector<double> ones(m_rows[0].size(), 1.0);
         fromRings({&spectrum.unit, 1}, {&ones, 1}, blocks, layout, job);
+        std::copy_n(zonal.begin(), m_bandLimit + 1, spectrum.unit.begin());
     }
-    for (int l = 0; l <= m_bandLimit; ++l)
-        spectrum.unit[spectrum.index(l, 0)] = spectrum.zonalUnit[static_cast<size_t>(l)];
     return spectrum;
+}
+
+Spectrum& Spectrum::operator+=(const Spectrum& other)
+{
+    assert(bandLimit == other.bandLimit && rings == other.rings && ringLength == other.ringLength);
+    for (size_t c = 0; c < 3; ++c)
+        for (size_t i = 0; i < coefficients[c].size(); ++i)
+            coefficients[c][i] += other.coefficients[c][i];
+    peak = std::max(peak, other.peak);
+    least = std::min(least, other.least);
+    secondMoment += other.secondMoment;
+    return *this;
 }
 
 Spectrum analyse(const EnvironmentMap& latlong, int bandLimit, const JobControl& job)

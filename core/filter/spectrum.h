@@ -35,6 +35,9 @@ struct Spectrum {
         return static_cast<size_t>(m) * static_cast<size_t>(2 * bandLimit + 1 - m) / 2 + static_cast<size_t>(l);
     }
 
+    /// Adds the spectrum of other texels of the same map at the same band limit; `unit` stays. The peak and the least are those of both.
+    Spectrum& operator+=(const Spectrum& other);
+
     /// Power per degree of the map about its mean, sum over m and the channels of |a_lm - mean unit_lm|^2; that of the mean itself at
     /// l = 0. A filter reproduces the mean exactly, so this is what a truncation can lose.
     std::vector<double> powerAboutMean() const;
@@ -44,12 +47,23 @@ struct Spectrum {
     glm::dvec3 varianceAboutMean() const;
 };
 
+/// Fills `unit` and `zonalUnit` from the size of the map; of a band limit of a row's length and more, without what repeats along the rows.
+void setUnit(Spectrum& spectrum);
+
+/// Rows [first, end) of a map.
+struct RowRange {
+    int first = 0, end = 0;
+    bool operator==(const RowRange&) const = default;
+};
+
 /// Builds a Spectrum from rows that arrive one block after the other, so that a probe of any size streams through: each row is
 /// Fourier transformed, truncated to |m| <= bandLimit and kept at just the length that holds those. That is exact, not a
 /// reduction. Memory: about 48 (bandLimit + 1) bytes a row, whatever the row's length.
 class SpectrumBuilder {
 public:
-    SpectrumBuilder(int width, int height, int bandLimit);
+    SpectrumBuilder(int width, int height, int bandLimit) : SpectrumBuilder(width, height, bandLimit, {0, height}) {}
+    /// The same of some rows only: the others count as black, and take no memory. `unit` is that of all rows.
+    SpectrumBuilder(int width, int height, int bandLimit, RowRange rows);
     ~SpectrumBuilder();
     SpectrumBuilder(const SpectrumBuilder&) = delete;
     SpectrumBuilder& operator=(const SpectrumBuilder&) = delete;
@@ -62,13 +76,15 @@ public:
     /// Another radiance for the texel (x, y) of a row that was added: as if the row had come with it.
     /// @param before  what it came with
     void replace(int x, int y, const glm::dvec3& before, const glm::dvec3& radiance);
-    /// The transform along the meridians. Every row must have been added. The rows stay, so that it may be called again after replace().
+    /// The transform along the meridians. Every row of the range must have been added. The rows stay, so that it may be called again after
+    /// replace().
     Spectrum finish(const JobControl& job = {});
 
 private:
     struct Plans;
     struct Dirichlet;
     int m_width, m_height, m_bandLimit;
+    RowRange m_range;
     int m_keptLength; ///< samples kept of each row: all of them where the band limit asks for it
     double m_peak = 0.0, m_least = HUGE_VAL;
     std::vector<glm::dvec3> m_rowSquares; ///< sum of L^2 over each row; their total does not depend on the threads

@@ -17,7 +17,8 @@ public:
     /// @param reader  of three channels
     RepairedReader(std::unique_ptr<ImageReader> reader, NegativePolicy policy);
     const ImageFileInfo& info() const override { return m_reader->info(); }
-    /// Rows must be asked for from the first to the last, each once.
+    /// Rows must be asked for from the first to the last, each once; the first call may begin further down, and what is above then has no
+    /// part in mending.
     void readRows(int firstRow, int rows, float* rgb) override;
     /// Of the rows that were read.
     const RepairReport& report() const { return m_report; }
