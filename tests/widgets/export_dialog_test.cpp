@@ -143,7 +143,7 @@ void ExportDialogTest::namesTheFilesAndSizesBeforehand()
     const QString before = shown.dialog->estimateText();
     shown.find<QSpinBox>("export.size")->setValue(512);
     QTRY_VERIFY(shown.dialog->estimateText() != before);
-    shown.dialog->resize(760, 520);
+    shown.dialog->resize(940, 560);
     keepScreenshot(*shown.dialog, QStringLiteral("export-small"));
 }
 
@@ -232,8 +232,65 @@ void ExportDialogTest::saysWhatIsWrong()
 
     ShownDialog empty(Scene{});
     QVERIFY(empty.isReady);
+    empty.dialog->chooseEngine({});
     QVERIFY(!empty.find<QPushButton>("export.start")->isEnabled());
     keepScreenshot(*empty.dialog, QStringLiteral("export-empty"));
+}
+
+void ExportDialogTest::beginsWithAGalleryOfEngines()
+{
+    Scene scene;
+    scene.probe.source = "builtin:axes";
+    ShownDialog shown(scene);
+    QVERIFY(shown.isReady);
+    QVERIFY(shown.dialog->engine() != nullptr); // nothing has to be listed first
+    QVERIFY(shown.find<QPushButton>("export.start")->isEnabled());
+    auto* gallery = shown.find<QListWidget>("export.gallery");
+    QCOMPARE(gallery->count(), static_cast<int>(engineProfiles().size()) + 1);
+    for (int row = 0; row < gallery->count() - 1; ++row) {
+        gallery->setCurrentRow(row);
+        const EngineProfile& profile = engineProfiles()[static_cast<size_t>(row)];
+        QCOMPARE(shown.dialog->engine()->word, profile.word);
+        QVERIFY(QTest::qWaitFor([&] { return shown.dialog->isEstimated(); }, patience));
+        QCOMPARE(shown.find<QTreeWidget>("engine.files")->topLevelItemCount(), static_cast<int>(profile.files.size()) + 1);
+        QCOMPARE(shown.find<QLabel>("engine.proven")->text().contains(QStringLiteral("not proven")), profile.proven.empty());
+        QVERIFY(shown.dialog->command().contains(QString::fromStdString("--for " + std::string(profile.word))));
+    }
+    shown.dialog->chooseEngine(QStringLiteral("filament"));
+    QVERIFY(QTest::qWaitFor([&] { return shown.dialog->isEstimated(); }, patience));
+    keepScreenshot(*shown.dialog, QStringLiteral("export-engine"));
+    gallery->setCurrentRow(gallery->count() - 1);
+    QVERIFY(shown.dialog->engine() == nullptr);
+}
+
+void ExportDialogTest::anEnginesFilesAreTheCommandLines()
+{
+    Scene scene;
+    scene.probe.source = "builtin:axes";
+    scene.probe.yawDeg = 30.0;
+    scene.probe.exposure = 1.0;
+    ShownDialog shown(scene);
+    QVERIFY(shown.isReady);
+    shown.workspace.document.save(QString::fromStdString((shown.folder / "scene.mirrorball").string()));
+    shown.dialog->chooseEngine(QStringLiteral("filament"));
+    shown.choose("engine.size", 1); // 64
+    QVERIFY(shown.dialog->command().contains(QStringLiteral("--size 64")));
+    const QStringList files = shown.exports();
+    QCOMPARE(files.size(), 5);
+    shown.dialog->setFolder(QString::fromStdString((shown.folder / "again" / "out").string()));
+    QProcess shell;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("PATH"),
+                       QFileInfo(QStringLiteral(MIRRORBALL_PROGRAM)).absolutePath() + u':' + environment.value(QStringLiteral("PATH")));
+    shell.setProcessEnvironment(environment);
+    shell.start(QStringLiteral("/bin/sh"), {QStringLiteral("-c"), shown.dialog->command()});
+    QVERIFY(shell.waitForFinished(patience));
+    QCOMPARE(shell.exitCode(), 0);
+    for (const QString& file : files) {
+        const std::string name = QFileInfo(file).fileName().toStdString();
+        const std::string here = readBytes(shown.folder / "out" / name), there = readBytes(shown.folder / "again" / "out" / name);
+        QVERIFY2(!here.empty() && here == there, name.c_str());
+    }
 }
 
 void ExportDialogTest::offersThePaintedMapWhereThereIsOne()

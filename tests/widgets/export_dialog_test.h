@@ -19,6 +19,8 @@ private slots:
     void offersThePaintedMapWhereThereIsOne();
     void writesThePaintedMapAsPaintDoes();
     void keepsWhatEachKindUnderstands();
+    void beginsWithAGalleryOfEngines();
+    void anEnginesFilesAreTheCommandLines();
     void namesAllControls();
 };
 

@@ -85,10 +85,20 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(12, 12, 12, 12);
     layout->setSpacing(10);
+    auto* own = new QWidget;
+    auto* ownLayout = new QHBoxLayout(own);
+    ownLayout->setContentsMargins(0, 0, 0, 0);
+    ownLayout->setSpacing(12);
+    ownLayout->addWidget(makeList(), 3);
+    ownLayout->addWidget(makeForm(), 2);
+    m_card = new EngineCard;
+    m_pages = new QStackedWidget;
+    m_pages->addWidget(own);
+    m_pages->addWidget(m_card);
     auto* top = new QHBoxLayout;
     top->setSpacing(12);
-    top->addWidget(makeList(), 3);
-    top->addWidget(makeForm(), 2);
+    top->addWidget(makeGallery());
+    top->addWidget(m_pages, 1);
     layout->addLayout(top, 1);
     m_total = new QLabel;
     m_total->setObjectName(QStringLiteral("export.total"));
@@ -146,7 +156,10 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent)
         say(message, true);
     });
     connect(&m_estimator, &JobRunner::failed, this, [this](const QString& message) {
-        showEstimates({});
+        if (m_engine)
+            m_card->showProblem(message);
+        else
+            showEstimates({});
         say(message, true);
     });
     Document& document = workspace.document;
@@ -155,7 +168,7 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent)
             listTargets();
         offerKinds();
         if (parts & (Parts(Part::Exports) | Part::Probe | Part::Material | Part::Folder))
-            estimate();
+            m_engine ? estimateEngine() : estimate();
         showCommand();
     });
     connect(&document, &Document::refused, this, [this](const QString& message) {
@@ -169,16 +182,90 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent)
     const QString beside = scene.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::PicturesLocation) + QStringLiteral("/maps")
                                            : QFileInfo(scene).absolutePath() + QStringLiteral("/maps");
     resize(sizeHint());
-    setMinimumSize(760, 520);
+    setMinimumSize(940, 560);
     m_folder->setText(QDir::toNativeSeparators(QSettings().value(QStringLiteral("export/folder"), beside).toString()));
     offerKinds();
     listTargets();
     selectRow(0);
-    estimate();
-    showCommand();
+    const QString last = QSettings().value(QStringLiteral("export/engine"), QStringLiteral("three")).toString();
+    chooseEngine(document.scene().exports.empty() ? last : QString());
 }
 
 ExportDialog::~ExportDialog() { disconnectChildren(*this); }
+
+QWidget* ExportDialog::makeGallery()
+{
+    m_gallery = new QListWidget;
+    m_gallery->setObjectName(QStringLiteral("export.gallery"));
+    m_gallery->setAccessibleName(tr("What to export for"));
+    m_gallery->setToolTip(tr("An engine gets the scene's light as it takes it; below them, the maps that the scene lists itself"));
+    const auto add = [this](const QString& title, const QString& below, std::string_view word) {
+        auto* item = new QListWidgetItem(title + QLatin1Char('\n') + below);
+        item->setData(Qt::UserRole, toQString(word));
+        item->setSizeHint({0, 2 * fontMetrics().height() + 12});
+        m_gallery->addItem(item);
+    };
+    for (const EngineProfile& profile : engineProfiles())
+        add(toQString(profile.title), profile.proven.empty() ? tr("not proven") : provenText(profile), profile.word);
+    add(tr("Maps of the scene"), tr("chosen one by one"), {});
+    m_gallery->setFixedWidth(190);
+    connect(m_gallery, &QListWidget::currentItemChanged, this,
+            [this](const QListWidgetItem* item) { chooseEngine(item ? item->data(Qt::UserRole).toString() : QString()); });
+    connect(m_card, &EngineCard::sizeChanged, this, [this] {
+        estimateEngine();
+        showCommand();
+    });
+    return m_gallery;
+}
+
+void ExportDialog::chooseEngine(const QString& word)
+{
+    const auto profiles = engineProfiles();
+    const auto found = std::find_if(profiles.begin(), profiles.end(), [&](const EngineProfile& p) { return toQString(p.word) == word; });
+    m_engine = found == profiles.end() ? nullptr : &*found;
+    {
+        const QSignalBlocker blocker(m_gallery);
+        m_gallery->setCurrentRow(static_cast<int>(found - profiles.begin())); // the scene's own list stands last
+    }
+    m_pages->setCurrentIndex(m_engine ? 1 : 0);
+    say({});
+    m_estimator.stop();
+    if (m_engine) {
+        QSettings().setValue(QStringLiteral("export/engine"), word);
+        m_card->show(*m_engine);
+        estimateEngine();
+    } else {
+        estimate();
+    }
+    showCommand();
+}
+
+void ExportDialog::estimateEngine()
+{
+    m_total->setText(tr("No estimate yet."));
+    m_export->setEnabled(canExport());
+    const EngineExportOptions options{.size = m_card->size(), .name = engineExportName(toPath(folder()))};
+    m_estimator.start([scene = m_workspace.document.scene(), profile = *m_engine,
+                       options](const JobControl& job) { return estimateForEngine(scene, profile, options, job); },
+                      [this](const EngineEstimate& estimate) {
+                          m_card->showEstimate(estimate);
+                          m_total->setText(
+                              tr("%1, about %2 in all").arg(filesText(estimate.files.size()), toQString(byteText(estimate.bytes))));
+                      });
+}
+
+/// The same bytes as the command line's.
+void ExportDialog::exportEngine()
+{
+    setExporting(true);
+    say(tr("Exporting ..."));
+    const EngineExportOptions options{.size = m_card->size(), .name = engineExportName(toPath(folder()))};
+    m_runner.start([scene = m_workspace.document.scene(), profile = *m_engine, options,
+                    folder = toPath(folder())](const JobControl& job) { return exportForEngine(scene, profile, options, folder, job); },
+                   [this](const EngineExport& done) { finish(done.files); });
+}
+
+bool ExportDialog::canExport() const { return !m_isExporting && (m_engine || !checkedNames().empty()); }
 
 QWidget* ExportDialog::makeList()
 {
@@ -581,7 +668,7 @@ void ExportDialog::showEstimates(const std::vector<ExportEstimate>& estimates)
                                   seconds == 0.0  ? QString()
                                   : seconds < 0.1 ? tr("; computed in less than 0.1 s")
                                                   : tr("; computed in about %1 s").arg(seconds, 0, 'f', 1)));
-    m_export->setEnabled(!m_isExporting && !checkedNames().empty());
+    m_export->setEnabled(canExport());
 }
 
 std::vector<std::string> ExportDialog::checkedNames() const
@@ -600,10 +687,12 @@ void ExportDialog::showCommand()
     const bool isAll = names.size() == document.scene().exports.size();
     const bool isSaved = !document.filePath().isEmpty() && !document.isModified();
     const QString scene = document.filePath().isEmpty() ? QStringLiteral("SCENE.mirrorball") : document.filePath();
-    m_command->setText(QString::fromStdString(exportCommand(toPath(scene), toPath(folder()), isAll ? std::vector<std::string>{} : names)));
+    m_command->setText(
+        QString::fromStdString(m_engine ? engineExportCommand(toPath(scene), toPath(folder()), m_engine->word, m_card->size())
+                                        : exportCommand(toPath(scene), toPath(folder()), isAll ? std::vector<std::string>{} : names)));
     m_command->setCursorPosition(0);
     m_command->setEnabled(isSaved);
-    m_copy->setEnabled(isSaved && !names.empty());
+    m_copy->setEnabled(isSaved && (m_engine || !names.empty()));
     m_save->setVisible(!isSaved);
     m_commandNote->setText(isSaved ? tr("Writes the same bytes as Export.")
                                    : tr("The command line reads the saved scene: save it first, then both write the same bytes."));
@@ -619,31 +708,37 @@ void ExportDialog::startExport()
         return;
     }
     const std::vector<std::string> names = checkedNames();
-    if (names.empty()) {
+    if (!m_engine && names.empty()) {
         say(tr("No map is checked."), true);
         return;
     }
     QSettings().setValue(QStringLiteral("export/folder"), folder());
+    if (m_engine) {
+        exportEngine();
+        return;
+    }
     setExporting(true);
     say(tr("Exporting ..."));
     const bool isAll = names.size() == m_workspace.document.scene().exports.size();
     m_runner.start([scene = m_workspace.document.scene(), folder = toPath(folder()), names = isAll ? std::vector<std::string>{} : names](
                        const JobControl& job) { return exportScene(scene, folder, {.only = names}, job); },
-                   [this](const ExportOutcome& outcome) {
-                       setExporting(false);
-                       QStringList files;
-                       std::uintmax_t bytes = 0;
-                       for (const std::filesystem::path& file : outcome.files) {
-                           files << fromPath(file);
-                           std::error_code error;
-                           const std::uintmax_t size = std::filesystem::file_size(file, error);
-                           bytes += error ? 0 : size;
-                       }
-                       say(tr("Wrote %1, %2.")
-                               .arg(filesText(static_cast<size_t>(files.size())), toQString(byteText(static_cast<std::int64_t>(bytes)))));
-                       m_open->show();
-                       emit exported(files);
-                   });
+                   [this](const ExportOutcome& outcome) { finish(outcome.files); });
+}
+
+void ExportDialog::finish(const std::vector<std::filesystem::path>& written)
+{
+    setExporting(false);
+    QStringList files;
+    std::uintmax_t bytes = 0;
+    for (const std::filesystem::path& file : written) {
+        files << fromPath(file);
+        std::error_code error;
+        const std::uintmax_t size = std::filesystem::file_size(file, error);
+        bytes += error ? 0 : size;
+    }
+    say(tr("Wrote %1, %2.").arg(filesText(static_cast<size_t>(files.size())), toQString(byteText(static_cast<std::int64_t>(bytes)))));
+    m_open->show();
+    emit exported(files);
 }
 
 void ExportDialog::cancelExport() { m_runner.stop(); }
@@ -664,7 +759,7 @@ void ExportDialog::setExporting(bool exporting)
     m_progress->setValue(0);
     m_cancel->setVisible(exporting);
     m_close->setVisible(!exporting);
-    m_export->setEnabled(!exporting && !checkedNames().empty());
+    m_export->setEnabled(canExport());
     if (exporting)
         m_open->hide();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine_card.h"
 #include "export_format.h"
 #include "widgets/workspace/job_runner.h"
 #include "widgets/workspace/workspace.h"
@@ -15,9 +16,11 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QStackedWidget>
 #include <QTreeWidget>
 
 #include <functional>
@@ -25,8 +28,8 @@
 
 namespace mirrorball::studio {
 
-/// Which maps of the scene are written, as what, and where to; what that will take; and the command line that does the same. The list is
-/// the scene's: every change here is an undo step of the document.
+/// The scene's light for an engine, chosen from a gallery, or maps of its own list: which are written, as what, and where to; what that
+/// will take; and the command line that does the same. The list is the scene's: every change there is an undo step of the document.
 class ExportDialog : public QDialog {
     Q_OBJECT
 
@@ -43,9 +46,14 @@ public:
     bool isExporting() const { return m_isExporting; }
     bool isEstimated() const { return !m_estimator.isBusy(); }
 
-    QSize sizeHint() const override { return {860, 560}; }
+    QSize sizeHint() const override { return {1060, 620}; }
+
+    /// The engine that is exported for; null where the scene's own list is.
+    const EngineProfile* engine() const { return m_engine; }
 
 public slots:
+    /// Turns to an engine by its word, or with an empty one to the scene's own list.
+    void chooseEngine(const QString& word);
     void addTarget(mirrorball::ExportKind kind);
     void duplicateTarget();
     void removeTarget();
@@ -59,6 +67,7 @@ signals:
     void exported(const QStringList& files);
 
 private:
+    QWidget* makeGallery();
     QWidget* makeList();
     QWidget* makeForm();
     QWidget* makeFolderRow();
@@ -71,6 +80,10 @@ private:
     void listTargets();
     void showTarget();
     void estimate();
+    void estimateEngine();
+    void exportEngine();
+    void finish(const std::vector<std::filesystem::path>& written);
+    bool canExport() const;
     void showEstimates(const std::vector<ExportEstimate>& estimates);
     void showCommand();
     void say(const QString& message, bool isProblem = false);
@@ -81,6 +94,10 @@ private:
     JobRunner m_runner;
     JobRunner m_estimator;
     bool m_isExporting = false;
+    const EngineProfile* m_engine = nullptr;
+    QListWidget* m_gallery;
+    QStackedWidget* m_pages; ///< the scene's own list; the engine's card
+    EngineCard* m_card;
     QTreeWidget* m_list;
     QAction* m_addPainted;
     QPushButton *m_duplicate, *m_remove;
