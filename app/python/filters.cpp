@@ -199,8 +199,8 @@ void bindResult(py::module_& m)
                 return py::dict(py::arg("rel_rms") = p.relRms, py::arg("median_rel") = p.medianRel, py::arg("p99_rel") = p.p99Rel);
             },
             "all that is predicted of the error, the largest of each")
-        .def_property_readonly("promised", [](const Filtered& f) { return f.record.unpromised.empty(); },
-                               "whether the tolerance is promised, of all levels")
+        .def_property_readonly(
+            "promised", [](const Filtered& f) { return f.record.unpromised.empty(); }, "whether the tolerance is promised, of all levels")
         .def_property_readonly(
             "stages", [](const Filtered& f) { return stagesOf(f.record.stages); }, "what was done: dicts of name, seconds, left_out, why")
         .def(

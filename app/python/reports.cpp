@@ -59,7 +59,8 @@ void bindReports(py::module_& m)
         "error_metrics",
         [](const EnvironmentMap& map, const EnvironmentMap& reference) {
             const ErrorMetrics e = errorMetrics(map, reference);
-            return py::dict(py::arg("rel_rms") = e.relRms, py::arg("median_rel") = e.medianRel, py::arg("max_abs") = e.maxAbs, py::arg("p99_rel") = e.p99Rel);
+            return py::dict(py::arg("rel_rms") = e.relRms, py::arg("median_rel") = e.medianRel, py::arg("max_abs") = e.maxAbs,
+                            py::arg("p99_rel") = e.p99Rel);
         },
         py::arg("map"), py::arg("reference"),
         "Error of a map against a reference of the same layout, weighted by solid angle: a dict of rel_rms, median_rel, p99_rel, max_abs.");

@@ -11,8 +11,8 @@
 namespace mirrorball {
 
 /// The reference sum over the texels under the lobe only: those nearer to r than the angle at which k has fallen to `level` of its
-/// peak. The right choice for very narrow lobes, whose spectrum is long but whose support is a few texels; and, as rowSums(), for the widest,
-/// whose spectrum is long for their kink.
+/// peak. The right choice for very narrow lobes, whose spectrum is long but whose support is a few texels; and, as rowSums(), for the
+/// widest, whose spectrum is long for their kink.
 struct DirectOptions {
     double level = 1e-12; ///< (0, 1): the texels left out weigh less than this times the peak each
 };

@@ -264,7 +264,7 @@ std::vector<SpherePoint> spherePoints(const MapLayout& layout, const JobControl&
     const int width = layout.width(), height = layout.height();
     const int chart = layout.kind == Parameterization::Latlong ? width : layout.size;
     std::vector<SpherePoint> points(static_cast<size_t>(width) * static_cast<size_t>(height));
-    const TexelOutlines places(layout, 0.0, MapCharts(layout));
+    const TexelOutlines places(layout, 0.0, glm::dmat3(1.0), MapCharts(layout));
     parallelRows(height, job, [&](int first, int last) {
         const auto count = static_cast<size_t>(chart);
         std::vector<double> x(count), y(count), z(count), azimuth(count), colatitude(count);

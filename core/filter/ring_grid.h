@@ -47,7 +47,7 @@ private:
     int m_rings;
     int m_stride; ///< samples a row of m_texels, halo included
     std::vector<float>
-        m_texels;               ///< spline coefficients of RGB and what of the norm is not zonal, with a halo so that no tap needs wrapping
+        m_texels; ///< spline coefficients of RGB and what of the norm is not zonal, with a halo so that no tap needs wrapping
     /// From pole to pole and one place beyond either: the zonal norm less 1, and that part of it that lies beyond the rings' band limit,
     /// which the numerators of RGB have times the mean.
     std::vector<double> m_zonal, m_zonalBeyond;

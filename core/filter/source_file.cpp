@@ -77,8 +77,8 @@ OpenedSource openFilterSource(ProbeFile& probe, std::span<const PrefilterOptions
             why << "; " << chosen;
         stages.back().why = why.str();
         stages.push_back({.name = "hold the probe", .leftOut = true, .why = "only its spectrum is needed"});
-        return {std::move(source), probe.rows().report(), probe.detection().reason, true, std::move(stages),
-                allNotes(info, probe.detection())};
+        return {
+            std::move(source), probe.rows().report(), probe.detection().reason, true, std::move(stages), allNotes(info, probe.detection())};
     }
 
     Probe whole = probe.read(job);

@@ -23,8 +23,8 @@ struct OpenedSource {
 /// Probes of more texels than this are streamed where the lobes allow it (33 million: 400 MB as floats).
 inline constexpr std::int64_t streamedFrom = std::int64_t{1} << 25;
 
-/// How far the rows of a streamed probe are followed for a filter: as its lobe asks for whatever the probe holds, and of a smooth lobe, whose
-/// spectrum ends soon, until the tolerance is kept where the map is a thousandth of its mean, too. What turns out not to be enough is
+/// How far the rows of a streamed probe are followed for a filter: as its lobe asks for whatever the probe holds, and of a smooth lobe,
+/// whose spectrum ends soon, until the tolerance is kept where the map is a thousandth of its mean, too. What turns out not to be enough is
 /// refused.
 int streamedBandLimit(const PrefilterOptions& filter);
 

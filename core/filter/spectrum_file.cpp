@@ -158,7 +158,8 @@ Spectrum brightSpectrum(const SpectrumPart& part, const JobControl& job)
 SpectrumPart probeSpectrum(ProbeFile& probe, const SpectrumOptions& options, const JobControl& job)
 {
     const MapLayout& layout = probe.layout();
-    if (probe.isBuiltin() || probe.detection().orientation != glm::dmat3(1.0) || probe.detection().arrangement != Arrangement::Whole || layout.kind != Parameterization::Latlong)
+    if (probe.isBuiltin() || probe.detection().orientation != glm::dmat3(1.0) || probe.detection().arrangement != Arrangement::Whole ||
+        layout.kind != Parameterization::Latlong)
         throw InvalidArgument("PROBE: must be the file of a latlong; convert it to one first");
     if (options.degree < 1 || options.degree > largestBandLimit || options.degree >= layout.width())
         throw InvalidArgument("--degree: must lie in 1 to " + std::to_string(std::min(largestBandLimit, layout.width() - 1)) + "; it is " +

@@ -70,7 +70,7 @@ double TruncationModel::repetitions(int bandLimit) const
 
 double TruncationModel::normError(int bandLimit) const
 {
-    constexpr double reserve = 1.5; // for where the rows meet the horizon
+    constexpr double reserve = 1.5;                                       // for where the rows meet the horizon
     const double zonal = m_largest.back() > 1e-12 ? negligibleNorm : 0.0; // a spectrum that ends is followed to its end
     return reserve * std::sqrt(repetitions(bandLimit)) + zonal;
 }

@@ -5,7 +5,8 @@ namespace mirrorball {
 Probe readResampled(ProbeFile file, const ReprojectOptions& options, const JobControl& job)
 {
     const Detection& detection = file.detection();
-    if (file.isBuiltin() || detection.orientation != glm::dmat3(1.0) || detection.arrangement != Arrangement::Whole || !canReprojectRows(detection.layout, options)) {
+    if (file.isBuiltin() || detection.orientation != glm::dmat3(1.0) || detection.arrangement != Arrangement::Whole ||
+        !canReprojectRows(detection.layout, options)) {
         Probe result = file.read(job);
         result.map = timedStage(result.stages, "resample", [&] { return reproject(result.map, options, job); });
         return result;

@@ -77,8 +77,8 @@ inline std::vector<glm::dvec3> plainSum(const Image& latlong, const Lobe& lobe, 
         for (int y = 0; y < height; ++y) {
             const double lat = 0.5 * pi - pi * (y + 0.5) / height;
             for (int x = 0; n > 100.0 && x < width; ++x)
-                nearest = std::max(nearest, r.y * std::sin(lat) +
-                                                std::cos(lat) * (r.x * sinLon[static_cast<size_t>(x)] + r.z * cosLon[static_cast<size_t>(x)]));
+                nearest = std::max(nearest, r.y * std::sin(lat) + std::cos(lat) * (r.x * sinLon[static_cast<size_t>(x)] +
+                                                                                   r.z * cosLon[static_cast<size_t>(x)]));
         }
         glm::dvec3 sum(0.0);
         double norm = 0.0;

@@ -138,7 +138,8 @@ TEST(Prediction, RingGridReadsInFloatWhatTheRingsHoldInDouble)
     for (const double v : rings.rgb[0])
         peak = std::max(peak, std::abs(v));
     for (size_t i = 0; i < points.size(); ++i)
-        ASSERT_NEAR(values[4 * i], rings.rgb[0][i] + rings.mean[0] * (rings.norm[i] - 1.0), 1e-6 * peak); // a few roundings of float at the peak's size
+        ASSERT_NEAR(values[4 * i], rings.rgb[0][i] + rings.mean[0] * (rings.norm[i] - 1.0),
+                    1e-6 * peak); // a few roundings of float at the peak's size
 }
 
 } // namespace

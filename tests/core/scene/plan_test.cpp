@@ -243,7 +243,8 @@ TEST(Plan, ALargeProbeIsTruncatedRowByRowWhenEveryMapIsFiltered)
     scene.probe.source = "large.exr";
     scene.material.specular = {.lobe = SurfaceLobe::Phong, .exponent = 50.0};
     scene.view.background.kind = Backdrop::None;
-    expectNeeded(makePlan(scene, large), "read probe", "truncated to band limit " + std::to_string(streamedBandLimit(makePlan(scene, large).filters().front())));
+    expectNeeded(makePlan(scene, large), "read probe",
+                 "truncated to band limit " + std::to_string(streamedBandLimit(makePlan(scene, large).filters().front())));
     scene.view.background.kind = Backdrop::Environment;
     const Plan held = makePlan(scene, large);
     expectNeeded(held, "read probe", "held whole");
