@@ -86,7 +86,7 @@ std::optional<glm::mat3> conversion(const std::string& path, const Imf::Header& 
 }
 
 /// Subsampled colours are read from RY and BY only.
-void checkSampling(const std::string& path, const Imf::Header& header, const ColourChannels& channels)
+void checkSampling(const std::string& path, const Imf::Header& header, const ColorChannels& channels)
 {
     for (const std::string& name : channels.rgb) {
         const Imf::Channel* channel = header.channels().findChannel(name);
@@ -210,7 +210,7 @@ private:
         }
     }
 
-    void describe(const std::filesystem::path& path, const Imf::Header& header, const ColourChannels& channels)
+    void describe(const std::filesystem::path& path, const Imf::Header& header, const ColorChannels& channels)
     {
         static constexpr std::array<const char*, 3> sampleTypes{"uint", "half", "float"};
         m_info.path = path;
