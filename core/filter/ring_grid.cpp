@@ -1,6 +1,8 @@
 #include "ring_grid.h"
 
 #include "core/base/multiversion.h"
+#include "core/image/latlong_positions.h"
+#include "core/image/texel_outline.h"
 
 #include <algorithm>
 #include <array>
@@ -202,13 +204,20 @@ void RingGrid::read(std::span<const SpherePoint> points, float* rgbn) const
 std::vector<SpherePoint> spherePoints(const MapLayout& layout, const JobControl& job)
 {
     const int width = layout.width(), height = layout.height();
+    const int chart = layout.kind == Parameterization::Latlong ? width : layout.size;
     std::vector<SpherePoint> points(static_cast<size_t>(width) * static_cast<size_t>(height));
+    const TexelOutlines places(layout, 0.0, MapCharts(layout));
     parallelRows(height, job, [&](int first, int last) {
-        for (int y = first; y < last; ++y)
-            for (int x = 0; x < width; ++x) {
-                const glm::dvec3 d = texelDirection(layout, x, y);
-                points[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)] = {
-                    .azimuth = pi - std::atan2(d.x, d.z), .colatitude = std::atan2(std::sqrt(d.x * d.x + d.z * d.z), d.y)};
+        const auto count = static_cast<size_t>(chart);
+        std::vector<double> x(count), y(count), z(count), azimuth(count), colatitude(count);
+        for (int row = first; row < last; ++row)
+            for (int left = 0; left < width; left += chart) {
+                places.directions(left, row, {.first = {left + 0.5, row + 0.5}, .step = {1.0, 1.0}, .columns = chart, .rows = 1}, x.data(),
+                                  y.data(), z.data());
+                latlongCoordinates(1, count, x.data(), y.data(), z.data(), azimuth.data(), colatitude.data()); // in half turns
+                SpherePoint* to = points.data() + static_cast<size_t>(row) * static_cast<size_t>(width) + static_cast<size_t>(left);
+                for (size_t i = 0; i < count; ++i)
+                    to[i] = {.azimuth = pi * azimuth[i], .colatitude = pi * colatitude[i]};
             }
     });
     return points;

@@ -590,15 +590,15 @@ void writePasses(AtomicFile& file, const std::vector<ImagePassData>& passes, con
     });
 }
 
-void writeMips(AtomicFile& file, std::span<const Image* const> levels, const WriteOptions& options)
+void writeMips(AtomicFile& file, const std::vector<Image>& levels, const WriteOptions& options)
 {
     writing([&] {
         OutputStream stream(file);
-        Imf::Header header = makeHeader(*levels.front(), options);
+        Imf::Header header = makeHeader(levels.front(), options);
         header.setTileDescription(Imf::TileDescription(tileEdge, tileEdge, Imf::MIPMAP_LEVELS, Imf::ROUND_DOWN));
         Imf::TiledOutputFile output(stream, header);
         for (int level = 0; level < output.numLevels(); ++level) {
-            const Image& image = *levels[static_cast<size_t>(level)];
+            const Image& image = levels.at(static_cast<size_t>(level));
             const std::vector<half> samples =
                 options.sampleType == SampleType::Half ? halfRows(image, 0, image.height) : std::vector<half>();
             output.setFrameBuffer(samples.empty() ? frameBuffer(image, Imf::FLOAT, image.texels.data(), 0)

@@ -4,7 +4,6 @@
 
 #include "core/base/atomic_file.h"
 
-#include <span>
 #include <string_view>
 
 /// OpenEXR files (.exr).
@@ -32,6 +31,6 @@ void write(AtomicFile& file, const Image& image, const WriteOptions& options);
 void writePasses(AtomicFile& file, const std::vector<ImagePassData>& passes, const WriteOptions& options);
 
 /// Tiles of 64 x 64 in mip levels rounded down; `levels` is the whole chain, down to 1 x 1. @throws WorkError
-void writeMips(AtomicFile& file, std::span<const Image* const> levels, const WriteOptions& options);
+void writeMips(AtomicFile& file, const std::vector<Image>& levels, const WriteOptions& options);
 
 } // namespace mirrorball::exr

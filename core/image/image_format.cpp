@@ -35,17 +35,17 @@ std::unique_ptr<ImageReader> openHdr(const std::filesystem::path& path, int leve
     return hdr::open(path);
 }
 
-void writeExr(AtomicFile& file, const std::filesystem::path&, std::span<const Image* const> levels, const WriteOptions& options)
+void writeExr(AtomicFile& file, const std::filesystem::path&, const std::vector<Image>& levels, const WriteOptions& options)
 {
     if (levels.size() == 1)
-        exr::write(file, *levels.front(), options);
+        exr::write(file, levels.front(), options);
     else
         exr::writeMips(file, levels, options);
 }
 
-void writeHdr(AtomicFile& file, const std::filesystem::path&, std::span<const Image* const> levels, const WriteOptions&)
+void writeHdr(AtomicFile& file, const std::filesystem::path&, const std::vector<Image>& levels, const WriteOptions&)
 {
-    hdr::write(file, *levels.front());
+    hdr::write(file, levels.front());
 }
 
 /// A row that OpenImageIO reads and writes as a display picture.
@@ -73,13 +73,13 @@ ImageFormat withoutAlpha(ImageFormat format)
 }
 
 /// A .png is a picture to look at, or radiance packed into its four channels.
-void writePng(AtomicFile& file, const std::filesystem::path& named, std::span<const Image* const> levels, const WriteOptions& options)
+void writePng(AtomicFile& file, const std::filesystem::path& named, const std::vector<Image>& levels, const WriteOptions& options)
 {
     if (options.encoding == Encoding::Display || options.bytes == ByteEncoding::Filmic || options.bytes == ByteEncoding::Srgb) {
         openimageio::write(file, named, levels, options);
         return;
     }
-    const Image& image = *levels.front();
+    const Image& image = levels.front();
     const auto form = static_cast<PackedColor>(static_cast<int>(options.bytes) - static_cast<int>(ByteEncoding::Rgbe));
     const std::string bytes = png::encode(png::packed(image, form));
     file.write(bytes.data(), bytes.size());

@@ -5,7 +5,6 @@
 #include "core/base/atomic_file.h"
 
 #include <memory>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,7 +44,7 @@ struct ImageFormat {
     std::unique_ptr<ImageReader> (*open)(const std::filesystem::path& path, int level) = nullptr; ///< null as recognizes is
     /// Writes a picture, or all levels of one, largest first: more than one where `levels`, and then the whole chain. `named` is the
     /// target, for messages. Null: the format is only read.
-    void (*write)(AtomicFile& file, const std::filesystem::path& named, std::span<const Image* const> levels,
+    void (*write)(AtomicFile& file, const std::filesystem::path& named, const std::vector<Image>& levels,
                   const WriteOptions& options) = nullptr;
     /// Several pictures of one size as passes. Null: the format has none.
     void (*writePasses)(AtomicFile& file, const std::vector<ImagePassData>& passes, const WriteOptions& options) = nullptr;

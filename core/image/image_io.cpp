@@ -3,7 +3,6 @@
 #include "exr_format.h"
 #include "image_format.h"
 #include "input_checks.h"
-#include "mips_writer.h"
 #include "opacity.h"
 #include "openimageio_loader.h"
 
@@ -78,22 +77,20 @@ Image boxHalved(const Image& image)
     return half;
 }
 
-/// The levels from which on the chain goes down to 1 x 1, made here; none of a cube's faces: those are all given.
-/// @throws InvalidArgument for a level of the wrong size
-std::vector<Image> missingLevels(const std::filesystem::path& path, std::span<const Image* const> levels, int faces)
+/// The chain down to 1 x 1; of a cube's faces those that are given. @throws InvalidArgument for a level of the wrong size
+std::vector<Image> fullChain(const std::filesystem::path& path, const std::vector<Image>& levels, int faces)
 {
+    std::vector<Image> chain = levels;
     for (size_t i = 1; i < levels.size(); ++i) {
-        const Image &larger = *levels[i - 1], &level = *levels[i];
-        if (level.width != std::max(1, larger.width / 2) || level.height != faces * std::max(1, larger.height / faces / 2) ||
-            level.channels != larger.channels || (larger.width == 1 && larger.height == faces))
-            throw InvalidArgument(path.string() + ": mip level " + std::to_string(i) + " is " + std::to_string(level.width) + " x " +
-                                  std::to_string(level.height) + "; it must be half of the level before, rounded down");
+        const Image& larger = levels[i - 1];
+        if (levels[i].width != std::max(1, larger.width / 2) || levels[i].height != faces * std::max(1, larger.height / faces / 2) ||
+            levels[i].channels != larger.channels || (larger.width == 1 && larger.height == faces))
+            throw InvalidArgument(path.string() + ": mip level " + std::to_string(i) + " is " + std::to_string(levels[i].width) + " x " +
+                                  std::to_string(levels[i].height) + "; it must be half of the level before, rounded down");
     }
-    std::vector<Image> more;
-    const auto last = [&]() -> const Image& { return more.empty() ? *levels.back() : more.back(); };
-    while (faces == 1 && (last().width > 1 || last().height > 1))
-        more.push_back(boxHalved(last()));
-    return more;
+    while (faces == 1 && (chain.back().width > 1 || chain.back().height > 1))
+        chain.push_back(boxHalved(chain.back()));
+    return chain;
 }
 
 void checkWritable(const std::filesystem::path& path, const Image& image)
@@ -174,10 +171,7 @@ void writeImage(const std::filesystem::path& path, const Image& image, const Wri
     if (options.encoding == Encoding::Display && format.samples != StoredSamples::Byte)
         throw InvalidArgument(path.string() + ": holds linear values, not a display picture; use .png");
     AtomicFile file(path);
-    const bool opaque = image.channels == 4 && !format.alpha;
-    const Image flat = opaque ? withoutOpacity(image) : Image();
-    const Image* const only = opaque ? &flat : &image;
-    format.write(file, path, {&only, 1}, options);
+    format.write(file, path, {image.channels == 4 && !format.alpha ? withoutOpacity(image) : image}, options);
     file.commit();
 }
 
@@ -198,25 +192,14 @@ void writePasses(const std::filesystem::path& path, const std::vector<ImagePassD
 
 void writeMips(const std::filesystem::path& path, const std::vector<Image>& levels, const WriteOptions& options)
 {
-    std::vector<const Image*> where;
-    for (const Image& level : levels)
-        where.push_back(&level);
-    writeMips(path, where, options);
-}
-
-void writeMips(const std::filesystem::path& path, std::span<const Image* const> levels, const WriteOptions& options)
-{
     const ImageFormat& format = writableFormat(path);
     if (!format.levels)
         throw InvalidArgument(path.string() + ": this format keeps no mip levels; write .exr or .tif, or one file a level");
     if (levels.empty())
         throw InvalidArgument(path.string() + ": there are no mip levels to write; give at least one");
-    for (const Image* level : levels)
-        checkWritable(path, *level);
-    const std::vector<Image> more = missingLevels(path, levels, options.faces);
-    std::vector<const Image*> chain(levels.begin(), levels.end());
-    for (const Image& level : more)
-        chain.push_back(&level);
+    for (const Image& level : levels)
+        checkWritable(path, level);
+    const std::vector<Image> chain = fullChain(path, levels, options.faces);
     AtomicFile file(path);
     format.write(file, path, chain, options);
     file.commit();

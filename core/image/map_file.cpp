@@ -2,7 +2,6 @@
 
 #include "color.h"
 #include "image_format.h"
-#include "mips_writer.h"
 #include "opacity.h"
 
 #include "core/base/atomic_file.h"
@@ -56,12 +55,12 @@ std::vector<std::filesystem::path> levelFiles(const std::filesystem::path& out, 
     return files;
 }
 
-std::vector<std::filesystem::path> writeLevels(const std::filesystem::path& out, std::string_view face,
-                                               std::span<const Image* const> levels, const WriteOptions& options)
+std::vector<std::filesystem::path> writeLevels(const std::filesystem::path& out, std::string_view face, const std::vector<Image>& levels,
+                                               const WriteOptions& options)
 {
     std::vector<Edges> edges;
-    for (const Image* level : levels)
-        edges.push_back({level->width, level->height / options.faces});
+    for (const Image& level : levels)
+        edges.push_back({level.width, level.height / options.faces});
     if (levels.size() == 1)
         refuseDoubtfulLevel(out);
     std::vector<std::filesystem::path> files = levelFiles(out, face, edges);
@@ -69,16 +68,8 @@ std::vector<std::filesystem::path> writeLevels(const std::filesystem::path& out,
         writeMips(files.front(), levels, options);
     else
         for (size_t i = 0; i < levels.size(); ++i)
-            writeImage(files[i], *levels[i], options);
+            writeImage(files[i], levels[i], options);
     return files;
-}
-
-std::vector<const Image*> pointersTo(const std::vector<Image>& images)
-{
-    std::vector<const Image*> result;
-    for (const Image& image : images)
-        result.push_back(&image);
-    return result;
 }
 
 /// The words of the faces that a name with `%s` stands for; a single empty one for a name without.
@@ -135,20 +126,26 @@ std::vector<std::filesystem::path> writeMap(const std::filesystem::path& out, co
         described.attributes["mirrorball:border"] = std::to_string(layout.border);
 
     const std::vector<std::string_view> faces = facesOf(out, layout.kind);
+    std::vector<Image> images;
     if (faces.size() == 1) {
-        std::vector<const Image*> images;
         described.faces = keepsFaces(writableFormat(out), layout) ? 6 : 1;
+        if (levels.size() == 1 && !namesLevels(out)) { // where it lies: it may be large
+            refuseDoubtfulLevel(out);
+            std::filesystem::path file = fileNamed(out, {});
+            writeImage(file, levels.front().image, described);
+            return {std::move(file)};
+        }
         for (const EnvironmentMap& level : levels)
-            images.push_back(&level.image);
+            images.push_back(level.image);
         return writeLevels(out, {}, images, described);
     }
     std::vector<std::filesystem::path> files;
     for (size_t i = 0; i < faces.size(); ++i) {
-        std::vector<Image> images;
+        images.clear();
         for (const EnvironmentMap& level : levels)
             images.push_back(face(level.image, static_cast<int>(i)));
         described.attributes["mirrorball:parameterization"] = "cube face " + std::string(faces[i]);
-        for (auto& written : writeLevels(out, faces[i], pointersTo(images), described))
+        for (auto& written : writeLevels(out, faces[i], images, described))
             files.push_back(std::move(written));
     }
     return files;
@@ -160,13 +157,13 @@ std::vector<std::filesystem::path> writePictures(const std::filesystem::path& ou
     facesOf(out, Parameterization::Sphere); // says that a picture has no faces
     const ImageFormat& format = writableFormat(out);
     if (format.samples != StoredSamples::Byte)
-        return writeLevels(out, {}, pointersTo(levels), options);
+        return writeLevels(out, {}, levels, options);
     std::vector<Image> shown;
     for (const Image& level : levels)
         shown.push_back(toDisplay(level.channels == 4 && !format.alpha ? withoutOpacity(level) : level, 0.0, ToneCurve::None));
     WriteOptions display = options;
     display.encoding = Encoding::Display;
-    return writeLevels(out, {}, pointersTo(shown), display);
+    return writeLevels(out, {}, shown, display);
 }
 
 void checkMapFile(const std::filesystem::path& out, const MapLayout& base) { checkTarget(filesOfMap(out, {base}).front()); }

@@ -190,14 +190,13 @@ std::unique_ptr<ImageReader> open(const std::filesystem::path& path, std::string
     return std::make_unique<LinearReader>(openForeign(path, format, level));
 }
 
-void write(AtomicFile& file, const std::filesystem::path& named, std::span<const Image* const> levels, const WriteOptions& options)
+void write(AtomicFile& file, const std::filesystem::path& named, const std::vector<Image>& levels, const WriteOptions& options)
 {
     const bool floats = writableFormat(named).samples == StoredSamples::Float;
     std::vector<std::vector<std::uint8_t>> bytes;
     std::vector<std::vector<float>> clamped;
     std::vector<RawLevel> raw;
-    for (const Image* level : levels) {
-        const Image& image = *level;
+    for (const Image& image : levels) {
         raw.push_back({image.width, image.height, image.channels, image.texels.data(), nullptr});
         if (!floats) {
             const Image display = options.encoding == Encoding::Display

@@ -4,7 +4,6 @@
 
 #include "core/base/atomic_file.h"
 
-#include <span>
 #include <string_view>
 
 /// All formats but .exr and .hdr: loads the module that links OpenImageIO on first use and puts what it reads into linear RGB.
@@ -15,7 +14,7 @@ std::unique_ptr<ImageReader> open(const std::filesystem::path& path, std::string
 
 /// Formats of floats take linear values, those of 8 bits a display picture (color.h: no exposure, filmic curve).
 /// @throws WorkError
-void write(AtomicFile& file, const std::filesystem::path& named, std::span<const Image* const> levels, const WriteOptions& options);
+void write(AtomicFile& file, const std::filesystem::path& named, const std::vector<Image>& levels, const WriteOptions& options);
 
 /// The bytes of a .png of a display picture. @throws WorkError
 std::string encodePng(const Image& display);

@@ -4,7 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
+#include <ctime>
+#include <mutex>
+#include <set>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace mirrorball {
@@ -54,6 +59,65 @@ TEST(ParallelRows, ReportsProgressThatEndsAtOne)
     parallelRows(64, {.progress = [&](float f) { seen.push_back(f); }, .threads = 2}, [](int, int) {});
     ASSERT_FALSE(seen.empty());
     EXPECT_FLOAT_EQ(seen.back(), 1.0f);
+}
+
+TEST(ParallelRows, RunsALoopWithinALoopOnTheThreadThatIsThere)
+{
+    std::atomic<int> rows{0};
+    parallelRows(
+        8, {.threads = 3},
+        [&](int first, int last) {
+            for (int y = first; y < last; ++y) {
+                const std::thread::id outer = std::this_thread::get_id();
+                parallelRows(
+                    5, {.threads = 3},
+                    [&](int from, int to) {
+                        EXPECT_EQ(std::this_thread::get_id(), outer);
+                        rows += to - from;
+                    },
+                    1);
+            }
+        },
+        1);
+    EXPECT_EQ(rows, 8 * 5);
+}
+
+TEST(ParallelRows, KeepsItsThreadsFromLoopToLoopAndEachThreadItsOwn)
+{
+    std::mutex mutex;
+    const auto idsOf = [&](int loops) {
+        std::set<std::thread::id> ids;
+        for (int i = 0; i < loops; ++i)
+            parallelRows(
+                64, {.threads = 3},
+                [&](int, int) {
+                    const std::lock_guard lock(mutex);
+                    ids.insert(std::this_thread::get_id());
+                },
+                1);
+        return ids;
+    };
+    const std::set<std::thread::id> here = idsOf(50);
+    EXPECT_LE(here.size(), 3u);
+    std::set<std::thread::id> there;
+    std::thread([&] { there = idsOf(50); }).join();
+    EXPECT_LE(there.size(), 3u);
+}
+
+// Threads that spin between loops would take all of the time here, on each core.
+TEST(ParallelRows, TakesNoTimeBetweenLoops)
+{
+    timespec before{}, after{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &before);
+    constexpr int loops = 20, milliseconds = 5;
+    for (int i = 0; i < loops; ++i) {
+        parallelRows(
+            4, {.threads = 4}, [](int, int) {}, 1);
+        std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+    }
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &after);
+    const double seconds = static_cast<double>(after.tv_sec - before.tv_sec) + 1e-9 * static_cast<double>(after.tv_nsec - before.tv_nsec);
+    EXPECT_LT(seconds, 0.5 * 1e-3 * loops * milliseconds);
 }
 
 TEST(PartOf, FillsItsShareOfTheProgressAndNeverGoesBack)

@@ -108,11 +108,11 @@ bool isParaboloid(const WriteOptions& options)
     return found != options.attributes.end() && found->second == "paraboloid";
 }
 
-Texture textureOf(std::span<const Image* const> levels, const WriteOptions& options)
+Texture textureOf(const std::vector<Image>& levels, const WriteOptions& options)
 {
     Texture texture{.faces = options.faces, .format = options.sampleType == SampleType::Half ? TexelFormat::Half : TexelFormat::Float};
-    for (const Image* level : levels)
-        texture.levels.push_back(rgbOf(*level));
+    for (const Image& level : levels)
+        texture.levels.push_back(rgbOf(level));
     return texture;
 }
 
@@ -193,17 +193,17 @@ std::unique_ptr<ImageReader> openContainer(const std::filesystem::path& path, in
     return std::make_unique<LevelReader>(path, contained, std::move(image));
 }
 
-void writeKtx1(AtomicFile& file, const std::filesystem::path&, std::span<const Image* const> levels, const WriteOptions& options)
+void writeKtx1(AtomicFile& file, const std::filesystem::path&, const std::vector<Image>& levels, const WriteOptions& options)
 {
     write(file, ktx1::write(textureOf(levels, options)));
 }
 
-void writeKtx2(AtomicFile& file, const std::filesystem::path&, std::span<const Image* const> levels, const WriteOptions& options)
+void writeKtx2(AtomicFile& file, const std::filesystem::path&, const std::vector<Image>& levels, const WriteOptions& options)
 {
     write(file, ktx2::write(textureOf(levels, options)));
 }
 
-void writeDds(AtomicFile& file, const std::filesystem::path&, std::span<const Image* const> levels, const WriteOptions& options)
+void writeDds(AtomicFile& file, const std::filesystem::path&, const std::vector<Image>& levels, const WriteOptions& options)
 {
     Texture texture = textureOf(levels, options);
     if (isParaboloid(options)) {

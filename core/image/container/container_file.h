@@ -7,7 +7,6 @@
 
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string_view>
 
 /// Texture containers (.ktx, .ktx2, .dds, .env) as files.
@@ -34,9 +33,9 @@ ContainedTexture readContainer(const std::filesystem::path& path);
 /// Writers of the table of formats (image_format.h): levels of a cube (options.faces), of a plain picture, or in a .dds of a paraboloid
 /// map, whose halves become the two slices of an array, as DirectXTK's dual parabola effect takes them. Half or float texels, the faces as
 /// they stand; engines' own orientations are made by exports for them.
-void writeKtx1(AtomicFile& file, const std::filesystem::path& named, std::span<const Image* const> levels, const WriteOptions& options);
-void writeKtx2(AtomicFile& file, const std::filesystem::path& named, std::span<const Image* const> levels, const WriteOptions& options);
-void writeDds(AtomicFile& file, const std::filesystem::path& named, std::span<const Image* const> levels, const WriteOptions& options);
+void writeKtx1(AtomicFile& file, const std::filesystem::path& named, const std::vector<Image>& levels, const WriteOptions& options);
+void writeKtx2(AtomicFile& file, const std::filesystem::path& named, const std::vector<Image>& levels, const WriteOptions& options);
+void writeDds(AtomicFile& file, const std::filesystem::path& named, const std::vector<Image>& levels, const WriteOptions& options);
 
 /// One level of a container as an image: a cube's faces one below the other, two square slices side by side as a paraboloid map. @throws
 /// FileError
