@@ -35,10 +35,10 @@ void runOne(const Options& o, const JobControl& job)
     checkOutputsDiffer({{"--output", mapFiles(o.out, layouts)}});
     const ReprojectOptions options{
         .target = target, .yaw = radians(o.yawDeg + turn.yawDeg), .resample = o.resample == "cubic" ? Resample::Cubic : Resample::Linear};
-    EnvironmentMap map = readResampled(ProbeFile(o.probe, read), options, job).map;
+    EnvironmentMap map = readResampled(ProbeFile(o.probe, read), options, partOf(job, 0.0f, o.mips ? 0.8f : 1.0f)).map;
     std::vector<EnvironmentMap> levels;
     if (o.mips)
-        levels = buildMipPyramid(map, job).levels;
+        levels = buildMipPyramid(map, partOf(job, 0.8f, 1.0f)).levels;
     else
         levels.push_back(std::move(map));
     store(levels, turn.orientation);
