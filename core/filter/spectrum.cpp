@@ -384,10 +384,11 @@ FilteredRings synthesise(const Spectrum& spectrum, const std::vector<double>& k,
 
 int zonalNormLimit(const Spectrum& spectrum, const std::vector<double>& k)
 {
-    constexpr double negligible = 1e-8; // rms of what is left out, relative to 1
-    double rest = 0.0;
+    constexpr size_t cheap = 512;
+    double rest = 0.0; // mean square of what is left out, relative to 1
     for (size_t l = std::min(k.size(), spectrum.zonalUnit.size()); l-- > 1;) {
         rest += k[l] * k[l] * spectrum.zonalUnit[l] * spectrum.zonalUnit[l] / (4.0 * pi);
+        const double negligible = l <= cheap ? 1e-13 : negligibleNorm;
         if (rest > negligible * negligible)
             return static_cast<int>(l);
     }

@@ -106,7 +106,10 @@ FilteredRings synthesise(const Spectrum& spectrum, const std::vector<double>& k,
 /// The zonal part of N at the colatitudes `theta`: all of it but what repeats along the rows, which only a band limit of a row's length
 /// sees.
 std::vector<double> zonalNorm(const Spectrum& spectrum, const std::vector<double>& k, const std::vector<double>& theta);
-/// The largest degree that it looks at: what lies beyond is less than 1e-8.
+/// What zonalNorm() leaves out at most of a lobe's norm, root mean square.
+inline constexpr double negligibleNorm = 1e-8;
+/// The largest degree that zonalNorm() looks at. Within the first hundreds of degrees, which cost little, it leaves out no more than 1e-13:
+/// beside a sun the norm's error counts as many times as the mean is brighter than the dark.
 int zonalNormLimit(const Spectrum& spectrum, const std::vector<double>& k);
 
 } // namespace mirrorball

@@ -54,24 +54,25 @@ TruncationModel::TruncationModel(const Spectrum& spectrum, const std::vector<dou
 
 double TruncationModel::repetitions(int bandLimit) const
 {
-    double sum = 0.0;
-    for (int z = 1; z <= 16; ++z) {
-        if (bandLimit > 1.2 * z * m_rowLength)
-            continue; // the spectrum holds them
+    const int first = static_cast<int>(bandLimit / (1.2 * m_rowLength)) + 1; // the spectrum holds those before
+    double sum = 0.0, term = 0.0;
+    int z = first;
+    for (; z < first + 16; ++z) {
         const int l = std::max(bandLimit + 1, static_cast<int>(0.8 * z * m_rowLength));
         const double k = m_largest[static_cast<size_t>(std::min(l, longest()))];
-        const double term = 8.0 * z * k * k;
+        term = 8.0 * z * k * k;
         sum += term;
         if (term < 1e-3 * sum)
-            break;
+            return sum;
     }
-    return sum;
+    return sum + z * term; // those of a step fall like z^-2, of a kink faster
 }
 
 double TruncationModel::normError(int bandLimit) const
 {
     constexpr double reserve = 1.5; // for where the rows meet the horizon
-    return reserve * std::sqrt(repetitions(bandLimit));
+    const double zonal = m_largest.back() > 1e-12 ? negligibleNorm : 0.0; // a spectrum that ends is followed to its end
+    return reserve * std::sqrt(repetitions(bandLimit)) + zonal;
 }
 
 int TruncationModel::bandLimitForNorm(double relative) const
