@@ -41,19 +41,4 @@ ByteEncoding parseEncode(const std::string& word, const std::filesystem::path& o
     throw InvalidArgument("--encode: '" + word + "' is none; choose srgb, filmic, rgbe, rgbm, rgbd or rgbp");
 }
 
-RoughnessLaw parseLaw(const std::string& engine)
-{
-    if (engine == "unity")
-        return RoughnessLaw::Unity;
-    if (engine == "unreal")
-        return RoughnessLaw::Unreal;
-    const EngineProfile& profile = engineProfile(engine, "--law");
-    if (!profile.law)
-        throw InvalidArgument("--law: " + std::string(profile.title) +
-                              " filters by itself and takes no levels; give it the latlong, "
-                              "mirrorball export --for " +
-                              engine);
-    return *profile.law;
-}
-
 } // namespace mirrorball::cli

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// The words of `--for`, `--law` and `--encode`, which several commands take.
+/// The words of `--for` and `--encode`, which several commands take.
 namespace mirrorball::cli {
 
 /// How `--for ENGINE` turns a map of a kind. @throws InvalidArgument for an engine that takes no such map
@@ -23,8 +23,5 @@ void store(std::vector<EnvironmentMap>& levels, const CubeOrientation& orientati
 
 /// `--encode` for an output file; filmic where the word is empty. @throws InvalidArgument
 ByteEncoding parseEncode(const std::string& word, const std::filesystem::path& out);
-
-/// The law of `--law ENGINE`. @throws InvalidArgument for an engine that filters by itself
-RoughnessLaw parseLaw(const std::string& engine);
 
 } // namespace mirrorball::cli

@@ -3,6 +3,7 @@
 #include "filter_brdf.h"
 
 #include "core/base/error.h"
+#include "core/engine/filter_chain.h"
 #include "core/filter/source_file.h"
 #include "core/image/map_file.h"
 #include "core/image/mip_pyramid.h"
@@ -139,7 +140,6 @@ int chainLength(const Options& o, const MapLayout& base)
     refuse(!o.lobe.empty() && o.lobe != "ggx", "--lobe", "is ggx for every --law; leave it out");
     refuse(o.roughness || o.alpha || o.exponent, "--law",
            "says the roughness of every level; leave --roughness, --alpha and --exponent out");
-    parseLaw(o.law);
     const int most = levelCount(base);
     if (o.levels && (*o.levels < 2 || *o.levels > most))
         throw InvalidArgument("--levels: a chain from " + std::to_string(base.size) + " texels has 2 to " + std::to_string(most) +
@@ -176,18 +176,15 @@ std::vector<PrefilterOptions> parseJobs(const Options& o)
     const MapLayout base{.kind = parseKind("--to", o.to), .size = o.size, .border = o.border};
     validate(base);
     const std::optional<Lobe> lobe = o.law.empty() ? parseLobe(o) : std::nullopt;
+    const std::optional<RoughnessLaw> law = o.law.empty() ? std::nullopt : std::optional(lawOfEngine(o.law));
     const int levels = chainLength(o, base);
-    std::vector<PrefilterOptions> jobs;
-    for (int i = 0; i < levels; ++i) {
-        const double r = o.law.empty() ? chainRoughness(i, levels) : levelRoughness(parseLaw(o.law), i, levels, base.size);
-        jobs.push_back({.lobe = lobe ? *lobe : ggxLobe(r * r),
-                        .target = levelLayout(base, i),
-                        .method = *method,
-                        .tolerance = tolerance,
-                        .yaw = radians(o.yawDeg + engineTurn(o.engine, base.kind).yawDeg),
-                        .knobs = knobs});
-    }
-    return jobs;
+    PrefilterOptions first;
+    first.target = base;
+    first.method = *method;
+    first.tolerance = tolerance;
+    first.yaw = radians(o.yawDeg + engineTurn(o.engine, base.kind).yawDeg);
+    first.knobs = knobs;
+    return filterChain(first, lobe, law, levels);
 }
 
 void runBrdf(const Options& o)
@@ -251,14 +248,8 @@ void run(const Options& o)
     sayUnpromised("filter", record);
 
     store(built.levels, engineTurn(o.engine, levels.front().target.kind).orientation);
-    std::string lobes;
-    for (const PrefilterOptions& level : levels)
-        lobes += (lobes.empty() ? "" : " ") + describe(level.lobe);
     const WriteOptions write{
-        .sampleType = o.half ? SampleType::Half : SampleType::Float,
-        .attributes = {{"mirrorball:lobes", lobes},
-                       {"mirrorball:indexed_by", levels.front().lobe.kind == LobeKind::Diffuse ? "normal" : "reflection"}},
-        .bytes = bytes};
+        .sampleType = o.half ? SampleType::Half : SampleType::Float, .attributes = filterAttributes(levels), .bytes = bytes};
     timedStage(record.stages, "save map", [&] { writeMap(o.out, built.levels, write); });
     if (!o.stats.empty())
         writeStats(o.stats, plan.stages, record, job.threadCount());

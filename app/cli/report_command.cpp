@@ -74,16 +74,17 @@ void run(const Options& o, const CLI::App& command)
     options.target = {.kind = parseKind("--to", o.to), .size = o.size};
     options.stability = o.stability;
     options.version = MIRRORBALL_VERSION;
-    if (o.quick) {
-        const auto unlessGiven = [&](const char* flag, auto& member, auto value) {
-            if (command.count(flag) == 0)
-                member = value;
+    if (o.quick) { // a number that was given stays
+        const ReportOptions given = options;
+        options = quickReport(std::move(options));
+        const auto keep = [&](const char* flag, auto member) {
+            if (command.count(flag) != 0)
+                options.*member = given.*member;
         };
-        options.sweep = Sweep::Few;
-        unlessGiven("--repeats", options.repeats, 2);
-        unlessGiven("--longest", options.longest, 0.5);
-        unlessGiven("--directions", options.directions, 128);
-        unlessGiven("--growth-to", options.growthTo, 0);
+        keep("--repeats", &ReportOptions::repeats);
+        keep("--longest", &ReportOptions::longest);
+        keep("--directions", &ReportOptions::directions);
+        keep("--growth-to", &ReportOptions::growthTo);
     }
     validate(options);
     checkReportFolder(o.folder);

@@ -1,5 +1,7 @@
 #include "helper_process.h"
 
+#include "code_folder.h"
+
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -9,7 +11,6 @@
 #include <mutex>
 #include <vector>
 
-#include <dlfcn.h>
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
@@ -29,17 +30,6 @@ namespace {
 constexpr const char* programName = "mirrorball-helper";
 constexpr std::uint64_t longestText = 4096;
 constexpr std::uint64_t longestAnswer = std::uint64_t{4} << 30;
-
-std::filesystem::path folderOfThisCode()
-{
-    Dl_info info{};
-    std::error_code ignored;
-    const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored);
-    if (::dladdr(reinterpret_cast<const void*>(&folderOfThisCode), &info) == 0 || !info.dli_fname)
-        return program.parent_path();
-    const auto file = std::filesystem::canonical(info.dli_fname, ignored); // of a library, inside another program
-    return (ignored ? program : file).parent_path();
-}
 
 /// What a helper takes over from this process' environment: where libraries are, and how sanitizers report.
 std::vector<std::string> helperEnvironment()
@@ -119,7 +109,7 @@ std::filesystem::path helperProgram()
     const auto here = folderOfThisCode();
     std::error_code ignored;
     for (const std::filesystem::path& folder :
-         {here, here / "../bin", here / MIRRORBALL_HELPER_FROM_BIN, std::filesystem::path(MIRRORBALL_HELPER_INSTALLED)})
+         {here, here / "../bin", here / "../../bin", here / MIRRORBALL_HELPER_FROM_BIN, std::filesystem::path(MIRRORBALL_HELPER_INSTALLED)})
         if (std::filesystem::exists(folder / programName, ignored))
             return folder / programName;
     throw WorkError("formats other than .exr and .hdr, and meshes, need " + std::string(programName) +

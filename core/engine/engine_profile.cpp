@@ -37,6 +37,7 @@ std::vector<EngineProfile> makeProfiles()
          .note = "KTX2Loader of three.js ignores the faces of cubes with float texels; use the lines in the script."});
     rows.push_back({.word = "model-viewer",
                     .title = "model-viewer",
+                    .proven = "4.4.0",
                     .how = "The latlong, turned as its environment lookup asks; it filters by itself.",
                     .files = {latlongHdr, text("{name}.html")},
                     .latlongYawDeg = -90.0});
@@ -89,6 +90,7 @@ std::vector<EngineProfile> makeProfiles()
                     .latlongYawDeg = -90.0});
     rows.push_back({.word = "godot",
                     .title = "Godot",
+                    .proven = "3.2.3",
                     .how = "The latlong for a PanoramaSky; Godot filters by itself.",
                     .files = {latlongHdr, text("{name}_godot.gd")}});
     rows.push_back({.word = "unity",

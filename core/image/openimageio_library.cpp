@@ -2,6 +2,7 @@
 
 #include "input_checks.h"
 
+#include "core/base/code_folder.h"
 #include "core/base/error.h"
 
 #include <vector>
@@ -16,10 +17,13 @@ constexpr const char* moduleFile = "libmirrorball_openimageio.so";
 /// Beside the running program or its helper as installed or as built, then where this build installs to.
 std::vector<std::filesystem::path> moduleFolders()
 {
-    std::error_code ignored;
-    const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
-    return {program / MIRRORBALL_MODULE_FROM_BIN, program / ".." / MIRRORBALL_MODULE_FROM_BIN, program / "../lib/mirrorball",
-            program / "../lib", MIRRORBALL_MODULE_INSTALLED};
+    const auto program = folderOfThisCode();
+    return {program / MIRRORBALL_MODULE_FROM_BIN,
+            program / ".." / MIRRORBALL_MODULE_FROM_BIN,
+            program / "../lib/mirrorball",
+            program / "../lib",
+            program / "../../lib",
+            MIRRORBALL_MODULE_INSTALLED};
 }
 
 const Module& loadModule()

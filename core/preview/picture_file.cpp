@@ -26,13 +26,11 @@ void divideByOpacity(Image& rgba)
 
 } // namespace
 
-WorkRecord savePicture(PlannedScene planned, const std::filesystem::path& path, const JobControl& job)
+Picture drawPicture(PlannedScene planned, PictureLight light, const JobControl& job)
 {
     const Scene& scene = planned.scene;
     WorkRecord record = std::move(planned.record);
-    const ImageFormat& format = writableFormat(path);
-    const bool radiance = format.samples != StoredSamples::Byte;
-    checkTarget(path);
+    const bool radiance = light == PictureLight::Radiance;
     std::shared_ptr<const DisplayTransform> display;
     if (const auto choice = displayChoice(scene); choice && !radiance)
         display = timedStage(record.stages, "read display configuration", [&] { return displayTransform(*choice); });
@@ -50,14 +48,24 @@ WorkRecord savePicture(PlannedScene planned, const std::filesystem::path& path, 
         Renderer renderer;
         return radiance ? renderer.renderRadiance(settings, maps) : renderer.renderDisplay(settings, maps);
     });
-    if (scene.view.background.kind != Backdrop::None || !format.alpha)
-        picture = withoutOpacity(picture);
+    return {.image = std::move(picture), .record = std::move(record)};
+}
+
+WorkRecord savePicture(PlannedScene planned, const std::filesystem::path& path, const JobControl& job)
+{
+    const ImageFormat& format = writableFormat(path);
+    const bool radiance = format.samples != StoredSamples::Byte;
+    checkTarget(path);
+    const bool keepsOpacity = planned.scene.view.background.kind == Backdrop::None && format.alpha;
+    Picture drawn = drawPicture(std::move(planned), radiance ? PictureLight::Radiance : PictureLight::Display, job);
+    if (!keepsOpacity)
+        drawn.image = withoutOpacity(drawn.image);
     else if (!radiance)
-        divideByOpacity(picture);
+        divideByOpacity(drawn.image);
     job.checkStop();
-    timedStage(record.stages, "save picture",
-               [&] { writeImage(path, picture, {.encoding = radiance ? Encoding::Linear : Encoding::Display}); });
-    return record;
+    timedStage(drawn.record.stages, "save picture",
+               [&] { writeImage(path, drawn.image, {.encoding = radiance ? Encoding::Linear : Encoding::Display}); });
+    return std::move(drawn.record);
 }
 
 } // namespace mirrorball::preview

@@ -96,6 +96,16 @@ void measureStability(const ReportOptions& options, const JobControl& job, Repor
 
 } // namespace
 
+ReportOptions quickReport(ReportOptions options)
+{
+    options.sweep = Sweep::Few;
+    options.repeats = 2;
+    options.longest = 0.5;
+    options.directions = 128;
+    options.growthTo = 0;
+    return options;
+}
+
 void validate(const ReportOptions& options)
 {
     if (options.probes.empty())

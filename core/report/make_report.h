@@ -43,6 +43,9 @@ struct ReportOptions {
     }
 };
 
+/// The options of a quick look: few settings and repeats, a coarse reference, no growth of cost.
+ReportOptions quickReport(ReportOptions options);
+
 /// @throws InvalidArgument naming the field
 void validate(const ReportOptions& options);
 

@@ -163,10 +163,13 @@ std::vector<FieldEntry> sceneFields()
     return entries;
 }
 
-void setField(Scene& scene, const std::string& path, const std::string& value)
+namespace {
+
+/// The value at a path inside a scene's JSON. @throws InvalidArgument that says what there is
+template <typename AnyJson>
+AnyJson& placeOf(AnyJson& json, const std::string& path)
 {
-    Json json = Json(sceneToJson(scene));
-    Json* place = &json;
+    AnyJson* place = &json;
     std::string walked;
     for (size_t at = 0; at < path.size();) {
         const size_t end = std::min({path.find('.', at), path.find('[', at), path.size()});
@@ -194,6 +197,21 @@ void setField(Scene& scene, const std::string& path, const std::string& value)
         walked = path.substr(0, end);
         at = end < path.size() && path[end] == '.' ? end + 1 : end;
     }
+    return *place;
+}
+
+} // namespace
+
+std::string fieldText(const Scene& scene, const std::string& path)
+{
+    const OrderedJson json = sceneToJson(scene);
+    return placeOf(json, path).dump();
+}
+
+void setField(Scene& scene, const std::string& path, const std::string& value)
+{
+    Json json = Json(sceneToJson(scene));
+    Json* place = &placeOf(json, path);
     if (place == &json || place->is_object())
         throw InvalidArgument(inQuotes(path) + ": names a group of fields; name one of them");
     if (place->is_string() && !value.starts_with('"')) {

@@ -38,6 +38,10 @@ struct FieldEntry {
 /// All fields of a scene but those of its exports, in the order of the file.
 std::vector<FieldEntry> sceneFields();
 
+/// One field, or a group of them, as the JSON text that a file has; all of the scene where the path is empty.
+/// @throws InvalidArgument naming what there is
+std::string fieldText(const Scene& scene, const std::string& path);
+
 /// Sets one field by its path ("material.specular.exponent", "exports[0].size") to a value written as in a file; quotes around words may
 /// be left out. What the command line's options do. @throws InvalidArgument naming the field
 void setField(Scene& scene, const std::string& path, const std::string& value);

@@ -209,7 +209,7 @@ std::unique_ptr<Radiance> ofSh(FilterSource& probe) { return std::make_unique<Of
 
 glm::dvec3 metal(const std::string& engine, const Radiance& radiance, const Pixel& pixel, double roughness, const glm::dmat3& axes)
 {
-    if (engine == "three")
+    if (engine == "three" || (engine == "model-viewer" && roughness > 0.0)) // whose renderer is an older three.js, with sharp mirrors
         return threeMetal(radiance, pixel, roughness, axes);
     if (engine == "filament")
         return filamentMetal(radiance, pixel, roughness, axes);

@@ -10,7 +10,7 @@ import { ballsGlb } from './balls.mjs';
 import { launch, openClient, serve } from './browser.mjs';
 
 const { values: o } = parseArgs({ options: {
-  mirrorball: { type: 'string' }, proof: { type: 'string' }, engines: { type: 'string', default: 'three,filament,babylon,babylon-rh,playcanvas' },
+  mirrorball: { type: 'string' }, proof: { type: 'string' }, engines: { type: 'string', default: 'three,filament,babylon,babylon-rh,playcanvas,model-viewer' },
   probes: { type: 'string', default: 'builtin:axes' }, short: { type: 'boolean' }, own: { type: 'boolean' }, plant: { type: 'string' },
   size: { type: 'string', default: '128' }, keep: { type: 'string' },
 } });
@@ -24,6 +24,7 @@ const clients = {
   filament: { client: 'filament', kinds: ['diffuse'] },
   babylon: { client: 'babylon', kinds: ['diffuse'], eye: -1, leftHanded: true, own: { own: 'source.hdr' } },
   'babylon-rh': { client: 'babylon', kinds: ['diffuse'], settings: { rightHanded: true } },
+  'model-viewer': { client: 'model-viewer', kinds: ['diffuse'] },
   playcanvas: { client: 'playcanvas', kinds: ['diffuse'], roughnesses: playCanvasRoughnesses, own: { own: 'source.hdr' } },
 };
 
