@@ -191,7 +191,13 @@ void bindResult(py::module_& m)
         .def_property_readonly(
             "band_limit", [](const Filtered& f) { return f.record.bandLimit; }, "spectral only; the largest")
         .def_property_readonly(
-            "predicted_error", [](const Filtered& f) { return f.record.predictedError; }, "rel_rms; the largest")
+            "predicted_error", [](const Filtered& f) { return f.record.predicted.relRms; }, "rel_rms; the largest")
+        .def_property_readonly(
+            "predicted_median_rel", [](const Filtered& f) { return f.record.predicted.medianRel; }, "the largest")
+        .def_property_readonly(
+            "predicted_p99_rel", [](const Filtered& f) { return f.record.predicted.p99Rel; }, "the largest")
+        .def_property_readonly(
+            "promised", [](const Filtered& f) { return f.record.unpromised.empty(); }, "whether every level keeps the tolerance")
         .def_property_readonly(
             "stages", [](const Filtered& f) { return stagesOf(f.record.stages); }, "what was done: dicts of name, seconds, left_out, why")
         .def(
