@@ -193,14 +193,11 @@ void bindResult(py::module_& m)
         .def_property_readonly(
             "predicted_error", [](const Filtered& f) { return f.record.predicted.relRms; }, "rel_rms; the largest")
         .def_property_readonly(
-            "predicted",
-            [](const Filtered& f) {
-                const PredictedErrors& p = f.record.predicted;
-                return py::dict(py::arg("rel_rms") = p.relRms, py::arg("median_rel") = p.medianRel, py::arg("p99_rel") = p.p99Rel);
-            },
-            "all that is predicted of the error, the largest of each")
+            "predicted_median_rel", [](const Filtered& f) { return f.record.predicted.medianRel; }, "the largest")
         .def_property_readonly(
-            "promised", [](const Filtered& f) { return f.record.unpromised.empty(); }, "whether the tolerance is promised, of all levels")
+            "predicted_p99_rel", [](const Filtered& f) { return f.record.predicted.p99Rel; }, "the largest")
+        .def_property_readonly(
+            "promised", [](const Filtered& f) { return f.record.unpromised.empty(); }, "whether every level keeps the tolerance")
         .def_property_readonly(
             "stages", [](const Filtered& f) { return stagesOf(f.record.stages); }, "what was done: dicts of name, seconds, left_out, why")
         .def(

@@ -59,11 +59,11 @@ void bindReports(py::module_& m)
         "error_metrics",
         [](const EnvironmentMap& map, const EnvironmentMap& reference) {
             const ErrorMetrics e = errorMetrics(map, reference);
-            return py::dict(py::arg("rel_rms") = e.relRms, py::arg("median_rel") = e.medianRel, py::arg("max_abs") = e.maxAbs,
+            return py::dict(py::arg("rel_rms") = e.relRms, py::arg("max_abs") = e.maxAbs, py::arg("median_rel") = e.medianRel,
                             py::arg("p99_rel") = e.p99Rel);
         },
         py::arg("map"), py::arg("reference"),
-        "Error of a map against a reference of the same layout, weighted by solid angle: a dict of rel_rms, median_rel, p99_rel, max_abs.");
+        "Error of a map against a reference of the same layout, weighted by solid angle: a dict of rel_rms, max_abs, median_rel, p99_rel.");
     m.def("report", &makeReportIn, py::arg("probes"), py::arg("folder"), py::kw_only(), py::arg("lobes") = "phong:50,ggx:0.3,diffuse",
           py::arg("methods") = py::none(), py::arg("to") = "cube", py::arg("size") = 64, py::arg("stability") = false,
           py::arg("quick") = false, py::arg("threads") = 0, py::arg("progress") = py::none(),
