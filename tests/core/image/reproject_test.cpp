@@ -280,7 +280,7 @@ TEST(Reproject, CubicLookupsFollowACurveCloserThanLinearOnesAndDoNotRing)
         const EnvironmentMap map = fill(layout, wave);
         const MapLayout target{Parameterization::Cube, 96, 0};
         const auto error = [&](Resample resample) {
-            const EnvironmentMap result = reproject(map, {target, 0.0, resample});
+            const EnvironmentMap result = reproject(map, {.target = target, .resample = resample});
             double sum = 0.0;
             for (int y = 0; y < target.height(); ++y)
                 for (int x = 0; x < target.width(); ++x) {
@@ -293,7 +293,7 @@ TEST(Reproject, CubicLookupsFollowACurveCloserThanLinearOnesAndDoNotRing)
         EXPECT_LT(error(Resample::Cubic), 0.6 * error(Resample::Linear)) << describe(layout);
         EnvironmentMap sun(layout);
         std::fill_n(sun.image.texel(layout.size / 2, layout.size / 2), 3, 1e4f);
-        for (const float value : reproject(sun, {target, 0.0, Resample::Cubic}).image.texels)
+        for (const float value : reproject(sun, {.target = target, .resample = Resample::Cubic}).image.texels)
             ASSERT_GE(value, 0.0f);
     }
 }
