@@ -6,7 +6,7 @@ Probe readResampled(ProbeFile file, const ReprojectOptions& options, const JobCo
 {
     const Detection& detection = file.detection();
     if (file.isBuiltin() || detection.orientation != glm::dmat3(1.0) || detection.arrangement != Arrangement::Whole ||
-        !canReprojectRows(detection.layout, options)) {
+        !detection.faces.empty() || !canReprojectRows(detection.layout, options)) {
         Probe result = file.read(job);
         result.map = timedStage(result.stages, "resample", [&] { return reproject(result.map, options, job); });
         return result;

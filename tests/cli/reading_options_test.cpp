@@ -192,6 +192,23 @@ TEST_F(ReadingOptionsTest, ABorderHasTheNeighborsTexels)
                  "--border");
 }
 
+// A small output is resampled while the file is read, a large one from memory: the faces' order counts in both.
+TEST_F(ReadingOptionsTest, FacesAreInTheOrderThatIsSaidAtEverySize)
+{
+    const EnvironmentMap cube = test::fieldMap({Parameterization::Cube, 64, 0});
+    Image shuffled(64, 384, 3);
+    const int order[]{5, 2, 0, 1, 3, 4}; // nz py px nx ny pz
+    for (int i = 0; i < 6; ++i)
+        std::copy_n(cube.image.row(order[i] * 64), 64 * 64 * 3, shuffled.row(i * 64));
+    writeImage(folder / "shuffled.exr", shuffled);
+    for (const char* size : {"4", "16", "64"}) {
+        const ProgramRun run = mirrorballRuns("convert " + file("shuffled.exr") + " -o " + file("out.exr") +
+                                              " --to latlong --faces 'nz py px nx ny pz' --size " + size);
+        ASSERT_EQ(run.status, 0) << run.err;
+        EXPECT_LT(distanceOf("out.exr"), std::string(size) == "4" ? 0.05 : 0.01) << size; // means over texels of 45 degrees curve away
+    }
+}
+
 TEST_F(ReadingOptionsTest, PartsAndLayersAreChosen)
 {
     std::vector<test::ExrChannel> channels = test::exrChannels(test::fieldMap(latlong).image);
