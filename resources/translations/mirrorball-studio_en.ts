@@ -35,7 +35,19 @@
 <context>
     <name>ExportFormat</name>
     <message>
-        <source>PNG, 8 bit</source>
+        <source>%1, 16-bit half</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, 32-bit float</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, 8 bit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, tone-mapped 8 bit</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -979,10 +991,6 @@
     </message>
     <message>
         <source>hue</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>image file, or builtin:NAME</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2578,11 +2586,123 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>paraboloid: texels kept free outside each disc; painted: texels between the disc and the picture&apos;s edge</source>
+        <source>source: the environment; specular: filtered with the material&apos;s lobe; diffuse: irradiance over pi; chain: ggx levels of roughness 0 to 1; painted: the sphere map</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>source: the environment; specular: filtered with the material&apos;s lobe; diffuse: irradiance over pi; chain: ggx levels of roughness 0 to 1; painted: the sphere map</source>
+        <source>OpenEXR: display is the picture, black where the file holds no data; data is only what it holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a picture of one that is not square: stretched, padded, or cropped about its middle; none: refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a picture that is not square: stretched, padded, or cropped about its middle; none: refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a picture whose shape is not its map&apos;s: stretched, padded with black to its angles of view, or cropped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>beyond</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>black</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>color_space</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cube faces in the order in which the file has them, px nx py ny pz nz, each with :90, :180 or :270 where it lies turned; empty: as the arrangement has them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>horizontal_angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>image file, six or two with a %s, or builtin:NAME</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the file&apos;s colours: linear, srgb, gamma1.8, gamma2.2, display-p3, adobe-rgb, acescg, ..., or a space of the OpenColorIO configuration that $OCIO names; empty: as the file says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outside the angles of view: black, or mirrored from the other side, as for a fisheye hemisphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paraboloid: texels kept free outside each disc; cube: texels of its neighbours around each face; painted: texels between the disc and the picture&apos;s edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rotate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stretch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>that the picture spans; 0: found from the shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the axis whose sign the file has the other way round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turns the probe about Y, X and Z, Z first: levels a horizon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertical_angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>which layer&apos;s channels are the colours; empty: chosen, default: those without a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>which picture of a file that holds several: its number, from 0, or its name; empty: the one with the colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2658,11 +2778,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Images (*.exr *.hdr *.tif *.tiff *.png *.jpg *.jpeg *.tga *.bmp);;All files (*)</source>
+        <source>Open a picture of a ball</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open a picture of a ball</source>
+        <source>Images (%1);;All files (*)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2762,6 +2882,113 @@
     </message>
     <message>
         <source>Probe</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::EngineCard</name>
+    <message>
+        <source>environment, latlong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>environment, cube</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>specular levels, cube</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>diffuse light, cube</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>specular levels and diffuse light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>specular levels and diffuse light, atlas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>diffuse light, nine coefficients</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what loads or describes them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not proven: written from its sources, it cannot run in the tests</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>proven in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Engine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Proof</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the engine does with the files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warnings and notes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edge of the largest cube face; an engine that filters by itself gets the probe at its own size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files that will be written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Texels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files that will be written; levels show their roughness when pointed at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as the probe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roughness of the levels: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3167,6 +3394,30 @@
         <source>; computed in about %1 s</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>What to export for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An engine gets the scene&apos;s light as it takes it; below them, the maps that the scene lists itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not proven</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Maps of the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>chosen one by one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, about %2 in all</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>mirrorball::studio::FileActions</name>
@@ -3535,10 +3786,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Display picture (*.png);;Linear radiance (*.exr)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Saved %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3556,6 +3803,10 @@
     </message>
     <message>
         <source>%1[*] - Mirrorball Studio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Display picture (%1);;Linear radiance (%2)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4083,35 +4334,31 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <source>Reset %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>automatic</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>mirrorball::studio::PaintedExport</name>
-    <message>
-        <source>PNG, 8 bit (*.png)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>OpenEXR, linear light (*.exr)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>OpenEXR with all mip levels (*.exr)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>TIFF, linear light (*.tif)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>TIFF with all mip levels (*.tif)</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>Export the picture of the sphere map</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Saved %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, 8 bit (*%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, linear light (*%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 with all mip levels (*%2)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4283,10 +4530,6 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Images (*.exr *.hdr *.pic *.rgbe *.tif *.tiff *.tx *.png *.jpg *.jpeg);;All files (*)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Remove this folder from the list</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4404,6 +4647,22 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
     </message>
     <message>
         <source>Automatic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images (%1);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mirror ball</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finds a mirror ball in the photograph and reads it as a sphere map</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4687,6 +4946,10 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
     </message>
     <message>
         <source>Change %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shape</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5004,10 +5267,6 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
 <context>
     <name>mirrorball::studio::SphereMapSourceField</name>
     <message>
-        <source>Sphere maps and pictures of them (*.spheremap *.exr *.hdr *.tif *.tiff *.png *.jpg *.jpeg);;All files (*)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>none</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5021,6 +5280,10 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
     </message>
     <message>
         <source>Choose a preset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sphere maps and pictures of them (*.spheremap %1);;All files (*)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -8,6 +8,7 @@
 #include "support/field.h"
 
 #include <gmock/gmock.h>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -207,7 +208,10 @@ TEST_F(ReadingOptionsTest, FacesAreInTheOrderThatIsSaidAtEverySize)
                                               " --to latlong --faces 'nz py px nx ny pz' --size " + size);
         ASSERT_EQ(run.status, 0) << run.err;
         ASSERT_EQ(mirrorballRuns("convert " + file("ordered.exr") + " -o " + file("right.exr") + " --to latlong --size " + size).status, 0);
-        EXPECT_EQ(readImage(folder / "out.exr"), readImage(folder / "right.exr")) << size;
+        const Image out = readImage(folder / "out.exr"), right = readImage(folder / "right.exr");
+        ASSERT_EQ(out.texels.size(), right.texels.size());
+        for (size_t i = 0; i < out.texels.size(); ++i) // rows come in another order, so sums round otherwise
+            ASSERT_NEAR(out.texels[i], right.texels[i], 1e-5f * std::abs(right.texels[i]) + 1e-6f) << size << " " << i;
     }
 }
 
