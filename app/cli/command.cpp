@@ -8,16 +8,13 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <functional>
 #include <iostream>
 #include <map>
-#include <memory>
 
 #include <sys/resource.h>
-#include <unistd.h>
 
 namespace mirrorball::cli {
 
@@ -161,50 +158,6 @@ void printStages(const std::vector<Stage>& stages)
         std::printf("%s\n", row[4].c_str());
     }
     std::fflush(stdout);
-}
-
-namespace {
-
-/// Draws "label [=====     ] 50%" over one line of stderr; clears it when it goes.
-class ProgressBar {
-public:
-    explicit ProgressBar(std::string label) : m_label(std::move(label)) {}
-    ~ProgressBar()
-    {
-        if (m_shown)
-            std::fprintf(stderr, "\r\033[K");
-    }
-    ProgressBar(const ProgressBar&) = delete;
-    ProgressBar& operator=(const ProgressBar&) = delete;
-
-    void show(float fraction)
-    {
-        using namespace std::chrono;
-        const auto now = steady_clock::now();
-        if (now - m_start < seconds(1) || now - m_last < milliseconds(50))
-            return;
-        m_last = now;
-        m_shown = true;
-        constexpr int length = 40;
-        const int filled = static_cast<int>(static_cast<float>(length) * fraction);
-        std::fprintf(stderr, "\r%s [%s%s] %3d%%", m_label.c_str(), std::string(static_cast<size_t>(filled), '=').c_str(),
-                     std::string(static_cast<size_t>(length - filled), ' ').c_str(), static_cast<int>(100.0f * fraction));
-    }
-
-private:
-    std::string m_label;
-    std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now(), m_last{};
-    bool m_shown = false;
-};
-
-} // namespace
-
-JobControl jobWithProgress(const std::string& label, int threads)
-{
-    JobControl job{.threads = threads};
-    if (isatty(STDERR_FILENO) != 0)
-        job.progress = [bar = std::make_shared<ProgressBar>(label)](float fraction) { bar->show(fraction); };
-    return job;
 }
 
 } // namespace mirrorball::cli

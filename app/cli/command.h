@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/base/job.h"
+#include "progress.h"
+
 #include "core/base/stage.h"
 #include "core/scene/scene_maps.h"
 #include "core/sphere/parameterization.h"
@@ -24,8 +25,13 @@ void addRenderCommand(CLI::App& program);
 void addExportCommand(CLI::App& program);
 void addPaintCommand(CLI::App& program);
 void addPresetsCommand(CLI::App& program);
+void addBatchCommand(CLI::App& program);
+void addRecipeCommand(CLI::App& program);
 /// Takes the program's words too, which the report records.
 void addReportCommand(CLI::App& program, int argc, const char* const* argv);
+
+/// Adds every command. @param argc, argv  the program's words, which a report records
+void addCommands(CLI::App& program, int argc, const char* const* argv);
 
 /// Parses a KIND word. @throws InvalidArgument naming the option and the known words
 Parameterization parseKind(const std::string& option, const std::string& word);
@@ -68,9 +74,5 @@ void sayUnpromised(const std::string& command, const WorkRecord& record);
 
 /// Prints stages as a table for `--explain`: name, needed or left out, what it is expected to cost where the plan knows, why.
 void printStages(const std::vector<Stage>& stages);
-
-/// A job on `threads` threads (0: all cores) that draws a progress bar on stderr once the work has taken a second, when stderr is a
-/// terminal; never in a pipe. `label` stands before the bar.
-JobControl jobWithProgress(const std::string& label, int threads);
 
 } // namespace mirrorball::cli

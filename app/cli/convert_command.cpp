@@ -34,11 +34,12 @@ void run(const Options& o)
         layouts.push_back(levelLayout(target, i));
     checkOutputsDiffer({{"--output", mapFiles(o.out, layouts)}});
     const JobControl job = jobWithProgress("convert", o.threads);
-    const Probe probe = readProbe(o.probe, read, job);
-    EnvironmentMap map = reproject(probe.map, {.target = target, .yaw = radians(o.yawDeg + turn.yawDeg)}, job);
+    const Probe probe = readProbe(o.probe, read, partOf(job, 0.0f, 0.4f));
+    EnvironmentMap map =
+        reproject(probe.map, {.target = target, .yaw = radians(o.yawDeg + turn.yawDeg)}, partOf(job, 0.4f, o.mips ? 0.8f : 1.0f));
     std::vector<EnvironmentMap> levels;
     if (o.mips)
-        levels = buildMipPyramid(map, job).levels;
+        levels = buildMipPyramid(map, partOf(job, 0.8f, 1.0f)).levels;
     else
         levels.push_back(std::move(map));
     store(levels, turn.orientation);

@@ -138,11 +138,11 @@ void filterByBrdf(const BrdfFilterOptions& o)
     const Brdf brdf = brdfFromText(o.brdf);
 
     const JobControl job = jobWithProgress("filter", o.threads);
-    Probe probe = readProbe(o.probe, read, job);
+    Probe probe = readProbe(o.probe, read, partOf(job, 0.0f, 0.2f));
     WorkRecord record{.stages = std::move(probe.stages), .methods = {"brdf " + o.method}};
-    FilterSource source(std::move(probe.map), job);
+    FilterSource source(std::move(probe.map), partOf(job, 0.2f, 0.3f));
     Made made;
-    timedStage(record.stages, "filter " + describe(brdf), [&] { made = make(source, o, choice, brdf, target, job); });
+    timedStage(record.stages, "filter " + describe(brdf), [&] { made = make(source, o, choice, brdf, target, partOf(job, 0.3f, 1.0f)); });
     record.stages.back().why = made.why;
     record.bandLimit = made.bandLimit;
     record.predicted = {made.predictedError, std::nan(""), std::nan("")}; // a tolerance is of a lobe's map

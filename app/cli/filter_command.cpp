@@ -239,11 +239,11 @@ void run(const Options& o)
     if (o.explain)
         printStages(plan.stages);
 
-    OpenedSource opened = openFilterSource(file, levels, job);
+    OpenedSource opened = openFilterSource(file, levels, partOf(job, 0.0f, 0.3f));
     opened.source.useParaboloidDevice(std::make_shared<preview::ParaboloidBlur>()); // starts no GPU before it is asked
     record += {.stages = std::move(opened.stages)};
     SceneProbe probe{.source = std::move(opened.source)};
-    BuiltMap built = buildMap(plan.exports.front().map, probe, 0.0, job);
+    BuiltMap built = buildMap(plan.exports.front().map, probe, 0.0, partOf(job, 0.3f, 1.0f));
     record += std::move(built.record);
     sayUnpromised("filter", record);
 

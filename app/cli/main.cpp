@@ -1,4 +1,6 @@
 #include "command.h"
+#include "recipe_option.h"
+#include "stopped.h"
 
 #include "core/base/error.h"
 #include "core/base/temporary_path.h"
@@ -69,22 +71,15 @@ int main(int argc, char** argv)
     program.require_subcommand(1);
     program.footer("PROBE is a file (.exr, .hdr, .tif, .png, ...) or builtin:NAME; `mirrorball presets` lists the names.\n"
                    "KIND is latlong, cube, sphere, angular, paraboloid or octahedral.\n"
-                   "Exit status: 0 done; 1 the work failed; 2 the arguments or the input are wrong.");
-    cli::addInfoCommand(program);
-    cli::addConvertCommand(program);
-    cli::addFilterCommand(program);
-    cli::addBrdfCommand(program);
-    cli::addRenderCommand(program);
-    cli::addExportCommand(program);
-    cli::addPaintCommand(program);
-    cli::addPresetsCommand(program);
-    cli::addReportCommand(program, argc, argv);
-    cli::addDoctorCommand(program);
-    cli::refuseInfinities(program);
+                   "Exit status: 0 done; 1 the work failed; 2 the arguments or the input are wrong; 75 batch was stopped, run it again.");
+    cli::addCommands(program, argc, argv);
+    cli::addProgressOptions(program);
+    const cli::RecipeOption recipe(program);
     try {
         try {
             checkCommand(program, argc, argv);
             program.parse(argc, argv);
+            recipe.write();
         } catch (const CLI::Success& e) { // --help, --version
             program.exit(e);
         }
@@ -93,6 +88,8 @@ int main(int argc, char** argv)
         return fail((std::string(e.what()) + "; see mirrorball --help").c_str(), 2);
     } catch (const InvalidArgument& e) {
         return fail(e.what(), 2);
+    } catch (const cli::Stopped& e) {
+        return fail(e.what(), cli::Stopped::status);
     } catch (const std::bad_alloc&) {
         return fail("not enough memory for this size", 1);
     } catch (const std::system_error& e) {

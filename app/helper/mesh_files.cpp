@@ -63,6 +63,7 @@ Assimp::IOStream* MeshFiles::Open(const char* file, const char* mode)
     const std::filesystem::path path = mode[0] == 'r' ? found(file) : std::filesystem::path();
     if (path.empty())
         return nullptr;
+    m_opened.insert(path.string());
     const size_t mark = beginsWithMark(path) ? 3 : 0;
     if (isObj(path)) {
         ObjText good = withoutBadFaces(textOf(path).substr(mark));

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <set>
+#include <string>
 
 namespace mirrorball::helper {
 
@@ -16,7 +18,8 @@ public:
 
     bool Exists(const char* file) const override { return !found(file).empty(); }
     Assimp::IOStream* Open(const char* file, const char* mode) override;
-    std::uint64_t dropped() const { return m_dropped; } ///< faces
+    std::uint64_t dropped() const { return m_dropped; }              ///< faces
+    const std::set<std::string>& opened() const { return m_opened; } ///< absolute
 
 private:
     /// The file that the name means; empty for none that may be opened.
@@ -26,6 +29,7 @@ private:
     std::filesystem::path m_folder;
     std::uintmax_t m_largest;
     std::uint64_t m_dropped = 0;
+    std::set<std::string> m_opened{};
 };
 
 } // namespace mirrorball::helper

@@ -105,6 +105,8 @@ ImportedMesh importMesh(const std::filesystem::path& path, const MeshLimits& lim
     if (!importer.ReadFile(std::filesystem::canonical(path).string(), 0))
         refuse();
     ImportedMesh imported;
+    for (const std::string& file : files->opened())
+        imported.files += file + '\0';
     imported.dropped =
         files->dropped() + clean(const_cast<aiScene&>(*importer.GetScene())); // the importer's, which gives it out to be looked at
     // Neither aiProcess_FindDegenerates, which takes faces of less than 1e-6 square units for nothing, nor aiProcess_FindInvalidData, which

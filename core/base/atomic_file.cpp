@@ -1,6 +1,7 @@
 #include "atomic_file.h"
 
 #include "error.h"
+#include "file_log.h"
 
 #include <cerrno>
 #include <cstring>
@@ -140,6 +141,7 @@ void AtomicFile::commit()
     if (std::rename(m_temporary->path().c_str(), m_target.c_str()) != 0)
         fail(errno);
     m_temporary->release();
+    noteWritten(m_named);
     if (m_durability == Durability::Synced)
         syncFolder(m_target.parent_path());
 }

@@ -1,6 +1,7 @@
 #include "field_json.h"
 
 #include "atomic_file.h"
+#include "file_log.h"
 
 #include <fstream>
 
@@ -221,6 +222,7 @@ void checkReadable(const std::string& text, const std::filesystem::path& path, s
 
 std::string readText(const std::filesystem::path& path, std::string_view what)
 {
+    noteRead(path);
     std::error_code error;
     const auto type = std::filesystem::status(path, error).type();
     if (type == std::filesystem::file_type::directory)

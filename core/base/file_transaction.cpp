@@ -2,6 +2,7 @@
 
 #include "atomic_file.h"
 #include "error.h"
+#include "file_log.h"
 
 #include <nlohmann/json.hpp>
 #include <zlib.h>
@@ -158,8 +159,10 @@ void FileTransaction::commit()
     const Descriptor folder(::open(m_folder.empty() ? "." : m_folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (folder.number >= 0)
         static_cast<void>(::flock(folder.number, LOCK_EX)); // not every file system can
-    for (const Move& move : moves)
+    for (const Move& move : moves) {
         moveTo(staging() / move.name, move.target, m_folder / move.name);
+        noteWritten(m_folder / move.name);
+    }
     if (folder.number >= 0)
         static_cast<void>(::fsync(folder.number));
 }

@@ -6,7 +6,7 @@
 namespace mirrorball::helper {
 
 inline constexpr int channel = 3;           ///< the helper's descriptor of the socket
-inline constexpr int version = 1;           ///< told on the command line; a helper of another one ends at once
+inline constexpr int version = 2;           ///< told on the command line; a helper of another one ends at once
 inline constexpr unsigned idleSeconds = 20; ///< after which a helper that nobody asks ends itself
 
 enum class Request : std::uint32_t {

@@ -1,10 +1,12 @@
 #include "temporary_path.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <mutex>
 #include <set>
 #include <string>
@@ -94,14 +96,36 @@ extern "C" void removeAndEnd(int signal)
 
 // ---- what dead processes left -----------------------------------------------------------------------------------------------------------
 
-/// ".NAME.mirrorball-tmpPROCESS-COUNT"
-bool isTemporaryName(std::string_view name)
+/// This machine by a number that others hardly share: FNV-1a of its name.
+std::uint32_t machineNumber()
+{
+    std::array<char, 256> name{};
+    static_cast<void>(::gethostname(name.data(), name.size() - 1));
+    std::uint32_t number = 2166136261u;
+    for (const char* c = name.data(); *c != '\0'; ++c)
+        number = (number ^ static_cast<unsigned char>(*c)) * 16777619u;
+    return number;
+}
+
+/// The numbers of ".NAME.mirrorball-tmpMACHINE-PROCESS-COUNT"; empty for other names.
+std::string_view temporaryNumbers(std::string_view name)
 {
     const size_t at = name.rfind(mark);
     if (name.empty() || name.front() != '.' || at == std::string_view::npos)
-        return false;
+        return {};
     const std::string_view numbers = name.substr(at + mark.size());
-    return numbers.find('-') != std::string_view::npos && numbers.find_first_not_of("0123456789-") == std::string_view::npos;
+    const bool isOurs = numbers.find('-') != std::string_view::npos && numbers.find_first_not_of("0123456789-") == std::string_view::npos;
+    return isOurs ? numbers : std::string_view{};
+}
+
+/// A share need not show one machine the locks of another: what those leave is theirs to remove, until it is too old to be in use.
+bool mayBeInUseElsewhere(std::string_view numbers, int descriptor)
+{
+    constexpr time_t longestUse = 7 * 24 * 3600;
+    if (numbers.starts_with(std::to_string(machineNumber()) + "-") || std::count(numbers.begin(), numbers.end(), '-') < 2)
+        return false;
+    struct stat now {};
+    return ::fstat(descriptor, &now) != 0 || ::time(nullptr) - now.st_mtime < longestUse;
 }
 
 /// Whoever holds the lock of a temporary path is alive. Where a file system knows no locks nothing is removed.
@@ -112,12 +136,13 @@ void sweep(const std::filesystem::path& folder)
         return;
     const int inside = ::dirfd(listing);
     while (const dirent* entry = ::readdir(listing)) {
-        if (!isTemporaryName(entry->d_name))
+        const std::string_view numbers = temporaryNumbers(entry->d_name);
+        if (numbers.empty())
             continue;
         const int found = ::openat(inside, entry->d_name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
         if (found < 0)
             continue;
-        if (::flock(found, LOCK_EX | LOCK_NB) == 0)
+        if (!mayBeInUseElsewhere(numbers, found) && ::flock(found, LOCK_EX | LOCK_NB) == 0)
             removeRaw(inside, entry->d_name, 0);
         ::close(found);
     }
@@ -141,8 +166,9 @@ std::filesystem::path newName(const std::filesystem::path& target)
 {
     static std::atomic<unsigned> counter{0};
     // The name of a target may use up all that the file system allows, so only part of it is repeated.
-    const std::string name =
-        "." + target.filename().string().substr(0, 200) + std::string(mark) + std::to_string(::getpid()) + "-" + std::to_string(counter++);
+    static const std::string machine = std::to_string(machineNumber());
+    const std::string name = "." + target.filename().string().substr(0, 200) + std::string(mark) + machine + "-" +
+                             std::to_string(::getpid()) + "-" + std::to_string(counter++);
     return target.parent_path() / name;
 }
 
@@ -158,6 +184,15 @@ int openNew(const std::filesystem::path& path, TemporaryPath::Kind kind)
     return descriptor;
 }
 
+/// Whether the path leads to what the descriptor is open on.
+bool isStillNamed(int descriptor, const std::filesystem::path& path)
+{
+    struct stat open {
+    }, named{};
+    return ::fstat(descriptor, &open) == 0 && ::lstat(path.c_str(), &named) == 0 && open.st_dev == named.st_dev &&
+           open.st_ino == named.st_ino;
+}
+
 } // namespace
 
 TemporaryPath::TemporaryPath(const std::filesystem::path& target, Kind kind)
@@ -167,8 +202,9 @@ TemporaryPath::TemporaryPath(const std::filesystem::path& target, Kind kind)
         m_path = newName(target);
         m_slot = registerPath(m_path); // before it is made: a signal may come between
         m_descriptor = openNew(m_path, kind);
-        if (m_descriptor >= 0 && ::flock(m_descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-            ::close(m_descriptor); // a sweep of another process was faster: it is gone
+        if (m_descriptor >= 0 &&
+            ((::flock(m_descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) || !isStillNamed(m_descriptor, m_path))) {
+            ::close(m_descriptor); // a sweep of another process came between making and locking: it is gone
             m_descriptor = -1;
             errno = EEXIST;
         }

@@ -6,7 +6,8 @@ namespace mirrorball {
 
 /// A file or folder that is there only while something is being made: beside its target, under a name that nobody else uses, and gone with
 /// this object, with the process when a signal ends it (removeTemporariesOnSignals), or else with the next process that makes one in the
-/// same folder. An open file lock tells which are still in use: it is gone with a process, whatever ended it.
+/// same folder on the same machine, or a week later on any other. An open file lock tells which are still in use: it is gone with a
+/// process, whatever ended it; but a share need not show one machine the locks of another.
 class TemporaryPath {
 public:
     enum class Kind { File, Folder };

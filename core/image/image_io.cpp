@@ -7,6 +7,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/base/file_log.h"
 
 #include <algorithm>
 #include <array>
@@ -24,6 +25,7 @@ constexpr int blockTexels = 1 << 20; ///< read at a time: small enough to stop s
 /// The first bytes of a regular file. @throws FileError for anything else, before a reader could block on a pipe
 std::string firstBytes(const std::filesystem::path& path)
 {
+    noteRead(path);
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(path, error);
     if (status.type() == std::filesystem::file_type::not_found)

@@ -1,6 +1,7 @@
 #include "display_transform.h"
 
 #include "core/base/error.h"
+#include "core/base/file_log.h"
 #include "core/image/input_checks.h"
 
 #include <OpenColorIO/OpenColorIO.h>
@@ -49,6 +50,7 @@ ocio::ConstConfigRcPtr openConfig(const std::string& config)
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error) || std::filesystem::file_size(path, error) > (std::uintmax_t{64} << 20))
         throw InvalidArgument("view.display.config: " + path + " is no OpenColorIO configuration; name a .ocio file");
+    noteRead(path);
     return namingField("view.display.config", [&] { return ocio::Config::CreateFromFile(path.c_str()); });
 }
 

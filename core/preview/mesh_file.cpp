@@ -3,6 +3,7 @@
 #include "mesh_wire.h"
 
 #include "core/base/error.h"
+#include "core/base/file_log.h"
 #include "core/base/helper_process.h"
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numeric>
+#include <sstream>
 #include <string>
 #include <tuple>
 
@@ -172,6 +174,21 @@ std::string describe(const MeshFacts& facts)
     return text;
 }
 
+namespace {
+
+/// Buffers that a .gltf file keeps beside itself. What a failing importer may have named is not trusted: it lies below the mesh's folder.
+void noteFilesBeside(const std::filesystem::path& mesh, const std::string& files)
+{
+    std::error_code error;
+    const std::filesystem::path folder = std::filesystem::canonical(mesh, error).parent_path();
+    std::istringstream names(files);
+    for (std::string file; std::getline(names, file, '\0');)
+        if (const auto inside = std::filesystem::path(file).lexically_relative(folder); !inside.empty() && *inside.begin() != "..")
+            noteRead(mesh.parent_path() / inside);
+}
+
+} // namespace
+
 MeshFile readMeshFile(const std::filesystem::path& path, const JobControl& job, const MeshLimits& limits)
 {
     std::error_code error;
@@ -190,7 +207,9 @@ MeshFile readMeshFile(const std::filesystem::path& path, const JobControl& job, 
     if (error || bytes > limits.fileBytes)
         refuse("holds more than " + std::to_string(limits.fileBytes >> 20) + " MiB; reduce the mesh in a modeller");
 
+    noteRead(path);
     ImportedMesh imported = importedBy(path, bytes, job, limits);
+    noteFilesBeside(path, imported.files);
     Mesh& mesh = imported.mesh;
     if (mesh.indices.empty())
         refuse("the file holds no triangle; export the surfaces, not curves or points");

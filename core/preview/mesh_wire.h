@@ -5,6 +5,7 @@
 #include "core/base/wire.h"
 
 #include <algorithm>
+#include <string>
 
 /// What the helper makes of a mesh file.
 namespace mirrorball::preview {
@@ -13,12 +14,14 @@ namespace mirrorball::preview {
 struct ImportedMesh {
     Mesh mesh{};
     std::uint64_t dropped = 0; ///< faces left out, because a vertex of theirs does not exist or is no finite number
+    std::string files{};       ///< absolute paths of the files that were opened, each ended by a zero byte
 };
 
 inline std::string toWire(const ImportedMesh& imported)
 {
     WireWriter writer;
-    writer << imported.dropped << imported.mesh.positions << imported.mesh.normals << imported.mesh.texCoords << imported.mesh.indices;
+    writer << imported.dropped << std::string_view(imported.files) << imported.mesh.positions << imported.mesh.normals
+           << imported.mesh.texCoords << imported.mesh.indices;
     return std::move(writer).bytes();
 }
 
@@ -27,7 +30,7 @@ inline bool fromWire(std::string_view bytes, ImportedMesh& imported)
 {
     WireReader reader(bytes);
     Mesh& mesh = imported.mesh;
-    reader >> imported.dropped >> mesh.positions >> mesh.normals >> mesh.texCoords >> mesh.indices;
+    reader >> imported.dropped >> imported.files >> mesh.positions >> mesh.normals >> mesh.texCoords >> mesh.indices;
     return reader.isDone() && mesh.normals.size() == mesh.positions.size() && mesh.texCoords.size() == mesh.positions.size() &&
            mesh.indices.size() % 3 == 0 &&
            std::all_of(mesh.indices.begin(), mesh.indices.end(), [&](std::uint32_t i) { return i < mesh.positions.size(); });

@@ -38,8 +38,8 @@ Picture drawPicture(PlannedScene planned, PictureLight light, const JobControl& 
     if (const auto file = meshFile(scene))
         mesh = timedStage(record.stages, "read mesh", [&] { return std::make_shared<const Mesh>(readMesh(*file, job)); });
     const RenderSettings settings = renderSettings(scene, planned.plan, std::move(mesh), std::move(display));
-    SceneProbe probe = openProbe(std::move(planned.probe), planned.plan, job);
-    SceneMaps made = buildMaps(scene, planned.plan, probe, job);
+    SceneProbe probe = openProbe(std::move(planned.probe), planned.plan, partOf(job, 0.0f, 0.3f));
+    SceneMaps made = buildMaps(scene, planned.plan, probe, partOf(job, 0.3f, 0.9f));
     record += std::move(made.record);
     const RenderMaps maps = renderMaps(made);
     job.checkStop();

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/field_checks.h"
+#include "core/base/file_log.h"
 #include "core/sphere/direction.h"
 
 #include <algorithm>
@@ -37,6 +38,7 @@ std::string extension(const std::filesystem::path& path)
 
 std::uintmax_t sizeOf(const std::filesystem::path& path)
 {
+    noteRead(path);
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error))
         throw FileError(path.string(),

@@ -7,6 +7,7 @@
 #include "ktx2.h"
 
 #include "core/base/error.h"
+#include "core/base/file_log.h"
 #include "core/image/input_checks.h"
 #include "core/image/openimageio_loader.h"
 
@@ -20,6 +21,7 @@ namespace {
 
 std::string fileBytes(const std::filesystem::path& path)
 {
+    noteRead(path);
     std::ifstream stream(path, std::ios::binary);
     if (!stream)
         throw FileError(path.string(), "cannot be read; check its name and permissions");

@@ -1,0 +1,93 @@
+#include "batch_folder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace mirrorball {
+namespace {
+
+using test::BatchFolder;
+using test::ProgramRun;
+using testing::HasSubstr;
+
+/// What the printed line makes, run by a shell in some other folder, is the same file to the byte.
+TEST(Recipe, PrintsALineThatMakesTheOutputAgain)
+{
+    const BatchFolder folder;
+    folder.run("render --probe probe.hdr --geometry sphere --size 16x16 -o a.png --save-scene s.mirrorball --set exports=[]");
+    std::filesystem::copy_file(folder / "probe.hdr", folder / "it is.hdr");
+    struct Case {
+        const char* command;
+        const char* output; ///< of which the recipe is asked for
+    };
+    constexpr Case cases[] = {
+        {"filter probe.hdr -o a.exr --lobe ggx --mips --to cube --size 8 --tolerance 1e-3 --yaw -20 --half", "a.exr"},
+        {"convert \"it is.hdr\" --output \"b c.hdr\" --to latlong --size 8", "b c.hdr"},
+        {"convert probe.hdr -o f_%s.exr --to cube --size 8 --threads 1", "f_ny.exr"},
+        {"filter probe.hdr -o lod%d.png --law three --levels 3 --to cube --size 8 --encode rgbm", "lod1.png"},
+        {"render s.mirrorball -o b.png --set material.lambda=2 --set view.exposure=1", "b.png"},
+        {"export probe.hdr --for filament --size 32 -o game", "game"},
+        {"paint porcelain -o p.png --size 16 --levels", "p.1.png"},
+        {"brdf ward:alpha=0.3 --table albedo -o t.exr", "t.exr"},
+    };
+    for (const Case& each : cases) {
+        const ProgramRun made = folder.run(std::string(each.command) + " --recipe");
+        ASSERT_EQ(made.status, 0) << each.command << made.err;
+        const std::string name = std::string("\"") + each.output + "\"";
+        const ProgramRun recipe = folder.shell("cd / && $mirrorball recipe \"$OLDPWD\"/" + name);
+        ASSERT_EQ(recipe.status, 0) << recipe.err;
+        EXPECT_EQ(recipe.err, "") << each.command;
+        EXPECT_EQ(recipe.out.find("--recipe"), std::string::npos);
+        EXPECT_EQ(recipe.out.find("--threads"), std::string::npos);
+        test::writeBytes(folder / "again.sh", "set -e\n" + recipe.out);
+        const ProgramRun again = folder.shell(
+            "mkdir -p bin && ln -sf $mirrorball bin/mirrorball && cp -r " + name + " kept && rm -r " + name +
+            " && cd / && PATH=\"$OLDPWD\"/bin:$PATH sh \"$OLDPWD\"/again.sh && cd \"$OLDPWD\" && diff -r kept " + name + " && rm -r kept");
+        EXPECT_EQ(again.status, 0) << each.command << "\n" << recipe.out << again.out << again.err;
+    }
+}
+
+TEST(Recipe, SaysWhenAFileIsNoLongerWhatItMade)
+{
+    const BatchFolder folder;
+    ASSERT_EQ(folder.run("convert probe.hdr -o a.exr --to cube --size 8 --recipe").status, 0);
+    const ProgramRun good = folder.run("recipe a.exr");
+    EXPECT_EQ(good.out, "mirrorball convert probe.hdr --output a.exr --to cube --size 8\n");
+    EXPECT_EQ(good.err, "");
+    test::writeBytes(folder / "a.exr", "x");
+    const ProgramRun edited = folder.run("recipe a.exr");
+    EXPECT_EQ(edited.status, 0);
+    EXPECT_EQ(edited.out, good.out);
+    EXPECT_THAT(edited.err, HasSubstr("a.exr: does not verify, because a.exr has changed"));
+    EXPECT_FAILS(folder.run("recipe probe.hdr"), 2, "probe.hdr: has no recipe");
+    EXPECT_FAILS(folder.run("recipe none.exr"), 2, "none.exr: does not exist");
+}
+
+TEST(Recipe, NamesVersionInputsAndOutputs)
+{
+    const BatchFolder folder;
+    ASSERT_EQ(folder.run("convert probe.hdr -o out.exr --to cube --size 8 --recipe").status, 0);
+    const auto json = nlohmann::json::parse(folder.bytes("out.exr.recipe.json"));
+    EXPECT_EQ(json["mirrorball_recipe"], 1);
+    EXPECT_EQ(json["version"].get<std::string>() + "\n", folder.run("--version").out);
+    // coreutils' sha256sum, which shares no code with ours
+    for (const char* list : {"inputs", "outputs"})
+        for (const auto& file : json[list])
+            EXPECT_EQ(folder.shell("sha256sum <" + file["file"].get<std::string>()).out, file["sha256"].get<std::string>() + "  -\n");
+    EXPECT_EQ(json["inputs"].size(), 1u);
+    EXPECT_EQ(json["outputs"].size(), 1u);
+    EXPECT_EQ(json["inputs"][0]["bytes"], std::filesystem::file_size(folder / "probe.hdr"));
+}
+
+TEST(Recipe, IsNotWrittenWhereItWouldNotBeTrue)
+{
+    const BatchFolder folder;
+    EXPECT_FAILS(folder.run("convert probe.hdr -o probe.hdr --to latlong --size 8 --recipe"), 1, "is read and written by one command");
+    EXPECT_FALSE(folder.has("probe.hdr.recipe.json"));
+    EXPECT_FAILS(folder.run("convert none.hdr -o b.hdr --to latlong --size 8 --recipe"), 2, "none.hdr");
+    EXPECT_FALSE(folder.has("b.hdr.recipe.json"));
+}
+
+} // namespace
+} // namespace mirrorball
