@@ -11,7 +11,6 @@ int main()
     EnvironmentMap probe = renderBuiltinProbe("studio", {Parameterization::Latlong, 16, 0});
     std::fill(probe.image.texels.begin(), probe.image.texels.end(), 1.0f);
     FilterSource source(std::move(probe));
-    const PrefilterOutcome outcome =
-        prefilter(source, {.lobe = phongLobe(10.0), .target = {.kind = Parameterization::Latlong, .size = 8}});
+    const PrefilterOutcome outcome = prefilter(source, {.lobe = phongLobe(10.0), .target = {.kind = Parameterization::Latlong, .size = 8}});
     std::printf("%.3g\n", static_cast<double>(outcome.map.image.texels[0]));
 }
