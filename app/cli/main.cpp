@@ -1,6 +1,8 @@
 #include "command.h"
 #include "recipe_option.h"
+#include "reference_command.h"
 #include "stopped.h"
+#include "version_report.h"
 
 #include "core/base/error.h"
 #include "core/base/temporary_path.h"
@@ -54,6 +56,8 @@ void checkCommand(const CLI::App& program, int argc, char** argv)
     for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
         if (command->get_name() == argv[1])
             return;
+        if (command->get_group().empty()) // not listed
+            continue;
         known += (known.empty() ? "" : ", ") + command->get_name();
     }
     throw mirrorball::InvalidArgument("'" + std::string(argv[1]) + "' is no command; choose one of " + known);
@@ -67,7 +71,9 @@ int main(int argc, char** argv)
     openStandardStreams();
     removeTemporariesOnSignals();
     CLI::App program{"Materials with environment maps: convert, filter, render and export light probes.", "mirrorball"};
-    program.set_version_flag("--version", MIRRORBALL_VERSION);
+    bool verbose = false;
+    program.add_flag("--verbose", verbose, "with --version: libraries, OpenGL, machine and limits, for bug reports");
+    program.set_version_flag("--version", [&verbose] { return verbose ? cli::versionReport() : std::string(MIRRORBALL_VERSION); });
     program.require_subcommand(1);
     program.footer("PROBE is a file (.exr, .hdr, .tif, .png, ...) or builtin:NAME; `mirrorball presets` lists the names.\n"
                    "KIND is latlong, cube, sphere, angular, paraboloid or octahedral.\n"
@@ -75,6 +81,7 @@ int main(int argc, char** argv)
     cli::addCommands(program, argc, argv);
     cli::addProgressOptions(program);
     const cli::RecipeOption recipe(program);
+    cli::addReferenceCommand(program);
     try {
         try {
             checkCommand(program, argc, argv);

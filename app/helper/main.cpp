@@ -4,12 +4,19 @@
 #include "picture_service.h"
 
 #include "core/base/error.h"
+#include "core/image/openimageio_library.h"
 
+#include <assimp/version.h>
+
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <new>
 #include <optional>
 #include <string>
+
+#include <link.h>
 
 /// mirrorball-helper: reads files of other formats for the program that started it, which it talks with through a socket
 /// (core/base/helper_protocol.h). Nobody starts it by hand.
@@ -59,10 +66,34 @@ void answering(Connection& connection, const Work& work)
     }
 }
 
+/// The file of OpenImageIO, whose name ends in its version, or why it cannot be loaded.
+std::string openImageIoName()
+{
+    try {
+        openimageio::module();
+    } catch (const WorkError& error) {
+        return error.what();
+    }
+    std::string name = "OpenImageIO";
+    ::dl_iterate_phdr(
+        [](dl_phdr_info* library, size_t, void* found) {
+            const std::string file = std::filesystem::path(library->dlpi_name).filename().string();
+            if (file.starts_with("libOpenImageIO.so"))
+                *static_cast<std::string*>(found) = file;
+            return 0;
+        },
+        &name);
+    return name;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
+    if (argc == 2 && std::strcmp(argv[1], "versions") == 0) {
+        std::printf("Assimp %u.%u.%u, %s\n", aiGetVersionMajor(), aiGetVersionMinor(), aiGetVersionPatch(), openImageIoName().c_str());
+        return 0;
+    }
     if (argc != 3 || argv[2] != std::to_string(helper::version))
         return 126;
     limitProcess();

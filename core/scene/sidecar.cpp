@@ -1,5 +1,6 @@
 #include "sidecar.h"
 
+#include "core/base/version.h"
 #include "core/image/image_format.h"
 
 #include <nlohmann/json.hpp>
@@ -97,6 +98,7 @@ Json opened(const ExportTarget& target, const std::vector<std::filesystem::path>
 {
     Json json;
     json["mirrorball_sidecar"] = 1;
+    json["mirrorball_version"] = version();
     json["name"] = target.name;
     json["kind"] = words(target.kind)[static_cast<size_t>(target.kind)];
     json["files"] = Json::array();
