@@ -70,19 +70,14 @@ Faces storedFaces(const Image& cube)
     return faces;
 }
 
-/// The faces of a latlong, turned by `yaw`; each texel the mean of nine lookups.
+/// The faces of a latlong, turned by `yaw`: means over their texels, as those that are stored are, so that a sun of one texel counts the
+/// same in both.
 Faces facesOf(const EnvironmentMap& latlong, int n, double yaw)
 {
-    Faces faces{n, std::vector<double>(static_cast<size_t>(6 * n * n))};
-    size_t i = 0;
-    for (int face = 0; face < 6; ++face)
-        for (int y = 0; y < n; ++y)
-            for (int x = 0; x < n; ++x, ++i)
-                for (int k = 0; k < 9; ++k) {
-                    const double s = (2.0 * x + (k % 3 + 0.5) / 1.5) / n - 1.0, t = (2.0 * y + (k / 3 + 0.5) / 1.5) / n - 1.0;
-                    const glm::vec3 value = latlong.radiance(yawed(cube_map::facePoint(face, s, t), -yaw));
-                    faces.values[i] += luminance(glm::dvec3(value)) / 9.0;
-                }
+    const EnvironmentMap cube = reproject(latlong, {.target = {Parameterization::Cube, n, 0}, .yaw = yaw}, {.threads = 1});
+    Faces faces{n, {}};
+    for (size_t i = 0; i < cube.image.texels.size(); i += 3)
+        faces.values.push_back(luminanceOf(&cube.image.texels[i]));
     normalise(faces.values);
     return faces;
 }

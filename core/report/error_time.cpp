@@ -102,11 +102,19 @@ public:
     EnvironmentMap standIn(std::string& how) const
     {
         FilterSource source = m_probe;
-        constexpr double tolerance = 1e-6; // its error is measured and shown
-        const PrefilterOptions options{.lobe = m_lobe, .target = m_options.target, .method = Method::Spectral, .tolerance = tolerance};
-        PrefilterOutcome outcome = prefilter(source, options, m_job);
-        how = outcome.filtered ? "spectral at tolerance " + shortNumber(tolerance) : "the bilinear lookup";
-        return std::move(outcome.map);
+        PrefilterOptions options;
+        options.lobe = m_lobe;
+        options.target = m_options.target;
+        options.method = Method::Spectral;
+        for (options.tolerance = 1e-6;; options.tolerance *= 10.0) // its error is measured and shown
+            try {
+                PrefilterOutcome outcome = prefilter(source, options, m_job);
+                how = outcome.filtered ? "spectral at tolerance " + shortNumber(options.tolerance) : "the bilinear lookup";
+                return std::move(outcome.map);
+            } catch (const InvalidArgument&) { // the promise cannot be kept so tightly
+                if (options.tolerance > 1e-3)
+                    throw;
+            }
     }
 
 private:

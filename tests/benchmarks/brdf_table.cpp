@@ -48,10 +48,9 @@ std::vector<NamedProbe> probes(const std::filesystem::path& folder)
         const Image image = readImage(path);
         const MapLayout layout{Parameterization::Latlong, 128, 0};
         EnvironmentMap map = reproject(EnvironmentMap({Parameterization::Latlong, image.height, 0}, image), {.target = layout});
-        EnvironmentMap calm = map;
-        takeBrightTexels(calm);
-        const double share = 1.0 - meanRadiance(calm).g / meanRadiance(map).g;
-        all.push_back({path.stem().string(), map, FilterSource(map), share > 0.1});
+        FilterSource source(map);
+        const double share = source.brightTexels(1).energy.g / (4.0 * pi * meanRadiance(map).g);
+        all.push_back({path.stem().string(), std::move(map), std::move(source), share > 0.1});
         std::fprintf(stderr, "%s: bright texels hold %.3f of the light\n", path.stem().c_str(), share);
     }
     return all;
