@@ -19,8 +19,8 @@ struct ReprojectOptions {
 /// Resamples a map to another parameterization, size or yaw.
 ///
 /// A target texel is the mean, by solid angle, of the source over it, each texel of the source taken as a patch of its radiance: what sums
-/// of ever finer samples converge to (remap.h). So a constant stays constant and the mean radiance stays the source's, even of a single
-/// bright texel: to 1e-4 where all texels become larger. A texel smaller than the source's in both directions is the lookup at its centre.
+/// of ever finer samples converge to (remap.h). So a constant stays constant and, where all texels become larger, so does the mean: of
+/// one bright texel to 1e-4, of sphere, angular and octahedral maps to 6e-4. A texel smaller in both is the lookup at its centre.
 /// Texels at a disc's rim stand for their part inside, those outside continue the map. The same layout without yaw or turn returns the
 /// source as it is.
 /// @throws InvalidArgument for a layout out of range; Cancelled

@@ -224,8 +224,8 @@ TEST(Reproject, MinifyingIsTheMeanOverTheTexelFromAnyToAny)
         }
 }
 
-// What is left is how the source's density changes within the one texel where an outline cuts it, and that bends are followed to a two
-// thousandth of a texel, of four at the finest here.
+// What is left is how the source's density changes within the one texel where an outline cuts it: much at a sphere map's rim and at an
+// octahedron's folds.
 TEST(Reproject, OneTexelOfSunKeepsItsEnergyFromAnyToAny)
 {
     for (const auto from : allParameterizations) {
@@ -238,12 +238,13 @@ TEST(Reproject, OneTexelOfSunKeepsItsEnergyFromAnyToAny)
             map.image.texel(static_cast<int>(p.x), static_cast<int>(p.y))[c] = 1e6f;
         }
         const glm::dvec3 before = meanRadiance(map);
+        const bool even = from == Parameterization::Latlong || from == Parameterization::Cube || from == Parameterization::Paraboloid;
         for (const auto to : allParameterizations)
             for (const double ratio : {4.0, 7.0, 30.0}) {
                 const EnvironmentMap result = reproject(map, {withTexels(to, 2e5 / (ratio * ratio))});
                 const glm::dvec3 after = meanRadiance(result);
                 for (int c = 0; c < 3; ++c)
-                    EXPECT_NEAR(after[c] / before[c], 1.0, 6e-4)
+                    EXPECT_NEAR(after[c] / before[c], 1.0, even ? 1e-4 : 6e-4)
                         << describe(layout) << " to " << name(to) << ", ratio " << ratio << " " << c;
                 EXPECT_GE(*std::min_element(result.image.texels.begin(), result.image.texels.end()), 0.0f);
             }
