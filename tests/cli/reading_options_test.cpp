@@ -7,8 +7,8 @@
 #include "support/exr_builders.h"
 #include "support/field.h"
 
-#include <gmock/gmock.h>
 #include <cmath>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
