@@ -6,10 +6,18 @@
 #include "core/base/error.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
+#include <utility>
+#include <vector>
 
 namespace mirrorball::cli {
 namespace {
+
+/// A command's callback owns what the options are read into: it is kept, and not called.
+struct Silenced : CLI::App {
+    static std::function<void()> take(CLI::App& command) { return std::exchange(command.*(&Silenced::final_callback_), {}); }
+};
 
 /// The command line without its effects: it parses, and runs nothing.
 class CommandReader {
@@ -19,7 +27,7 @@ public:
         addCommands(m_program, 0, nullptr);
         m_program.require_subcommand(1);
         for (CLI::App* command : m_program.get_subcommands([](const CLI::App*) { return true; }))
-            command->callback({});
+            m_owners.push_back(Silenced::take(*command));
     }
 
     /// @throws InvalidArgument without the field's name
@@ -44,6 +52,7 @@ public:
     }
 
 private:
+    std::vector<std::function<void()>> m_owners{};
     CLI::App m_program{"", "mirrorball"};
 };
 
