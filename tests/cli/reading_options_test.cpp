@@ -212,7 +212,7 @@ TEST_F(ReadingOptionsTest, FacesAreInTheOrderThatIsSaidAtEverySize)
         const Image wanted = converted(file("straight.exr")), got = converted(file("shuffled.exr") + " --faces 'nz py px nx ny pz'");
         ASSERT_EQ(got.texels.size(), wanted.texels.size());
         for (size_t i = 0; i < got.texels.size(); ++i)
-            ASSERT_NEAR(got.texels[i], wanted.texels[i], 1e-5) << size; // row by row or at once, sums are taken in another order
+            ASSERT_NEAR(got.texels[i], wanted.texels[i], 1e-4) << size; // sums of floats in another order; a wrong face is off by 0.2
     }
 }
 
