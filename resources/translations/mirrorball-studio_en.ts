@@ -2705,6 +2705,122 @@
         <source>z</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>OpenEXR: display is the picture, black where the file holds no data; data is only what it holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a picture of one that is not square: stretched, padded, or cropped about its middle; none: refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a picture that is not square: stretched, padded, or cropped about its middle; none: refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a picture whose shape is not its map&apos;s: stretched, padded with black to its angles of view, or cropped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>beyond</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>black</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>color_space</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cube faces in the order in which the file has them, px nx py ny pz nz, each with :90, :180 or :270 where it lies turned; empty: as the arrangement has them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>horizontal_angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>image file, six or two with a %s, or builtin:NAME</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the file&apos;s colours: linear, srgb, gamma1.8, gamma2.2, display-p3, adobe-rgb, acescg, ..., or a space of the OpenColorIO configuration that $OCIO names; empty: as the file says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outside the angles of view: black, or mirrored from the other side, as for a fisheye hemisphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paraboloid: texels kept free outside each disc; cube: texels of its neighbours around each face; painted: texels between the disc and the picture&apos;s edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rotate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stretch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>that the picture spans; 0: found from the shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the axis whose sign the file has the other way round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turns the probe about Y, X and Z, Z first: levels a horizon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertical_angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>which layer&apos;s channels are the colours; empty: chosen, default: those without a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>which picture of a file that holds several: its number, from 0, or its name; empty: the one with the colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>main</name>

@@ -534,6 +534,7 @@ void ExportDialog::addTarget(ExportKind kind)
 {
     const ExportTarget target = newTarget(m_workspace.document.scene(), kind);
     m_workspace.document.edit(tr("Add export"), {}, [&](Scene& scene) { scene.exports.push_back(target); });
+    chooseEngine({}); // who adds a map wants the scene's own list
     selectRow(m_list->topLevelItemCount() - 1);
 }
 

@@ -424,8 +424,10 @@ void ProbesPanel::survey()
                 }
             if (!reduced.detection.certain) {
                 const double exposure = survey.statistics.meanLuminance > 0.0 ? std::log2(0.25 / survey.statistics.meanLuminance) : 0.0;
+                const bool isBall = reduced.detection.arrangement == Arrangement::Ball; // which is offered as such below
                 for (const Parameterization kind : possibleKinds(reduced))
-                    guesses.push_back(guessOf(reduced, exposure, {.parameterization = kind}, job));
+                    if (!isBall || kind != Parameterization::Sphere)
+                        guesses.push_back(guessOf(reduced, exposure, {.parameterization = kind}, job));
                 if (reduced.info.sampleType.starts_with("uint"))
                     guesses.push_back(guessOf(reduced, exposure, {.parameterization = Parameterization::Sphere, .fit = Fit::Crop}, job));
             }
