@@ -4,7 +4,9 @@
 #include "app/studio/theme.h"
 
 #include <QApplication>
+#include <QSettings>
 #include <QStandardPaths>
+#include <QTemporaryDir>
 
 #include <cstdio>
 #include <cstring>
@@ -20,6 +22,8 @@ int main(int count, char** arguments)
     QApplication application(count, arguments);
     QApplication::setOrganizationName(QStringLiteral("mirrorball-test"));
     QApplication::setApplicationName(QStringLiteral("widget_tests"));
+    const QTemporaryDir settings; // classes run side by side, and some begin by clearing the settings
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
 
     mirrorball::studio::applyTheme(application);
 
