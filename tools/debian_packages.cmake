@@ -17,7 +17,7 @@ set(CPACK_COMPONENTS_ALL cli library)
 set(CPACK_DEBIAN_CLI_PACKAGE_NAME mirrorball)
 set(CPACK_COMPONENT_CLI_DESCRIPTION "Materials with environment maps: the command line
  Converts, filters, renders and exports HDR light probes; needs no display.")
-set(CPACK_DEBIAN_CLI_PACKAGE_DEPENDS "libegl1, libgl1-mesa-dri") # loaded when a picture is drawn
+set(CPACK_DEBIAN_CLI_PACKAGE_DEPENDS "libegl1, libopengl0, libgl1-mesa-dri") # loaded when a picture is drawn
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libmirrorball-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
