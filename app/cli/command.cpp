@@ -121,6 +121,7 @@ void writeStats(const std::filesystem::path& path, const std::vector<Stage>& pla
                                 {"predicted_median_rel", work.predicted.medianRel},
                                 {"predicted_p99_rel", work.predicted.p99Rel},
                                 {"promised", work.unpromised.empty()},
+                                {"not_promised", work.unpromised},
                                 {"threads", threads},
                                 {"peak_bytes", static_cast<std::int64_t>(usage.ru_maxrss) * 1024}};
     const std::string text = record.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";

@@ -19,6 +19,7 @@ namespace {
 struct Options {
     std::string scene, folder, stats, engine, probe, name, frames;
     std::vector<std::string> only, encode;
+    ReadingOptions reading;
     int threads = 0, size = 0;
     double yawDeg = 0.0;
     bool explain = false, zstd = false;
@@ -32,10 +33,12 @@ Scene sceneOf(const Options& o)
     if (!o.probe.empty() && !o.scene.empty())
         throw InvalidArgument("--probe: given beside the scene '" + shownPath(o.scene) + "', which names its own; leave one of them out");
     const std::filesystem::path extension = std::filesystem::path(o.scene).extension();
-    if (o.probe.empty() && (o.engine.empty() || extension == ".mirrorball" || extension == ".json"))
-        return loadScene(o.scene);
     Scene scene;
-    scene.probe.source = o.probe.empty() ? o.scene : o.probe;
+    if (o.probe.empty() && (o.engine.empty() || extension == ".mirrorball" || extension == ".json"))
+        scene = loadScene(o.scene);
+    else
+        scene.probe.source = o.probe.empty() ? o.scene : o.probe;
+    scene.probe.reading = o.reading.parse(scene.probe.reading);
     return scene;
 }
 
@@ -145,6 +148,7 @@ void addExportCommand(CLI::App& program)
     command->add_option("--name", o->name, "with --for: names the files; the folder's name where it is left out");
     command->add_option("--yaw", o->yawDeg, "with --for: turns the environment about +Y, counterclockwise from above, in degrees")
         ->check(anAngle());
+    o->reading.addTo(*command);
     command->add_option("--encode", o->encode, "with --for playcanvas: rgbp or rgbm; bevy: rgba16f, rgba32f, r11g11b10 or e5b9g9r9");
     command->add_flag("--zstd", o->zstd, "with --for: compress .ktx2 files with Zstandard");
     command->add_option("--frames", o->frames, "make every frame of a sequence, FIRST-LAST; #### in names stands for the frame's number");

@@ -92,9 +92,9 @@ void ReadingOptions::addTo(CLI::App& command, std::string_view leftOut)
     });
 }
 
-ProbeReading ReadingOptions::parse() const
+ProbeReading ReadingOptions::parse(const ProbeReading& otherwise) const
 {
-    ProbeReading reading;
+    ProbeReading reading = otherwise;
     ProbeReading::visitFields(reading, Parser{m_typed});
     return reading;
 }

@@ -16,8 +16,9 @@ class ReadingOptions {
 public:
     /// All of them but one that is left out.
     void addTo(CLI::App& command, std::string_view leftOut = {});
+    /// @param otherwise  what stands where an option is not given
     /// @throws InvalidArgument naming the option
-    ProbeReading parse() const;
+    ProbeReading parse(const ProbeReading& otherwise = {}) const;
 
 private:
     std::map<std::string, std::string> m_typed{};

@@ -9,7 +9,7 @@
 namespace mirrorball::helper {
 namespace {
 
-constexpr std::size_t longestRequest = std::size_t{1} << 16;
+constexpr std::size_t longestRequest = std::size_t{1} << 28; ///< PNG pictures come whole; all else is a path and some numbers
 
 void readAll(void* bytes, std::size_t size)
 {

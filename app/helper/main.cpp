@@ -2,6 +2,7 @@
 #include "connection.h"
 #include "mesh_import.h"
 #include "picture_service.h"
+#include "png_decoder.h"
 
 #include "core/base/error.h"
 #include "core/image/openimageio_library.h"
@@ -60,6 +61,8 @@ void answering(Connection& connection, const Work& work)
                 throw WorkError(reason);
             if (reader)
                 reader->serve(request, connection);
+            else if (static_cast<Request>(request.head.kind) == Request::DecodePng)
+                servePng(request, connection);
             else
                 serveMesh(request, connection);
         });

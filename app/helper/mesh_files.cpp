@@ -1,6 +1,8 @@
 #include "mesh_files.h"
 
+#include "gltf_text.h"
 #include "obj_text.h"
+#include "off_text.h"
 
 #include <assimp/MemoryIOWrapper.h>
 
@@ -42,35 +44,76 @@ bool beginsWithMark(const std::filesystem::path& path)
     return file.read(mark.data(), 3) && mark == "\xef\xbb\xbf";
 }
 
+/// @param text  lives longer than the stream
 Assimp::IOStream* streamOf(const std::string& text)
 {
-    auto* bytes = new std::uint8_t[text.size() + 1]; // the stream's own
+    return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+}
+
+/// A copy of the stream's own.
+Assimp::IOStream* streamOfCopy(const std::string& text)
+{
+    auto* bytes = new std::uint8_t[text.size() + 1];
     std::copy(text.begin(), text.end(), bytes);
     return new Assimp::MemoryIOStream(bytes, text.size(), true);
 }
 
-bool isObj(const std::filesystem::path& path)
+/// ".obj"
+std::string lowerExtension(const std::filesystem::path& path)
 {
-    const std::string extension = path.extension().string();
-    return extension.size() == 4 &&
-           std::equal(extension.begin(), extension.end(), ".obj", [](unsigned char a, char b) { return std::tolower(a) == b; });
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
 }
 
 } // namespace
 
+MeshFiles::MeshFiles(const std::filesystem::path& mesh, std::uintmax_t largest)
+    : m_mesh(mesh), m_folder(mesh.parent_path()), m_largest(largest)
+{
+    const std::string extension = lowerExtension(mesh);
+    const bool isObj = extension == ".obj", isOff = extension == ".off", isGltf = extension == ".gltf" || extension == ".glb";
+    if ((!isObj && !isOff && !isGltf) || !allows(mesh))
+        return;
+    std::string text = textOf(mesh).substr(beginsWithMark(mesh) ? 3 : 0);
+    if (isObj) {
+        ObjText good = withoutBadFaces(text);
+        m_dropped = good.dropped;
+        m_text = std::move(good.text);
+    } else if (isOff) {
+        OffText good = cleanedOff(text);
+        m_dropped = good.dropped;
+        m_text = std::move(good.text);
+    } else {
+        GltfText good = withFloatAttributes(text, [&](const std::string& uri) { return bytesBeside(uri); });
+        m_text = std::move(good.bytes);
+        m_floats = std::move(good.floats);
+    }
+}
+
 Assimp::IOStream* MeshFiles::Open(const char* file, const char* mode)
 {
+    if (mode[0] == 'r' && isUnpacked(file))
+        return streamOf(m_floats);
     const std::filesystem::path path = mode[0] == 'r' ? found(file) : std::filesystem::path();
     if (path.empty())
         return nullptr;
     m_opened.insert(path.string());
-    const size_t mark = beginsWithMark(path) ? 3 : 0;
-    if (isObj(path)) {
-        ObjText good = withoutBadFaces(textOf(path).substr(mark));
-        m_dropped = good.dropped; // assimp opens it several times
-        return streamOf(good.text);
-    }
-    return mark > 0 ? streamOf(textOf(path).substr(mark)) : DefaultIOSystem::Open(path.c_str(), mode);
+    if (m_text && path == m_mesh)
+        return streamOf(*m_text);
+    return beginsWithMark(path) ? streamOfCopy(textOf(path).substr(3)) : DefaultIOSystem::Open(path.c_str(), mode);
+}
+
+bool MeshFiles::isUnpacked(const std::filesystem::path& name) const { return !m_floats.empty() && name.filename() == gltfFloats; }
+
+std::optional<std::string> MeshFiles::bytesBeside(const std::string& uri)
+{
+    const std::filesystem::path path = found((m_folder / uri).c_str());
+    if (path.empty())
+        return {};
+    m_opened.insert(path.string());
+    return textOf(path);
 }
 
 std::filesystem::path MeshFiles::found(const char* name) const

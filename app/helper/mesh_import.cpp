@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 namespace mirrorball::helper {
 
@@ -66,34 +65,10 @@ std::string reasonOf(const Assimp::Importer& importer)
 
 } // namespace
 
-namespace {
-
-/// The extensions that a glTF file cannot be read without and assimp does not know; it would read noise or speak of something else.
-void refuseUnreadExtensions(const std::filesystem::path& path)
-{
-    const std::string extension = path.extension().string();
-    if (extension != ".gltf" && extension != ".glb")
-        return;
-    std::ifstream file(path, std::ios::binary);
-    std::string text(std::size_t{1} << 20, '\0');
-    file.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(file.gcount()));
-    const std::size_t list = text.find("\"extensionsRequired\"");
-    if (list == std::string::npos)
-        return;
-    const std::string required = text.substr(list, text.find(']', list) - list);
-    for (const char* name : {"KHR_mesh_quantization", "EXT_meshopt_compression"})
-        if (required.find(name) != std::string::npos)
-            throw InvalidArgument(std::string("the mesh is packed as ") + name + " has it, which is not read; export it without");
-}
-
-} // namespace
-
 ImportedMesh importMesh(const std::filesystem::path& path, const MeshLimits& limits)
 {
-    refuseUnreadExtensions(path);
     Assimp::Importer importer;
-    auto* files = new MeshFiles(std::filesystem::canonical(path).parent_path(), limits.fileBytes); // owned by the importer
+    auto* files = new MeshFiles(std::filesystem::canonical(path), limits.fileBytes); // owned by the importer
     importer.SetIOHandler(files);
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 80.0f);

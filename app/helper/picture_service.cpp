@@ -19,6 +19,7 @@ void PictureService::serve(const Received& request, Connection& connection)
     case Request::ClosePicture:
         return m_reader.reset();
     case Request::ReadMesh:
+    case Request::DecodePng:
         break;
     }
     throw InvalidArgument("no such request");

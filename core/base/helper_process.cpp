@@ -28,6 +28,7 @@ using Clock = std::chrono::steady_clock;
 namespace {
 
 constexpr const char* programName = "mirrorball-helper";
+constexpr std::array<const char*, 3> workWords{"pictures", "meshes", "pngs"}; ///< of HelperWork, as the helper is told on its command line
 constexpr std::uint64_t longestText = 4096;
 constexpr std::uint64_t longestAnswer = std::uint64_t{4} << 30;
 
@@ -87,7 +88,7 @@ pid_t start(HelperWork work, int socket)
     ::posix_spawnattr_setflags(&actions.attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
 
     const std::string version = std::to_string(helper::version);
-    std::array<const char*, 4> arguments{programName, work == HelperWork::Pictures ? "pictures" : "meshes", version.c_str(), nullptr};
+    std::array<const char*, 4> arguments{programName, workWords[static_cast<size_t>(work)], version.c_str(), nullptr};
     const std::vector<std::string> environment = helperEnvironment();
     std::vector<const char*> variables;
     for (const std::string& variable : environment)
@@ -186,7 +187,7 @@ public:
 
 private:
     std::mutex m_mutex;
-    std::array<std::unique_ptr<Process>, 2> m_waiting;
+    std::array<std::unique_ptr<Process>, workWords.size()> m_waiting;
 };
 
 template <class Process>

@@ -15,7 +15,11 @@
 /// time. This is the side that asks.
 namespace mirrorball {
 
-enum class HelperWork { Pictures, Meshes };
+enum class HelperWork {
+    Pictures, ///< files, through OpenImageIO
+    Meshes,
+    Pngs, ///< pictures inside of other files
+};
 
 /// What the helper may spend on one file.
 struct HelperLimits {

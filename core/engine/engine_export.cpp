@@ -206,7 +206,8 @@ void makeFolder(const std::filesystem::path& folder)
         throw WorkError(folder.string() + ": cannot be made a folder" + (error ? ": " + error.message() : "") + "; choose another one");
 }
 
-std::string description(const EngineProfile& profile, const std::vector<EngineFilePlan>& files, const EngineExport& done)
+std::string description(const EngineProfile& profile, const EngineExportOptions& options, const std::vector<EngineFilePlan>& files,
+                        const EngineExport& done)
 {
     nlohmann::ordered_json json{{"engine", profile.word}, {"title", profile.title}};
     if (profile.proven.empty())
@@ -216,6 +217,8 @@ std::string description(const EngineProfile& profile, const std::vector<EngineFi
     if (profile.law)
         json["roughness_law"] = name(*profile.law);
     json["latlong_yaw"] = profile.latlongYawDeg;
+    if (!options.reading.empty())
+        json["probe"] = nlohmann::ordered_json::parse(options.reading);
     for (const EngineFilePlan& file : files) {
         nlohmann::ordered_json row{{"file", file.file}, {"content", name(file.content)}};
         if (file.size > 0)
@@ -377,7 +380,7 @@ EngineExport exportForEngine(FilterSource& probe, const EngineProfile& profile, 
     }
     done.sh = light.quality;
     const std::filesystem::path described = folder / (options.name + ".json");
-    writeBytes(described, description(profile, plan, done));
+    writeBytes(described, description(profile, options, plan, done));
     done.files.push_back(described);
     return done;
 }

@@ -26,6 +26,7 @@ struct EngineExportOptions {
     PackedColor atlas = PackedColor::Rgbp; ///< of PlayCanvas' atlas; Rgbm is the other one it takes
     std::optional<TexelFormat> texels{};   ///< of Bevy's cubes, in place of the profile's
     bool compressKtx2 = false;             ///< Zstandard
+    std::string reading{};                 ///< what was asked of the probe's file, a JSON object, for NAME.json; empty: nothing
 };
 
 /// What one file will be.
@@ -54,7 +55,8 @@ struct EngineExport {
 };
 
 /// Writes every file of the profile into `folder`, which is made when missing; each appears whole or not at all. Beside them goes
-/// NAME.json: engine, files, sizes, roughness of the levels, orientation, warnings. Results do not depend on the number of threads.
+/// NAME.json: engine, files, sizes, roughness of the levels, orientation, how the probe was read, warnings. Results do not depend on the
+/// number of threads.
 /// @param probe  with its texels in memory
 /// @throws as planEngineExport(); WorkError; Cancelled
 EngineExport exportForEngine(FilterSource& probe, const EngineProfile& profile, const EngineExportOptions& options,

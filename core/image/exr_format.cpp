@@ -29,16 +29,22 @@ using Imath::Box2i;
 using Imath::V2i;
 
 constexpr long long largestTile = 4096LL * 4096LL; ///< texels; OpenEXR allocates whole tiles, also for an image of one texel
+/// Bytes of what is compressed as one, several of which OpenEXR holds at a time, however few rows the picture has: 256 rows of 4096 texels
+/// of RGBA in half. Larger files may have larger ones.
+constexpr std::uint64_t largestBlock = std::uint64_t{8} << 20;
+constexpr std::uint64_t blockBytesPerByte = 64;
+constexpr long long texelsPerByte = 256; ///< deflate ends at 172 of RGB in half
 
 struct CompressionKind {
     const char* name;
     std::uint64_t largestRatio; ///< uncompressed : compressed, on the safe side: deflate ends at 1032, a DCT of zeros far later
+    std::uint64_t rows;         ///< compressed as one
 };
 
 // clang-format off
 constexpr std::array<CompressionKind, Imf::NUM_COMPRESSION_METHODS> compressionKinds{{
-    {"none", 1}, {"rle", 70}, {"zips", 1100}, {"zip", 1100}, {"piz", 5000}, {"pxr24", 2200}, {"b44", 12}, {"b44a", 12},
-    {"dwaa", 140000}, {"dwab", 140000},
+    {"none", 1, 1}, {"rle", 70, 1}, {"zips", 1100, 1}, {"zip", 1100, 16}, {"piz", 5000, 32}, {"pxr24", 2200, 16}, {"b44", 12, 32},
+    {"b44a", 12, 32}, {"dwaa", 140000, 32}, {"dwab", 140000, 256},
 }};
 // clang-format on
 
@@ -63,13 +69,22 @@ void checkPlausible(const std::filesystem::path& file, const Imf::Header& header
     const long long width = static_cast<long long>(window.max.x) - window.min.x + 1;
     const long long height = static_cast<long long>(window.max.y) - window.min.y + 1;
     checkImageSize(path, width, height, maxStreamedTexels);
+    const std::uint64_t fileBytes = std::filesystem::file_size(file);
+    const CompressionKind& compression = compressionKinds[header.compression()];
+    const auto texelBytes = static_cast<std::uint64_t>(bytesPerTexel(header.channels()));
     // Subsampled channels count in full below; a factor of 4 pays for them.
-    const auto bytes = static_cast<std::uint64_t>(width * height * bytesPerTexel(header.channels())) / 4;
-    if (bytes / compressionKinds[header.compression()].largestRatio > std::filesystem::file_size(file))
+    const auto bytes = static_cast<std::uint64_t>(width * height) * texelBytes / 4;
+    if (bytes / compression.largestRatio > fileBytes)
         throw FileError(path, "the file is too short for " + std::to_string(width) + " x " + std::to_string(height) +
                                   " texels; export or download it again");
-    if (!header.hasTileDescription())
+    checkTexelsHeld(path, width, height, fileBytes, texelsPerByte);
+    const std::uint64_t mostInBlock = std::max(largestBlock, blockBytesPerByte * fileBytes);
+    if (!header.hasTileDescription()) {
+        if (static_cast<std::uint64_t>(width) * compression.rows * texelBytes > mostInBlock)
+            throw FileError(path, "its rows of " + std::to_string(width) + " texels are far wider than a file of " +
+                                      std::to_string(fileBytes) + " bytes can tell of; it is damaged or blank, export it again");
         return;
+    }
     const auto tileTexels = static_cast<long long>(header.tileDescription().xSize) * static_cast<long long>(header.tileDescription().ySize);
     if (tileTexels > std::max(largestTile, 4 * width * height))
         throw FileError(path, "its tiles are larger than 4096 x 4096 texels; export it with smaller ones");

@@ -10,11 +10,6 @@
 namespace mirrorball::openimageio {
 namespace {
 
-/// A picture is refused that claims more texels than this and than its bytes can tell of: 16-bit .png and .webp files of a few hundred
-/// bytes can be blank and 2^28 texels large, and nobody lights with those.
-constexpr std::int64_t fewTexels = std::int64_t{1} << 24;
-constexpr std::int64_t texelsPerByte = 128;
-
 HelperLimits limitsFor(std::uintmax_t fileBytes)
 {
     constexpr std::uintmax_t mib = std::uintmax_t{1} << 20;
@@ -50,11 +45,7 @@ public:
         if (!isWhole || !isSane)
             throw FileError(path.string(), "the picture breaks its reader; export or download it again");
         checkImageSize(path.string(), info.width, info.height);
-        const std::int64_t texels = std::int64_t{info.width} * info.height;
-        if (texels > std::max(fewTexels, texelsPerByte * static_cast<std::int64_t>(bytes)))
-            throw FileError(path.string(), "its header claims " + std::to_string(info.width) + " x " + std::to_string(info.height) +
-                                               " texels in a file of " + std::to_string(bytes) +
-                                               " bytes; it is damaged or blank, scale it down or export it again");
+        checkTexelsHeld(path.string(), info.width, info.height, bytes, 128);
     }
     ~ForeignReader() override { m_helper.tell(helper::Request::ClosePicture); }
 

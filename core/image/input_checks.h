@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -29,6 +30,17 @@ inline void checkImageSize(const std::string& path, long long width, long long h
     if (width > most || height > most || width * height > most)
         throw FileError(path, "its header claims " + size + "; at most " + (most == maxTexels ? "2^28" : "2^30") +
                                   " are read, scale it down first");
+}
+
+/// Refuses a picture that claims more texels than anybody lights with and than so many bytes can tell of: formats that compress well hold
+/// gigabytes of blank texels in a file of a few hundred bytes.
+/// @throws FileError
+inline void checkTexelsHeld(const std::string& path, long long width, long long height, std::uintmax_t fileBytes, long long texelsPerByte)
+{
+    constexpr long long few = 1LL << 24;
+    if (width * height > std::max(few, texelsPerByte * static_cast<long long>(fileBytes)))
+        throw FileError(path, "its header claims " + std::to_string(width) + " x " + std::to_string(height) + " texels in a file of " +
+                                  std::to_string(fileBytes) + " bytes; it is damaged or blank, scale it down or export it again");
 }
 
 /// The matrix from a file's primaries to Rec.709. Nothing for Rec.709 itself (to 1e-4: files round) and for all zeros, which some

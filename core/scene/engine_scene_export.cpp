@@ -1,6 +1,7 @@
 #include "engine_scene_export.h"
 
 #include "export.h"
+#include "reading_json.h"
 #include "scene_maps.h"
 
 #include <cctype>
@@ -61,6 +62,8 @@ EngineExport exportForEngine(const Scene& scene, const EngineProfile& profile, E
     ProbeFile file = openProbeFile(scene);
     planEngineExport(profile, options, file.layout()); // refuses before any work
     options.yaw = scene.probe.yawDeg * pi / 180.0;
+    if (const auto asked = askedOf(scene.probe.reading); !asked.empty())
+        options.reading = asked.dump();
     Probe probe = exposedProbe(scene, file, partOf(job, 0.0f, 0.2f));
     FilterSource source(std::move(probe.map), job);
     EngineExport done = exportForEngine(source, profile, options, folder, partOf(job, 0.2f, 1.0f));

@@ -6,10 +6,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace mirrorball {
 
 namespace {
+
+/// What methods that promise nothing may leave in a map: nine coefficients ring below 0 beside a sun. Empty where there is none.
+std::string negativeLightText(const EnvironmentMap& map)
+{
+    const float least = *std::min_element(map.image.texels.begin(), map.image.texels.end());
+    const auto below = std::count_if(map.image.texels.begin(), map.image.texels.end(), [](float value) { return value < 0.0f; });
+    if (below == 0)
+        return {};
+    std::ostringstream text;
+    text.precision(3);
+    text << "; the map has negative light, down to " << least << " in " << below << " of " << map.image.texels.size()
+         << " values: choose another method, such as auto, where that is seen";
+    return text.str();
+}
 
 WorkRecord workOf(const PrefilterOptions& options, PrefilterOutcome& outcome)
 {
@@ -20,7 +35,7 @@ WorkRecord workOf(const PrefilterOptions& options, PrefilterOutcome& outcome)
     work.bandLimit = outcome.bandLimit;
     work.predicted = outcome.predicted;
     if (!outcome.promised)
-        work.unpromised.push_back(unpromisedText(options, outcome));
+        work.unpromised.push_back(unpromisedText(options, outcome) + negativeLightText(outcome.map));
     return work;
 }
 

@@ -1,5 +1,7 @@
 #include "sidecar.h"
 
+#include "reading_json.h"
+
 #include "core/base/version.h"
 #include "core/image/image_format.h"
 
@@ -185,6 +187,7 @@ std::string sidecar(const Scene& scene, const ExportPlan& planned, const std::ve
                          : planned.map.pyramid            ? "each level is the halving of the one before, weighted by solid angle"
                                                           : "one level";
     json["probe"] = {{"source", scene.probe.source}, {"yaw_degrees", scene.probe.yawDeg}, {"exposure", scene.probe.exposure}};
+    json["probe"].update(askedOf(scene.probe.reading));
     if (!work.methods.empty())
         json["filter"] = {{"method", work.methodText()}, {"band_limit", work.bandLimit}, {"predicted_rel_rms", work.predicted.relRms}};
     return closed(json);

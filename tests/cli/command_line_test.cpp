@@ -97,6 +97,35 @@ TEST(CommandLine, ReachesEveryMethodAndItsKnobs)
     }
 }
 
+// Nine coefficients of one hot texel are negative on the far side of it.
+TEST(CommandLine, SaysWhereAMapHasNegativeLight)
+{
+    const TemporaryFolder folder;
+    const auto run = [&](float sun, const std::string& method) {
+        Image image(64, 32, 3, 1.0f);
+        std::fill_n(image.texel(20, 10), 3, sun);
+        writeImage(folder / "probe.exr", image);
+        const ProgramRun made =
+            mirrorballRuns("filter " + quoted(folder / "probe.exr") + " -o " + quoted(folder / "out.exr") +
+                           " --to cube --size 8 --lobe diffuse --method " + method + " --stats " + quoted(folder / "stats.json"));
+        EXPECT_EQ(made.status, 0) << made.err;
+        return made.err;
+    };
+    const std::string said = run(1e6f, "sh9");
+    const Image map = readImage(folder / "out.exr");
+    const float least = *std::min_element(map.texels.begin(), map.texels.end());
+    ASSERT_LT(least, 0.0f);
+    std::ostringstream number;
+    number.precision(3);
+    number << "negative light, down to " << least;
+    EXPECT_NE(said.find(number.str()), std::string::npos) << said;
+    EXPECT_EQ(test::lines(said), 1u) << said;
+    EXPECT_NE(parsed(folder / "stats.json").at("not_promised").at(0).get<std::string>().find(number.str()), std::string::npos);
+    EXPECT_EQ(run(1.0f, "sh9").find("negative light"), std::string::npos);
+    EXPECT_EQ(run(1e6f, "auto"), "");
+    EXPECT_TRUE(parsed(folder / "stats.json").at("not_promised").empty());
+}
+
 TEST(CommandLine, GivesTheSameBytesOnOneAndTwoThreads)
 {
     const TemporaryFolder folder;

@@ -50,7 +50,7 @@ struct ReadingOptionsTest : testing::Test {
 
 TEST_F(ReadingOptionsTest, EveryCommandThatTakesAProbeHasThem)
 {
-    for (const char* command : {"info", "convert", "filter", "report", "render", "doctor"}) {
+    for (const char* command : {"info", "convert", "filter", "report", "render", "doctor", "export"}) {
         const std::string help = mirrorballRuns(std::string(command) + " --help").out;
         for (const char* option : {"--from", "--part", "--layer", "--window", "--color-space", "--fit", "--horizontal-angle",
                                    "--vertical-angle", "--beyond", "--faces", "--mirror", "--rotate"})
@@ -121,6 +121,32 @@ TEST_F(ReadingOptionsTest, FilteringReadsAsConvertingDoes)
         ASSERT_NEAR(a.texels[i], b.texels[i], 1e-5);
 }
 
+TEST_F(ReadingOptionsTest, ExportsForEnginesReadAProbeAsAskedAndSaySo)
+{
+    const std::string source = mirroredProbe();
+    const auto exported = [&](const std::string& probe, const std::string& words) {
+        const ProgramRun run = mirrorballRuns("export " + probe + " --for blender -o " + file("blender") + " --size 32 " + words);
+        EXPECT_EQ(run.status, 0) << run.err;
+        return nlohmann::json::parse(test::readBytes(folder / "blender/blender.json"));
+    };
+    const auto latlongOf = [&](const nlohmann::json& described) {
+        return readImage(folder / "blender" / described.at("files").at(0).at("file").get<std::string>());
+    };
+    EXPECT_FALSE(exported(source, "").contains("probe"));
+    ASSERT_EQ(mirrorballRuns("convert " + source + " -o " + file("mended.exr") + " --to latlong --size 32 --mirror x").status, 0);
+    const Image mended = latlongOf(exported(file("mended.exr"), ""));
+
+    const nlohmann::json described = exported(source, "--mirror x --rotate 360,0,0 --color-space linear");
+    EXPECT_EQ(described.at("probe").dump(), R"({"color_space":"linear","mirror":"x","rotate":[360.0,0.0,0.0]})");
+    const Image asked = latlongOf(described);
+    ASSERT_EQ(asked.texels.size(), mended.texels.size());
+    for (size_t i = 0; i < asked.texels.size(); ++i)
+        ASSERT_NEAR(asked.texels[i], mended.texels[i], 2e-3);
+
+    EXPECT_FAILS(mirrorballRuns("export " + source + " --for blender -o " + file("none") + " --mirror w"), 2, "--mirror");
+    EXPECT_FALSE(std::filesystem::exists(folder / "none"));
+}
+
 TEST_F(ReadingOptionsTest, ScenesHaveThemToo)
 {
     const std::string source = mirroredProbe();
@@ -133,10 +159,15 @@ TEST_F(ReadingOptionsTest, ScenesHaveThemToo)
     const ProgramRun run = mirrorballRuns("export " + file("scene.mirrorball") + " -o " + file("out"));
     ASSERT_EQ(run.status, 0) << run.err;
     EXPECT_LT(distanceOf("out/env.exr"), 1e-5);
+    const nlohmann::json described = nlohmann::json::parse(test::readBytes(folder / "out/env.json"));
+    EXPECT_EQ(described.at("probe").at("mirror"), "x");
+    EXPECT_FALSE(described.at("probe").contains("rotate")) << "nothing was turned";
     write("none");
     ASSERT_EQ(mirrorballRuns("export " + file("scene.mirrorball") + " -o " + file("out2")).status, 0);
     EXPECT_GT(distanceOf("out2/env.exr"), 0.5);
     EXPECT_LT(distanceOf("out2/env.exr", {.mirror = MirrorAxis::X}), 1e-5);
+    ASSERT_EQ(mirrorballRuns("export " + file("scene.mirrorball") + " -o " + file("out3") + " --mirror x").status, 0);
+    EXPECT_EQ(readImage(folder / "out3/env.exr"), readImage(folder / "out/env.exr")) << "options go before the scene's own words";
     write("w");
     EXPECT_FAILS(mirrorballRuns("export " + file("scene.mirrorball") + " -o " + file("out3")), 2, "probe.mirror");
 }

@@ -101,6 +101,35 @@ TEST(MeshDamage, OneBadElementIsLeftOutAndCounted)
     EXPECT_EQ(describe(readMeshFile(folder / "careless.obj").facts), "50 triangles, 2.0 m if its unit is the metre");
 }
 
+// assimp takes an index beyond the last vertex for the last one, and passes over faces of more than nine corners, both in silence.
+TEST(MeshDamage, AnOffFileKeepsItsGoodFacesAndCountsTheBad)
+{
+    const TemporaryFolder folder;
+    const std::string faces = "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+    for (const char* bad : {"4 0 1 2 8", "3 0 1 4000000000", "3 0 1 99999999999999999999", "3 0 1 -1", "3 0 1", "0", "x"}) {
+        writeBytes(folder / "bad.off", std::string("OFF\n8 7 12\n") + corners + bad + "\n" + faces);
+        const MeshFacts facts = readMeshFile(folder / "bad.off").facts;
+        EXPECT_EQ(facts.triangles, 12u) << bad;
+        EXPECT_EQ(facts.dropped, 1u) << bad;
+    }
+    writeBytes(folder / "words.off", std::string("# made by hand\nOFF # text\n8\n6 0 # edges unknown\n\n# corners\n") + corners +
+                                         "# faces\n" + "4 3 2 1 0 255 0 0 # red\n" + faces.substr(faces.find('\n') + 1));
+    EXPECT_EQ(describe(readMeshFile(folder / "words.off").facts), "12 triangles, 2.0 m if its unit is the metre");
+
+    std::ostringstream disc; // a dodecagon
+    disc << "OFF\n12 1 0\n";
+    for (int i = 0; i < 12; ++i)
+        disc << std::cos(i * std::numbers::pi / 6) << ' ' << std::sin(i * std::numbers::pi / 6) << " 0\n";
+    disc << "12 0 1 2 3 4 5 6 7 8 9 10 11\n";
+    writeBytes(folder / "disc.off", disc.str());
+    EXPECT_EQ(readMeshFile(folder / "disc.off").facts.triangles, 10u);
+
+    for (const char* cut : {"OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n"}) {
+        writeBytes(folder / "cut.off", cut);
+        EXPECT_THROW(readMeshFile(folder / "cut.off"), FileError) << cut;
+    }
+}
+
 TEST(MeshDamage, AByteOrderMarkIsPassedOver)
 {
     const TemporaryFolder folder;

@@ -219,6 +219,8 @@ Texture read(std::string_view bytes, const std::string& name)
     if (depth > 1)
         source.unsupported("is a volume texture; save its slices as pictures");
     Texture texture = checkedTexture(name, source, size, *format);
+    checkTexelsHeld(name, static_cast<long long>(size.width), static_cast<long long>(size.height * size.faces * size.slices), bytes.size(),
+                    256);
     const auto part = [&](std::uint64_t offset, std::uint64_t length) {
         if (offset > bytes.size() || length > bytes.size() - offset)
             source.damaged("it ends early");

@@ -155,13 +155,19 @@ Rgba8 packColor(PackedColor form, const glm::vec3& rgb)
 
 glm::vec3 unpackColor(PackedColor form, const Rgba8& texel)
 {
+    static const std::array<float, 256> linear = [] {
+        std::array<float, 256> powers{};
+        for (size_t byte = 0; byte < powers.size(); ++byte)
+            powers[byte] = std::pow(static_cast<float>(byte) / 255.0f, 2.2f);
+        return powers;
+    }();
     const glm::vec3 rgb(texel[0], texel[1], texel[2]);
     const float alpha = static_cast<float>(texel[3]) / 255.0f;
     switch (form) {
     case PackedColor::Rgbe:
         return texel[3] == 0 ? glm::vec3(0.0f) : rgb * std::ldexp(1.0f, texel[3] - 136);
     case PackedColor::Rgbd:
-        return glm::pow(rgb / 255.0f, glm::vec3(2.2f)) / std::max(alpha, 1.0f / 255.0f);
+        return glm::vec3(linear[texel[0]], linear[texel[1]], linear[texel[2]]) / std::max(alpha, 1.0f / 255.0f);
     case PackedColor::Rgbm:
         return glm::pow(rgb / 255.0f * 8.0f * alpha, glm::vec3(2.0f));
     default:

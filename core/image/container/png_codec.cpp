@@ -1,7 +1,8 @@
 #include "png_codec.h"
 
 #include "core/base/error.h"
-#include "core/image/input_checks.h"
+#include "core/base/helper_process.h"
+#include "core/base/wire.h"
 
 #include <png.h>
 
@@ -13,6 +14,12 @@
 namespace mirrorball::png {
 
 namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr double slower = 20.0;
+#else
+constexpr double slower = 1.0;
+#endif
 
 /// What libpng said when it gave up; it leaves by longjmp, over no object with a destructor.
 struct Failure {
@@ -34,53 +41,6 @@ void append(png_structp png, png_bytep bytes, png_size_t count)
 }
 
 void flush(png_structp) {}
-
-void take(png_structp png, png_bytep bytes, png_size_t count)
-{
-    auto* rest = static_cast<std::string_view*>(png_get_io_ptr(png));
-    if (rest->size() < count)
-        png_error(png, "it ends early");
-    std::memcpy(bytes, rest->data(), count);
-    rest->remove_prefix(count);
-}
-
-/// The state of a reading, owned outside of the functions that longjmp leaves.
-struct Reading {
-    png_structp png = nullptr;
-    png_infop info = nullptr;
-    Failure failure{};
-    std::string_view rest{};
-
-    Reading() = default;
-    Reading(const Reading&) = delete;
-    Reading& operator=(const Reading&) = delete;
-    ~Reading() { png_destroy_read_struct(&png, &info, nullptr); }
-};
-
-bool readHeader(Reading& reading)
-{
-    if (setjmp(png_jmpbuf(reading.png)) != 0)
-        return false;
-    png_read_info(reading.png, reading.info);
-    return true;
-}
-
-/// Everything becomes 8-bit RGBA, in one pass over the rows.
-bool readRows(Reading& reading, png_bytep* rows, size_t rowBytes)
-{
-    if (setjmp(png_jmpbuf(reading.png)) != 0)
-        return false;
-    png_set_expand(reading.png);
-    png_set_scale_16(reading.png);
-    png_set_gray_to_rgb(reading.png);
-    png_set_add_alpha(reading.png, 255, PNG_FILLER_AFTER);
-    png_set_interlace_handling(reading.png);
-    png_read_update_info(reading.png, reading.info);
-    if (png_get_rowbytes(reading.png, reading.info) != rowBytes)
-        png_error(reading.png, "its rows have an unexpected length");
-    png_read_image(reading.png, rows);
-    return true;
-}
 
 bool writeAll(png_structp png, png_infop info, const Picture& picture, png_bytep* rows)
 {
@@ -139,28 +99,28 @@ std::string encode(const Picture& picture)
 
 Picture decode(std::string_view bytes, const std::string& name, long long largestTexels)
 {
-    const auto damaged = [&](const Reading& reading) {
-        return FileError(name, "its PNG picture is damaged: " + oneLine(reading.failure.message.data()) + "; copy or download it again");
-    };
-    Reading reading;
-    reading.rest = bytes;
-    reading.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reading.failure, onError, onWarning);
-    reading.info = reading.png != nullptr ? png_create_info_struct(reading.png) : nullptr;
-    if (reading.info == nullptr)
-        throw WorkError("libpng cannot be started; there may be too little memory");
-    png_set_read_fn(reading.png, &reading.rest, take);
-    if (!readHeader(reading))
-        throw damaged(reading);
-    const long long width = png_get_image_width(reading.png, reading.info), height = png_get_image_height(reading.png, reading.info);
-    if (width < 1 || height < 1 || width > largestTexels || height > largestTexels || width * height > largestTexels)
-        throw FileError(name, "its PNG picture claims " + std::to_string(width) + " x " + std::to_string(height) +
-                                  " texels, more than belong there; copy or download it again");
-    Picture picture{static_cast<int>(width), static_cast<int>(height), {}};
-    picture.texels.resize(static_cast<size_t>(width * height));
-    std::vector<png_bytep> rows = rowsOf(picture.texels.data(), picture.width, picture.height);
-    if (!readRows(reading, rows.data(), sizeof(Rgba8) * static_cast<size_t>(width)))
-        throw damaged(reading);
-    return picture;
+    constexpr std::uintmax_t mib = std::uintmax_t{1} << 20;
+    const auto texelBytes = sizeof(Rgba8) * static_cast<std::uintmax_t>(largestTexels);
+    const HelperLimits limits{.seconds = slower * (1.0 + static_cast<double>(texelBytes) / static_cast<double>(32 * mib)),
+                              .memoryBytes = 64 * mib + 3 * texelBytes + 2 * bytes.size()}; // texels, the answer, and some to spare
+    WireWriter request;
+    request << largestTexels << bytes;
+    Picture picture;
+    try {
+        Helper helper(HelperWork::Pngs);
+        WireReader answer{helper.ask(helper::Request::DecodePng, std::move(request).bytes(), &limits)};
+        answer >> picture.width >> picture.height >> picture.texels;
+        const long long count = static_cast<long long>(picture.texels.size());
+        if (answer.isDone() && picture.width >= 1 && picture.height >= 1 && 1LL * picture.width * picture.height == count &&
+            count <= largestTexels)
+            return picture;
+        throw HelperEnded("it breaks the reader");
+    } catch (const HelperEnded& ended) {
+        throw FileError(name,
+                        std::string("its PNG picture is damaged or does harm, because ") + ended.what() + "; copy or download it again");
+    } catch (const InvalidArgument& refused) {
+        throw FileError(name, refused.what());
+    }
 }
 
 } // namespace mirrorball::png

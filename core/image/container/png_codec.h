@@ -9,7 +9,8 @@
 #include <vector>
 
 /// PNG pictures in memory, by libpng itself: encoded radiance goes through without a colour space, and alpha stays straight.
-/// (OpenImageIO would do, but loading it costs more time than a whole environment takes.)
+/// (OpenImageIO would do, but loading it costs more time than a whole environment takes.) Pictures of others are decoded in the helper
+/// (core/base/helper_process.h), which starts in milliseconds where it needs no OpenImageIO.
 namespace mirrorball::png {
 
 /// 8-bit RGBA texels, top row first.
@@ -25,10 +26,10 @@ Picture packed(const Image& image, PackedColor form);
 /// The bytes of a PNG file without ancillary chunks. @throws WorkError
 std::string encode(const Picture& picture);
 
-/// Decodes any PNG to 8-bit RGBA; its gamma and colour profile are not looked at. Memory is taken only for a size that `largestTexels`
-/// allows.
+/// Decodes any PNG to 8-bit RGBA, in the helper; its gamma and colour profile are not looked at. Memory is taken only for a size that
+/// `largestTexels` allows.
 /// @param name  stands in messages
-/// @throws FileError for damaged data
+/// @throws FileError for damaged data; WorkError where there is no helper
 Picture decode(std::string_view bytes, const std::string& name, long long largestTexels);
 
 } // namespace mirrorball::png
