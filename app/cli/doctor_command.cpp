@@ -1,28 +1,45 @@
 #include "command.h"
 #include "reading_options.h"
 
+#include "core/base/error.h"
 #include "core/doctor/diagnosis.h"
 #include "core/image/map_file.h"
 
+#include <array>
 #include <cstdio>
 #include <memory>
+#include <utility>
 
 namespace mirrorball::cli {
 
 namespace {
 
 struct Options {
-    std::string map, probe, from;
+    std::string map, probe, from, encode;
     ReadingOptions reading;
     int threads = 1; ///< the work is a second of one core; more of them would mostly wait for each other
     bool json = false;
 };
 
+std::optional<PackedColor> packedForm(const std::string& word)
+{
+    constexpr std::array<std::pair<std::string_view, PackedColor>, 4> forms{
+        {{"rgbe", PackedColor::Rgbe}, {"rgbm", PackedColor::Rgbm}, {"rgbd", PackedColor::Rgbd}, {"rgbp", PackedColor::Rgbp}}};
+    for (const auto& [name, form] : forms)
+        if (name == word)
+            return form;
+    if (!word.empty())
+        throw InvalidArgument("--encode: '" + word + "' is none; choose rgbe, rgbm, rgbd or rgbp, or leave it out");
+    return {};
+}
+
 void run(const Options& o)
 {
     const JobControl job = jobWithProgress("doctor", o.threads);
-    const std::optional<Parameterization> from = o.from.empty() ? std::optional<Parameterization>{} : parseKind("--from", o.from);
-    const StoredMap map = readStoredMap(o.map, from, job);
+    StoredMapReading stored{.packed = packedForm(o.encode)};
+    if (!o.from.empty())
+        stored.from = parseKind("--from", o.from);
+    const StoredMap map = readStoredMap(o.map, stored, job);
     std::optional<EnvironmentMap> probe;
     if (!o.probe.empty()) {
         const Probe read = readProbe(o.probe, {.reading = o.reading.parse()}, job);
@@ -51,6 +68,10 @@ void addDoctorCommand(CLI::App& program)
     command->add_option("--probe", o->probe, "what the map was made from: file or builtin:NAME; without it only what the levels tell");
     o->reading.addTo(*command, "--from"); // which is of MAP here
     command->add_option("--from", o->from, "parameterization of MAP, where its shape does not tell (KIND)");
+    command->add_option(
+        "--encode", o->encode,
+        "how the texels of 8-bit .png pictures hold radiance: rgbe, rgbm, rgbd or rgbp; one of 512 x 512 in rgbm or rgbp is "
+        "PlayCanvas' atlas");
     command->add_option("--threads", o->threads, "0: all cores")->check(CLI::Range(0, 1024));
     command->add_flag("--json", o->json, "as JSON");
     command->callback([o] { run(*o); });

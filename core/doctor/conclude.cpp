@@ -297,9 +297,17 @@ private:
 
     void engines()
     {
-        if (!d.orientation || !d.orientation->certain() || !d.lawFound() || d.kind != Parameterization::Cube || d.levels.size() < 2)
+        if (!d.orientation || !d.orientation->certain() || !d.lawFound() || d.levels.size() < 2)
             return;
         const Orientation& o = *d.orientation;
+        if (d.container == "playcanvas atlas" && o.storage.axes == glm::dmat3(1.0) && o.yaw == 0.0) {
+            if (d.laws.front().name == name(RoughnessLaw::PlayCanvas))
+                d.engines.emplace_back("PlayCanvas");
+            note("engine", d.engines.empty() ? "So oriented is PlayCanvas' envAtlas, whose shader expects r = l/5."
+                                             : "Orientation, layout and roughness rule are those that PlayCanvas' shader reads.");
+        }
+        if (d.kind != Parameterization::Cube)
+            return;
         if (!o.strayFaces.empty() || o.restYaw != 0.0)
             return;
         std::string sameLaw, sameCube;

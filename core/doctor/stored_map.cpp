@@ -1,13 +1,18 @@
 #include "stored_map.h"
 
 #include "core/base/error.h"
+#include "core/base/file_log.h"
 #include "core/image/container/container_file.h"
+#include "core/image/container/play_canvas_atlas.h"
+#include "core/image/container/png_codec.h"
 #include "core/image/image_io.h"
 #include "core/image/layout_detection.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
+#include <iterator>
 
 namespace mirrorball {
 
@@ -43,6 +48,110 @@ Image readWhole(ImageReader& reader)
     Image image(reader.info().width, reader.info().height, 3);
     reader.readRows(0, image.height, image.texels.data());
     return image;
+}
+
+struct Picture {
+    ImageFileInfo info{};
+    Image image{};
+};
+
+std::string_view wordOf(PackedColor form)
+{
+    switch (form) {
+    case PackedColor::Rgbe:
+        return "rgbe";
+    case PackedColor::Rgbm:
+        return "rgbm";
+    case PackedColor::Rgbd:
+        return "rgbd";
+    case PackedColor::Rgbp:
+        return "rgbp";
+    }
+    return {};
+}
+
+/// A .png picture whose alpha multiplies its colours, as radiance.
+Picture packedPicture(const std::filesystem::path& path, PackedColor form)
+{
+    noteRead(path);
+    std::ifstream stream(path, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    if (!stream)
+        throw FileError(path.string(), "cannot be read; check its name and permissions");
+    if (!bytes.starts_with("\x89PNG"))
+        throw FileError(path.string(),
+                        "is no .png picture, in which alone texels are packed as " + std::string(wordOf(form)) + "; leave out --encode");
+    constexpr long long largest = 1LL << 26;
+    const png::Picture png = png::decode(bytes, path.string(), largest);
+    Picture picture{{}, Image(png.width, png.height, 3)};
+    picture.info.format = "png";
+    picture.info.sampleType = wordOf(form);
+    picture.info.width = png.width;
+    picture.info.height = png.height;
+    picture.info.levels = 1;
+    for (size_t i = 0; i < png.texels.size(); ++i) {
+        const glm::vec3 rgb = unpackColor(form, png.texels[i]);
+        std::copy_n(&rgb.x, 3, picture.image.texels.data() + 3 * i);
+    }
+    return picture;
+}
+
+Picture pictureOf(const std::filesystem::path& path, const StoredMapReading& reading)
+{
+    if (reading.packed)
+        return packedPicture(path, *reading.packed);
+    const std::unique_ptr<ImageReader> reader = openImage(path);
+    return {reader->info(), readWhole(*reader)};
+}
+
+/// A rectangle of an atlas as a latlong: its inner texels, which run around and end at the poles, at the centres of one that is twice as
+/// wide as high; by Keys' cubic (lookup.h), held within the range of the four nearest.
+Image latlongOf(const Image& atlas, const play_canvas_atlas::Rectangle& r)
+{
+    const int width = r.width - 2, height = r.height - 2; // without the border
+    Image latlong(2 * r.height, r.height, 3);
+    const auto texel = [&](int i, int j) {
+        return atlas.texel(r.x + 1 + (i % width + width) % width, r.y + 1 + std::clamp(j, 0, height - 1));
+    };
+    const auto weights = [](double t) { // of the four around, a = -1/2
+        return std::array{((2.0 - t) * t - 1.0) * t / 2.0, ((3.0 * t - 5.0) * t * t + 2.0) / 2.0, ((4.0 - 3.0 * t) * t + 1.0) * t / 2.0,
+                          (t - 1.0) * t * t / 2.0};
+    };
+    for (int y = 0; y < latlong.height; ++y)
+        for (int x = 0; x < latlong.width; ++x) {
+            const double u = (x + 0.5) / latlong.width * width - 0.5, v = (y + 0.5) / latlong.height * height - 0.5;
+            const int i = static_cast<int>(std::floor(u)), j = static_cast<int>(std::floor(v));
+            const auto across = weights(u - i), down = weights(v - j);
+            for (int c = 0; c < 3; ++c) {
+                double sum = 0.0;
+                for (int dj = 0; dj < 4; ++dj)
+                    for (int di = 0; di < 4; ++di)
+                        sum += across[static_cast<size_t>(di)] * down[static_cast<size_t>(dj)] * texel(i + di - 1, j + dj - 1)[c];
+                const auto [least, most] = std::minmax({texel(i, j)[c], texel(i + 1, j)[c], texel(i, j + 1)[c], texel(i + 1, j + 1)[c]});
+                latlong.texel(x, y)[c] = std::clamp(static_cast<float>(sum), least, most);
+            }
+        }
+    return latlong;
+}
+
+/// The environment, the levels that the shader reads at roughness 0.2 to 1, and the diffuse light.
+StoredMap ofAtlas(const Image& atlas, PackedColor form)
+{
+    StoredMap map;
+    map.container = "playcanvas atlas";
+    map.texels = wordOf(form);
+    map.shape = "one .png of 512 x 512 packed texels, as PlayCanvas' envAtlas lays its latlongs out";
+    map.kind = Parameterization::Latlong;
+    const auto add = [&](auto isWanted) {
+        for (const play_canvas_atlas::Rectangle& r : play_canvas_atlas::rectangles)
+            if (isWanted(r))
+                map.levels.push_back(repaired(latlongOf(atlas, r)));
+    };
+    using play_canvas_atlas::Content;
+    add([](const auto& r) { return r.content == Content::Source && r.level == 0; });
+    add([](const auto& r) { return r.content == Content::Specular && r.level <= 5; });
+    add([](const auto& r) { return r.content == Content::Diffuse; });
+    return map;
 }
 
 /// One picture as a level of the map. What OpenEXR's attribute says about edges and mirrored faces is left for the measurement to find.
@@ -87,20 +196,20 @@ StoredMap ofContainer(const std::filesystem::path& path)
 }
 
 /// One image file, or one file a level.
-StoredMap ofImages(const std::vector<std::filesystem::path>& paths, std::optional<Parameterization> from, const JobControl& job)
+StoredMap ofImages(const std::vector<std::filesystem::path>& paths, const StoredMapReading& reading, const JobControl& job)
 {
     StoredMap map;
     map.files = paths.size();
     for (const std::filesystem::path& path : paths) {
-        const std::unique_ptr<ImageReader> first = openImage(path);
-        const ImageFileInfo info = first->info();
+        Picture first = pictureOf(path, reading);
+        const ImageFileInfo info = first.info;
         const int levels = paths.size() == 1 ? std::clamp(info.levels, 1, mostLevels) : 1;
         for (int l = 0; l < levels; ++l) {
             job.checkStop();
             const bool begins = map.levels.empty();
             Detection found;
             std::optional<Image> image =
-                asLevel(l == 0 ? readWhole(*first) : readLevel(path, l), info, begins ? from : std::optional(map.kind), found);
+                asLevel(l == 0 ? std::move(first.image) : readLevel(path, l), info, begins ? reading.from : std::optional(map.kind), found);
             if (!image)
                 return map;
             if (begins) {
@@ -117,7 +226,7 @@ StoredMap ofImages(const std::vector<std::filesystem::path>& paths, std::optiona
 }
 
 /// Six square pictures a level.
-StoredMap ofFaces(const std::vector<std::string>& names, const JobControl& job)
+StoredMap ofFaces(const std::vector<std::string>& names, const StoredMapReading& reading, const JobControl& job)
 {
     StoredMap map;
     map.shape = "six faces by name";
@@ -127,11 +236,10 @@ StoredMap ofFaces(const std::vector<std::string>& names, const JobControl& job)
         for (size_t face = 0; face < 6; ++face) {
             job.checkStop();
             const std::filesystem::path path = replaced(name, "%s", faceWords[face]);
-            const std::unique_ptr<ImageReader> reader = openImage(path);
-            const Image picture = readWhole(*reader);
+            const auto [info, picture] = pictureOf(path, reading);
             if (level.empty()) {
-                map.container = reader->info().format + " faces";
-                map.texels = reader->info().sampleType;
+                map.container = info.format + " faces";
+                map.texels = info.sampleType;
                 level = Image(picture.width, 6 * picture.width, 3);
             }
             if (picture.width != level.width || picture.height != level.width)
@@ -163,14 +271,22 @@ std::vector<std::string> levelNames(const std::string& path)
 
 } // namespace
 
-StoredMap readStoredMap(const std::string& path, std::optional<Parameterization> from, const JobControl& job)
+StoredMap readStoredMap(const std::string& path, const StoredMapReading& reading, const JobControl& job)
 {
     StoredMap map;
-    if (std::filesystem::exists(path)) {
-        map = isContainer(firstBytes(path)) ? ofContainer(path) : ofImages({path}, from, job);
-    } else {
+    const bool isAtlasForm = reading.packed == PackedColor::Rgbp || reading.packed == PackedColor::Rgbm;
+    if (!std::filesystem::exists(path)) {
         const std::vector<std::string> names = levelNames(path);
-        map = path.find("%s") != std::string::npos ? ofFaces(names, job) : ofImages({names.begin(), names.end()}, from, job);
+        map = path.find("%s") != std::string::npos ? ofFaces(names, reading, job) : ofImages({names.begin(), names.end()}, reading, job);
+    } else if (isContainer(firstBytes(path))) {
+        if (reading.packed)
+            throw FileError(path, "is a container, which says itself how its texels are packed; leave out --encode");
+        map = ofContainer(path);
+    } else if (const Picture picture = isAtlasForm && !reading.from ? packedPicture(path, *reading.packed) : Picture{};
+               picture.image.width == play_canvas_atlas::size && picture.image.height == play_canvas_atlas::size) {
+        map = ofAtlas(picture.image, *reading.packed);
+    } else {
+        map = ofImages({path}, reading, job);
     }
     if (map.levels.empty())
         throw FileError(path, "holds no levels");

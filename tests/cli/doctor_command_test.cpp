@@ -90,6 +90,48 @@ TEST(DoctorCommand, SaysInWordsWhatTheMapIsAndHowCertainly)
     EXPECT_NE(other.at("verdict"), "clean") << other.dump(1);
 }
 
+TEST(DoctorCommand, ReadsPackedFacesAsItReadsFloats)
+{
+    const TemporaryFolder folder;
+    const std::vector<EnvironmentMap> levels = chain();
+    for (size_t l = 0; l < levels.size(); ++l)
+        for (const auto& [form, word] : {std::pair{ByteEncoding::Rgbm, "rgbm"}, {ByteEncoding::Rgbd, "rgbd"}, {ByteEncoding::Rgbe, "rgbe"}})
+            writeMap(folder / (word + std::string("_%s_") + std::to_string(l) + ".png"), {levels[l]}, {.bytes = form});
+    for (const std::string word : {"rgbm", "rgbd", "rgbe"}) {
+        const nlohmann::json packed = examined(quoted(folder / (word + "_%s_%d.png")), "--probe builtin:axes --encode " + word);
+        EXPECT_EQ(packed.at("verdict"), "clean") << packed.dump(1);
+        EXPECT_EQ(packed.at("texels"), word);
+        EXPECT_EQ(packed.at("law"), "filament");
+        EXPECT_EQ(packed.at("engines"), nlohmann::json::array({"Filament"}));
+        EXPECT_NEAR(packed.at("scale").get<double>(), 1.0, 0.01) << word;
+    }
+    // Taken for another form, or for plain colours, it is none of ours.
+    EXPECT_NE(examined(quoted(folder / "rgbd_%s_%d.png"), "--probe builtin:axes --encode rgbm").at("verdict"), "clean");
+    EXPECT_NE(examined(quoted(folder / "rgbd_%s_%d.png")).at("verdict"), "clean");
+}
+
+TEST(DoctorCommand, ReadsPlayCanvasAtlas)
+{
+    const TemporaryFolder folder;
+    for (const std::string form : {"rgbp", "rgbm"}) {
+        const ProgramRun made =
+            mirrorballRuns("export --probe builtin:axes --for playcanvas --name light -o " + quoted(folder / form) + " --encode " + form);
+        ASSERT_EQ(made.status, 0) << made.err;
+        std::string atlas;
+        for (const auto& entry : std::filesystem::directory_iterator(folder / form))
+            if (entry.path().extension() == ".png")
+                atlas = entry.path().string();
+        const nlohmann::json record = examined("'" + atlas + "'", "--probe builtin:axes --encode " + form);
+        EXPECT_EQ(record.at("verdict"), "clean") << record.dump(1);
+        EXPECT_EQ(record.at("container"), "playcanvas atlas");
+        EXPECT_EQ(record.at("law"), "playcanvas");
+        EXPECT_EQ(record.at("orientation").at("is"), "not mirrored");
+        EXPECT_EQ(record.at("engines"), nlohmann::json::array({"PlayCanvas"}));
+        EXPECT_EQ(record.at("levels").size(), 7u) << "with the diffuse light";
+        EXPECT_FAILS(mirrorballRuns("doctor '" + atlas + "' --encode rgbx"), 2, "--encode");
+    }
+}
+
 TEST(DoctorCommand, RefusesWhatIsNoMapInOneLine)
 {
     const TemporaryFolder folder;

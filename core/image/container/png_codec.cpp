@@ -108,7 +108,8 @@ Picture decode(std::string_view bytes, const std::string& name, long long larges
     Picture picture;
     try {
         Helper helper(HelperWork::Pngs);
-        WireReader answer{helper.ask(helper::Request::DecodePng, std::move(request).bytes(), &limits)};
+        const std::string bytesOfAnswer = helper.ask(helper::Request::DecodePng, std::move(request).bytes(), &limits);
+        WireReader answer(bytesOfAnswer);
         answer >> picture.width >> picture.height >> picture.texels;
         const long long count = static_cast<long long>(picture.texels.size());
         if (answer.isDone() && picture.width >= 1 && picture.height >= 1 && 1LL * picture.width * picture.height == count &&

@@ -1,6 +1,9 @@
 // An engine's own prefilter of a latlong, read back: picture({ level, face }) is a face of a level as the texture holds it, RGB floats,
-// its first row first; picture({}) is [edge of level 0, levels, milliseconds that the prefilter took].
+// its first row first; picture({}) is [edge of level 0, levels, milliseconds that the prefilter took]. PlayCanvas' is an atlas: picture({}) is
+// [edge, 0, milliseconds], picture({ atlas: true }) its bytes as RGBA, each a float.
 export async function open({ canvas, folder, name, engine }) {
+  if (engine === 'playcanvas')
+    return playCanvas({ canvas, url: `${folder}/${name}.hdr` });
   const { gl, texture, size, levels, milliseconds } = await own[engine]({ canvas, url: `${folder}/${name}.hdr` });
   gl.getExtension('EXT_color_buffer_float');
   gl.getExtension('EXT_color_buffer_half_float');
@@ -51,3 +54,25 @@ const own = {
       levels: Math.log2(texture.getSize().width) + 1, milliseconds: performance.now() - start };
   },
 };
+
+async function playCanvas({ canvas, url }) {
+  const pc = await import('playcanvas');
+  const app = new pc.Application(canvas, { graphicsDeviceOptions: { antialias: false } });
+  app.autoRender = false;
+  app.start();
+  const asset = new pc.Asset('latlong', 'texture', { url }, { mipmaps: false, projection: 'equirect' });
+  await new Promise((resolve, reject) => {
+    asset.on('load', resolve);
+    asset.on('error', reject);
+    app.assets.add(asset);
+    app.assets.load(asset);
+  });
+  asset.resource.projection = pc.TEXTUREPROJECTION_EQUIRECT;
+  const start = performance.now();
+  const atlas = pc.EnvLighting.generateAtlas(pc.EnvLighting.generateLightingSource(asset.resource));
+  const bytes = await atlas.read(0, 0, atlas.width, atlas.height, { immediate: true });
+  const milliseconds = performance.now() - start;
+  if (atlas.type !== pc.TEXTURETYPE_RGBP || bytes.length !== 4 * atlas.width * atlas.height)
+    throw new Error(`the atlas is of type ${atlas.type}, ${bytes.length} bytes`);
+  return { render: async ({ atlas: whole }) => whole ? Float32Array.from(bytes) : new Float32Array([atlas.width, 0, milliseconds]) };
+}
