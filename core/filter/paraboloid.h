@@ -2,6 +2,7 @@
 
 #include "lobe.h"
 #include "paraboloid_kernel.h"
+#include "transfer_model.h"
 
 #include "core/base/fields.h"
 #include "core/base/job.h"
@@ -66,6 +67,11 @@ std::string paraboloidRefusal(const Lobe& lobe, const ParaboloidKnobs& knobs);
 /// is worst (blended at the rim, exact in the middle of a half), by integrating the square of the difference between its effective kernel
 /// and the lobe. Other probes show less.
 double paraboloidError(const Lobe& lobe, const ParaboloidKnobs& knobs);
+
+/// The same degree by degree, for probes whose spectrum is known. That the lobe ends at its clamp is systematic; interpolation between
+/// texels, which makes up the rest of paraboloidError(), grows with the degree as its order says until it has lost all,
+///   scatter_l = k_l^2 min(1, (l/l_0)^(2 order)),   order 4 of the exact kernel's cubics, 2 of the blended maps' bilinear lookups
+TransferModel paraboloidModel(const Lobe& lobe, const ParaboloidKnobs& knobs, int bandLimit);
 
 /// Seconds on one core of a current server with a software renderer; with a GPU only laying out the halves takes time.
 /// @param directions  texels of the target

@@ -1,3 +1,4 @@
+#include "bright_texels.h"
 #include "paraboloid.h"
 
 #include "core/sphere/direction.h"
@@ -5,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 /// The error of the paraboloid method for a single bright texel at q. A lookup at r reads it with some weight g(r) a steradian, where the
 /// reference reads it with k(r.q), so that over all lookups
@@ -136,6 +138,70 @@ double paraboloidError(const Lobe& lobe, const ParaboloidKnobs& knobs)
                                                                     : std::max(exactSquareError(shape, reach, knobs.largestKernel, 0.0),
                                                                                exactSquareError(shape, reach, knobs.largestKernel, 0.5));
     return std::sqrt(square / power);
+}
+
+namespace {
+
+/// Coefficients of the lobe's share within its reach, normalised to 1, less its own: by the midpoint rule.
+std::vector<double> clampBias(const LobeShape& shape, double reach, int bandLimit)
+{
+    const double inside = shape.integral() - integralBeyond(shape, reach, 1.0), farthest = shape.support(1e-12);
+    std::vector<double> bias(static_cast<size_t>(bandLimit) + 1, 0.0);
+    const int steps = 8 * (bandLimit + 64);
+    for (const auto& [from, to, scale] : {std::tuple{0.0, reach, 1.0 / inside - 1.0 / shape.integral()},
+                                          std::tuple{reach, std::max(reach, farthest), -1.0 / shape.integral()}})
+        for (int i = 0; i < steps; ++i) {
+            const double t = from + (to - from) * (i + 0.5) / steps, x = std::cos(t);
+            const double weight = 2.0 * pi * scale * shape.relative(x) * std::sin(t) * (to - from) / steps;
+            double previous = 0.0, p = 1.0;
+            for (size_t l = 0; l < bias.size(); ++l) {
+                bias[l] += weight * p;
+                const double d = static_cast<double>(l), next = ((2.0 * d + 1.0) * x * p - d * previous) / (d + 1.0);
+                previous = p;
+                p = next;
+            }
+        }
+    bias[0] = 0.0; // both integrate to 1
+    return bias;
+}
+
+} // namespace
+
+TransferModel paraboloidModel(const Lobe& lobe, const ParaboloidKnobs& knobs, int bandLimit)
+{
+    const LobeShape shape(lobe);
+    TransferModel model{.k = legendreCoefficients(lobe, bandLimit), .bias = clampBias(shape, shape.support(knobs.clamp), bandLimit)};
+    double total = 0.0, clamped = 0.0; // over a flat spectrum
+    for (size_t l = 0; l < model.k.size(); ++l) {
+        const double coefficients = 2.0 * static_cast<double>(l) + 1.0;
+        total += coefficients * model.k[l] * model.k[l];
+        clamped += coefficients * model.bias[l] * model.bias[l];
+    }
+    const bool exact = knobs.kernel == ParaboloidKernel::Exact;
+    const double power = exact ? 8.0 : 4.0, shrinking = splitsBrightTexels(lobe) ? 5.0 : power; // less of a kink
+    // From the worst place to the mean square over all: texels are (1+z)/2 as wide away from the middle of a half, integral over z of
+    // ((1+z)/2)^n = 2/(n+1); and interpolation errs half way between texels, and not on them.
+    const double anywhere = 0.5 * 2.0 / (shrinking + 1.0);
+    const double white = paraboloidError(lobe, knobs), rest = anywhere * std::max(0.0, white * white * total - clamped);
+    const auto scatter = [&](size_t l, double l0) {
+        return model.k[l] * model.k[l] * std::min(1.0, std::pow(static_cast<double>(l) / l0, power));
+    };
+    const auto lost = [&](double l0) {
+        double sum = 0.0;
+        for (size_t l = 0; l < model.k.size(); ++l)
+            sum += (2.0 * static_cast<double>(l) + 1.0) * scatter(l, l0);
+        return sum;
+    };
+    double low = 1.0, high = 1e6; // of l_0: what is lost falls with it
+    for (int i = 0; i < 50; ++i) {
+        const double middle = std::sqrt(low * high);
+        (lost(middle) > rest ? low : high) = middle;
+    }
+    for (size_t l = 0; l < model.k.size(); ++l) {
+        model.scatter.push_back(scatter(l, high));
+        model.felt.push_back(std::sqrt(model.scatter.back())); // where the lobe bends most: at a kink
+    }
+    return model;
 }
 
 double paraboloidSeconds(const Lobe& lobe, const ParaboloidKnobs& knobs, int probeWidth, int directions)

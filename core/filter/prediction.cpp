@@ -62,41 +62,29 @@ int errorBandLimit(const Lobe& lobe, int width)
     return std::clamp(static_cast<int>(6.0 / halfWidth), 8, 1024);
 }
 
-/// rel_rms of a filter whose transfer differs from the lobe's: sqrt(sum p_l e_l / sum p_l k_l^2), e_l = (h_l - k_l)^2 + scatter.
-double transferError(const std::vector<double>& p, const std::vector<double>& k, const std::vector<double>& squaredError)
+TransferModel sh9Model(const PrefilterOptions& options)
 {
-    double error = 0.0, total = 0.0;
-    for (size_t l = 0; l < k.size(); ++l) {
-        error += p[l] * squaredError[l];
-        total += p[l] * k[l] * k[l];
-    }
-    constexpr double floatLookups = 1e-7;
-    return std::max(floatLookups, total > 0.0 ? std::sqrt(error / total) : 0.0);
+    TransferModel model{.k = legendreCoefficients(options.lobe, sh9BandLimit)};
+    for (size_t l = 0; l < model.k.size(); ++l)
+        model.bias.push_back(l > 2 ? -model.k[l] : 0.0);
+    model.scatter.resize(model.k.size());
+    return model;
 }
 
-double sh9Error(const PrefilterOptions& options, const ProbeTraits& probe)
-{
-    constexpr int bandLimit = sh9BandLimit;
-    const std::vector<double> k = legendreCoefficients(options.lobe, bandLimit);
-    std::vector<double> missing;
-    for (size_t l = 0; l < k.size(); ++l)
-        missing.push_back(l > 2 ? k[l] * k[l] : 0.0);
-    return transferError(power(probe.spectrum, bandLimit, largestPower), k, missing);
-}
-
-double mipError(const PrefilterOptions& options, const ProbeTraits& probe)
+TransferModel mipModel(const PrefilterOptions& options, const ProbeTraits& probe)
 {
     const int bandLimit = errorBandLimit(options.lobe, probe.width);
-    const std::vector<double> k = legendreCoefficients(options.lobe, bandLimit);
     const MapLayout environment = environmentCube(probe.width), &target = options.target;
     const double natural =
         0.5 * std::log2(6.0 * environment.size * environment.size / (static_cast<double>(target.width()) * target.height()));
     const double level = std::max(effectiveLambda(options, probe.width), natural);
-    const std::vector<double> h = mipTransfer(level, environment, bandLimit), scatter = mipScatter(level, environment, bandLimit);
-    std::vector<double> difference;
-    for (size_t l = 0; l < k.size(); ++l)
-        difference.push_back((h[l] - k[l]) * (h[l] - k[l]) + scatter[l]);
-    return transferError(power(probe.spectrum, bandLimit, largestPower), k, difference);
+    TransferModel model{.k = legendreCoefficients(options.lobe, bandLimit),
+                        .bias = mipTransfer(level, environment, bandLimit),
+                        .scatter = mipScatter(level, environment, bandLimit),
+                        .blurs = mipBlurs(level, environment)};
+    for (size_t l = 0; l < model.k.size(); ++l)
+        model.bias[l] -= model.k[l];
+    return model;
 }
 
 /// Mean square over headings of a trilinear lookup's transfer at degree l: tents, sinc^2(l h/2) along each axis of the texels, on a
@@ -126,30 +114,31 @@ double lookupTransferSquare(const LobeSample& sample, double h, double l)
 ///   E|kappa_lm - mean|^2 summed over m = 1/N^2 sum_i t_l(i)^2 S(l spacing_i),  S(x) = x^6/(x^6 + x_0^6)
 /// with t_l the transfer of a lookup: what they scatter has the frequencies of the texels, however wide the lobe. A square lattice's first
 /// frequency is x_0 = 2 pi.
-double importanceError(const PrefilterOptions& options, const ProbeTraits& probe)
+TransferModel importanceModel(const PrefilterOptions& options, const ProbeTraits& probe)
 {
     const int count = options.knobs.samples;
     const int lobeLimit = errorBandLimit(options.lobe, probe.width), bandLimit = std::max(lobeLimit, 2 * probe.width);
     const double h = 2.0 * pi / probe.width;
-    std::vector<double> k = legendreCoefficients(options.lobe, lobeLimit);
+    TransferModel model{.k = legendreCoefficients(options.lobe, lobeLimit)};
     const std::vector<LobeSample> all = lobeSamples(options.lobe, count, std::max(1, probe.width / 2));
     constexpr size_t enough = 512; // samples stand in order of their radius
     const size_t step = std::max<size_t>(1, all.size() / enough);
     constexpr double x0 = 6.0; // fits the test probes best
-    std::vector<double> squaredError(static_cast<size_t>(bandLimit) + 1), mean(k.size());
+    std::vector<double> mean(model.k.size());
     std::vector<const LobeSample*> some;
     for (size_t i = step / 2; i < all.size(); i += step)
         some.push_back(&all[i]);
     for (const LobeSample* s : some) {
         double previous = 0.0, p = 1.0;
-        for (size_t l = 0; l < k.size(); ++l) {
+        for (size_t l = 0; l < mean.size(); ++l) {
             const double d = static_cast<double>(l);
             mean[l] += std::exp(-0.5 * d * (d + 1.0) * s->variance) * p / static_cast<double>(some.size());
             previous = std::exchange(p, ((2.0 * d + 1.0) * s->z * p - d * previous) / (d + 1.0));
         }
     }
+    model.k.resize(static_cast<size_t>(bandLimit) + 1, 0.0);
     double scatter = 0.0;
-    for (size_t l = 0; l < squaredError.size(); ++l) {
+    for (size_t l = 0; l < model.k.size(); ++l) {
         if (l == 0 || l % std::max<size_t>(1, l / 16) == 0) { // it is smooth
             scatter = 0.0;
             for (size_t i = 0; i < some.size(); i += 8) {
@@ -158,11 +147,15 @@ double importanceError(const PrefilterOptions& options, const ProbeTraits& probe
             }
             scatter /= static_cast<double>((some.size() + 7) / 8) * count;
         }
-        const double bias = l < k.size() ? mean[l] - k[l] : 0.0;
-        squaredError[l] = bias * bias + scatter;
+        model.bias.push_back(l < mean.size() ? mean[l] - model.k[l] : 0.0);
+        model.scatter.push_back(scatter);
     }
-    k.resize(squaredError.size(), 0.0);
-    return transferError(power(probe.spectrum, bandLimit, largestPower), k, squaredError);
+    return model;
+}
+
+double transferError(const TransferModel& model, const ProbeTraits& probe)
+{
+    return model.relRms(power(probe.spectrum, static_cast<int>(model.k.size()) - 1, largestPower));
 }
 
 /// What the spectral method is expected to do before the probe has been looked at for this lobe: a usual probe's power, or its own as far
@@ -273,6 +266,28 @@ double predictedSeconds(Method method, const PrefilterOptions& options, const Pr
     return 0.0;
 }
 
+TransferModel transferModel(Method method, const PrefilterOptions& options, const ProbeTraits& probe)
+{
+    switch (method) {
+    case Method::Importance:
+        return importanceModel(options, probe);
+    case Method::Mip:
+        return mipModel(options, probe);
+    case Method::Sh9:
+        return sh9Model(options);
+    case Method::Paraboloid:
+        return paraboloidModel(options.lobe, resolved(options.knobs.paraboloid, probe.width / 2),
+                               std::min(4 * errorBandLimit(options.lobe, probe.width), 1024));
+    case Method::Auto:
+    case Method::Reference:
+    case Method::Spectral:
+    case Method::Direct:
+    case Method::Hierarchical:
+        break;
+    }
+    return {};
+}
+
 double predictedError(Method method, const PrefilterOptions& options, const ProbeTraits& probe)
 {
     switch (method) {
@@ -287,12 +302,12 @@ double predictedError(Method method, const PrefilterOptions& options, const Prob
     case Method::Hierarchical:
         return floatRounding + 0.5 * options.tolerance;
     case Method::Importance:
-        return importanceError(options, probe);
     case Method::Mip:
-        return mipError(options, probe);
     case Method::Sh9:
-        return sh9Error(options, probe);
+        return transferError(transferModel(method, options, probe), probe);
     case Method::Paraboloid:
+        if (probe.spectrum)
+            return transferError(transferModel(method, options, probe), probe);
         return paraboloidError(options.lobe, resolved(options.knobs.paraboloid, probe.width / 2));
     }
     return 1.0;
@@ -300,9 +315,9 @@ double predictedError(Method method, const PrefilterOptions& options, const Prob
 
 namespace {
 
-/// How the error of a method that approximates is spread: its median and its 99th percentile over rel_rms, as it is predicted. Geometric
-/// means over five lobes and four test probes of 256 x 128, from which a probe with much dark or a sun differs by up to a factor of ten
-/// (`build/ci/bin/tolerance_table --method mip` shows it): rel_rms tells of the light, these of where it is not.
+/// How the error of a method that approximates is spread over a probe that was not looked at: its median and its 99th percentile over
+/// rel_rms. Geometric means over five lobes and four test probes of 256 x 128, from which a probe with much dark or a sun differs by up to
+/// a factor of ten; spreadErrors() looks.
 struct Spread {
     double median, p99;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "error_spread.h"
 #include "filter_source.h"
 #include "lobe.h"
 #include "method.h"
@@ -47,6 +48,9 @@ double predictedSeconds(Method method, const PrefilterOptions& options, const Pr
 double predictedError(Method method, const PrefilterOptions& options, const ProbeTraits& probe);
 /// How far the spectral method or sh9 follows the spectrum whatever the probe holds; 0 for the others.
 int predictedBandLimit(Method method, const PrefilterOptions& options);
+
+/// What importance, mip, paraboloid and sh9 put in the lobe's place; without coefficients for the others.
+TransferModel transferModel(Method method, const PrefilterOptions& options, const ProbeTraits& probe);
 
 /// All of what is predicted of an error; relRms as predictedError().
 PredictedErrors predictedErrors(Method method, const PrefilterOptions& options, const ProbeTraits& probe);

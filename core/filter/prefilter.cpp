@@ -361,12 +361,15 @@ PredictedErrors informedErrors(const PrefilterOutcome& outcome, const PrefilterO
                                const JobControl& job)
 {
     const Method method = outcome.method;
-    if (!outcome.filtered || (method != Method::Importance && method != Method::Mip && method != Method::Sh9))
+    if (!outcome.filtered || keepsTolerance(method))
         return outcome.predicted;
+    if (!source.latlong())
+        return predictedErrors(method, options, traits(source));
     constexpr int enough = 256; // beyond it a spectrum goes on at the level of its last degrees
-    if (source.latlong())
-        source.spectrum(enough, job);
-    return predictedErrors(method, options, traits(source));
+    const Spectrum& spectrum = source.spectrum(enough, job);
+    const ProbeTraits probe = traits(source);
+    return spreadErrors(*source.latlong(), spectrum, options.lobe, transferModel(method, options, probe),
+                        predictedError(method, options, probe), job);
 }
 
 std::string unpromisedText(const PrefilterOptions& options, const PrefilterOutcome& outcome)

@@ -46,8 +46,8 @@ PrefilterPlan planPrefilter(const PrefilterOptions& options, const ProbeTraits& 
 /// @throws InvalidArgument naming the field, also where a method cannot keep the tolerance; Cancelled
 PrefilterOutcome prefilter(FilterSource& source, const PrefilterOptions& options, const JobControl& job = {});
 
-/// What the method that ran expects its error to be, now that the probe may be looked at: importance, mip and sh9 read it off the probe's
-/// spectrum, which they do not need for their work, so that the outcome's own figures bound it for any probe.
+/// What the method that ran expects its error to be, now that the probe may be looked at: those that approximate read it off the probe's
+/// spectrum and texels (spreadErrors()), which they do not need for their work, so that the outcome's own figures bound it for any probe.
 PredictedErrors informedErrors(const PrefilterOutcome& outcome, const PrefilterOptions& options, FilterSource& source,
                                const JobControl& job = {});
 

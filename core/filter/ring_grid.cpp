@@ -163,11 +163,14 @@ RingGrid::RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int r
             filtered.rgb[static_cast<size_t>(c)][i] += m_mean[c] * (filtered.norm[i] - 1.0);
         filtered.norm[i] -= zonal[i / static_cast<size_t>(samples)];
     }
-    m_zonal = poleToPole(spectrum, factors, zonalNormLimit(spectrum, factors));
-    m_zonalBeyond = m_zonal;
-    const std::vector<double> within = poleToPole(spectrum, k, zonalNormLimit(spectrum, factors));
-    for (size_t i = 0; i < within.size(); ++i)
-        m_zonalBeyond[i] -= within[i];
+    const int normLimit = zonalNormLimit(spectrum, factors);
+    m_zonal = poleToPole(spectrum, factors, normLimit);
+    m_zonalBeyond.assign(m_zonal.size(), 0.0);
+    if (normLimit >= static_cast<int>(k.size())) { // most norms end within the band limit
+        const std::vector<double> within = poleToPole(spectrum, k, normLimit);
+        for (size_t i = 0; i < within.size(); ++i)
+            m_zonalBeyond[i] = m_zonal[i] - within[i];
+    }
     for (double& value : m_zonal)
         value -= 1.0;
 

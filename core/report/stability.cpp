@@ -201,12 +201,13 @@ ApproximationBounds approximationBounds(Method method, double predictedError)
     case Method::Importance:
         return {.prediction = 5.0, .energy = 0.01 + sampling};
     // Bilinear weights take a coarse level's texels for equal, which differ by up to 3 sqrt(3): a sun gains or loses what its texel has
-    // less or more than those around it.
+    // less or more than those around it. A lone sun scatters more than photographs, which the prediction is calibrated on.
     case Method::Mip:
-        return {.prediction = 2.0, .energy = 0.12};
-    // The kernel is read between texels by a cubic that overshoots where it bends: by no more than it errs at all.
+        return {.prediction = 3.2, .energy = 0.12};
+    // The prediction is of light everywhere, and a lone sun may stand where the method is worst. The kernel is read between texels by a
+    // cubic that overshoots where it bends: by no more than it errs at all.
     case Method::Paraboloid:
-        return {.prediction = 1.0, .energy = sampling, .negative = predictedError};
+        return {.prediction = 2.5, .energy = sampling, .negative = 2.5 * predictedError};
     // The kernel of nine coefficients, (1 + 2c + (5/8)(3c^2 - 1)) / 4 pi, dips to -0.1583 / 4 pi at c = -8/15, beside the lobe's
     // own peak of 4 / 4 pi, which a texel sees a little less of than the sun stands for.
     case Method::Sh9:

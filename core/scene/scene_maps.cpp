@@ -47,6 +47,9 @@ EnvironmentMap buildLevel(const PlannedFilter& planned, const std::string& name,
         return timedStage(record.stages, "resample " + name,
                           [&] { return reproject(*probe.environment, {.target = filter.target, .yaw = filter.yaw}, job); });
     PrefilterOutcome outcome = prefilter(*probe.source, filter, job);
+    if (outcome.filtered && !outcome.promised) // then what is predicted is all there is to judge it by
+        outcome.predicted =
+            timedStage(outcome.stages, "error predicted", [&] { return informedErrors(outcome, filter, *probe.source, job); });
     for (Stage& stage : outcome.stages)
         stage.name += " of " + name;
     record += workOf(filter, outcome);
