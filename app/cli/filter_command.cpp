@@ -6,12 +6,10 @@
 
 #include "core/base/error.h"
 #include "core/engine/filter_chain.h"
-#include "core/filter/source_file.h"
-#include "core/filter/spectrum_file.h"
 #include "core/image/map_file.h"
 #include "core/image/mip_pyramid.h"
 #include "core/preview/paraboloid_blur.h"
-#include "core/scene/scene_maps.h"
+#include "core/scene/file_filter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -215,10 +213,8 @@ void runOne(const Options& o, const JobControl& job)
     refuse(o.lobe.empty() && o.law.empty(), "--lobe",
            "is missing; give phong, diffuse or ggx, a BRDF by --brdf, or an engine's chain by --law");
     refuse(o.viewDeg.has_value(), "--view", "belongs to --brdf");
-    ReadProbeOptions read{.reading = o.reading.parse()};
-    // A turn about Y comes last: it is left to the filter, which does it exactly.
-    const double yaw = radians(o.yawDeg + std::exchange(read.reading.rotateDeg[0], 0.0));
-    const std::vector<PrefilterOptions> levels = parseJobs(o, yaw);
+    const ReadingAndYaw apart = yawApart(o.reading.parse());
+    const std::vector<PrefilterOptions> levels = parseJobs(o, radians(o.yawDeg + apart.yawDeg));
     checkMapFile(o.out, levels.front().target);
     const int faceBorder = parseTarget(o.to, o.size, o.border).faceBorder;
     const ByteEncoding bytes = parseEncode(o.encode, o.out);
@@ -226,25 +222,18 @@ void runOne(const Options& o, const JobControl& job)
     for (const PrefilterOptions& level : levels)
         layouts.push_back(level.target);
     checkOutputsDiffer({{"--output", mapFiles(o.out, layouts, faceBorder)}, {"--stats", filesOf(o.stats)}});
-    WorkRecord record;
-    std::optional<ProbeFile> file;
-    std::optional<OpenedSource> spectrum; // which is little enough to be read before the plan
-    if (isSpectrumFile(o.probe))
-        spectrum = openSpectrum(o.probe, job);
-    else
-        file.emplace(o.probe, read);
-    const MapLayout layout = file ? file->layout() : MapLayout{.kind = Parameterization::Latlong, .size = spectrum->source.height()};
-    const Plan plan = timedStage(record.stages, "plan", [&] { return planFilters(o.probe, layout, levels, o.out); });
+    PlannedFileFilter planned = planFileFilter({.probe = o.probe,
+                                                .read = {.reading = apart.reading},
+                                                .levels = levels,
+                                                .file = o.out,
+                                                .device = std::make_shared<preview::ParaboloidBlur>()}, // starts no GPU before it is asked
+                                               job);
+    const std::vector<Stage> plan = planned.plan.stages;
     if (o.explain)
-        printStages(plan.stages);
-
-    OpenedSource opened = file ? openFilterSource(*file, levels, partOf(job, 0.0f, 0.3f)) : std::move(*spectrum);
-    printNotes(o.probe, opened.notes);
-    opened.source.useParaboloidDevice(std::make_shared<preview::ParaboloidBlur>()); // starts no GPU before it is asked
-    record += {.stages = std::move(opened.stages)};
-    SceneProbe probe{.source = std::move(opened.source)};
-    BuiltMap built = buildMap(plan.exports.front().map, probe, 0.0, partOf(job, 0.3f, 1.0f));
-    record += std::move(built.record);
+        printStages(plan);
+    BuiltMap built = filterFile(std::move(planned), job);
+    WorkRecord& record = built.record;
+    printNotes(o.probe, record.notes);
     sayUnpromised("filter", record);
 
     store(built.levels, engineTurn(o.engine, levels.front().target.kind).orientation);
@@ -254,7 +243,7 @@ void runOne(const Options& o, const JobControl& job)
                              .faceBorder = faceBorder};
     timedStage(record.stages, "save map", [&] { writeMap(o.out, built.levels, write); });
     if (!o.stats.empty())
-        writeStats(o.stats, plan.stages, record, job.threadCount());
+        writeStats(o.stats, plan, record, job.threadCount());
 }
 
 void run(const Options& o)

@@ -6,9 +6,9 @@
 #include "core/base/error.h"
 #include "core/image/image_format.h"
 #include "core/preview/picture_file.h"
-#include "core/scene/material_presets.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/scene_maps.h"
+#include "core/scene/scene_words.h"
 
 #include <algorithm>
 #include <array>
@@ -124,26 +124,14 @@ void setGeometry(Scene& scene, const std::string& word)
     scene.view.geometry = isBuiltinGeometry(word) ? word : std::filesystem::absolute(word).string();
 }
 
-Material findMaterial(const std::string& word)
-{
-    if (const MaterialPreset* preset = findMaterialPreset(word))
-        return preset->material;
-    if (word.find_first_of("./\\") != std::string::npos)
-        return loadMaterial(word);
-    std::string known;
-    for (const MaterialPreset& preset : materialPresets())
-        known += (known.empty() ? "" : ", ") + std::string(preset.name);
-    throw InvalidArgument("--material: '" + word + "' is neither a preset (" + known + ") nor a file");
-}
-
 /// The scene that the file and the options make together.
 Scene makeScene(const Options& o)
 {
     Scene scene = o.scene.empty() ? Scene{} : loadScene(o.scene);
     if (!o.probe.empty())
-        scene.probe = {.source = o.probe.starts_with("builtin:") ? o.probe : std::filesystem::absolute(o.probe).string()};
+        scene.probe = {.source = probeFromWord(o.probe)};
     if (!o.material.empty())
-        scene.material = findMaterial(o.material);
+        scene.material = materialFromWord("--material", o.material);
     if (!o.geometry.empty())
         setGeometry(scene, o.geometry);
     if (!o.size.empty())

@@ -1,15 +1,15 @@
 #include "arrays.h"
 #include "module.h"
+#include "reading.h"
 #include "work.h"
 
 #include "core/base/error.h"
 #include "core/engine/filter_chain.h"
-#include "core/filter/source_file.h"
 #include "core/image/map_file.h"
 #include "core/image/mip_pyramid.h"
 #include "core/preview/paraboloid_blur.h"
 #include "core/report/lobe_words.h"
-#include "core/scene/scene_maps.h"
+#include "core/scene/file_filter.h"
 
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -73,24 +73,28 @@ struct Filtered {
 struct FilterArguments {
     std::optional<Lobe> lobe{};
     std::optional<RoughnessLaw> law{};
-    PrefilterOptions first{};
+    PrefilterOptions first{}; ///< but for its yaw
+    double yawDeg = 0.0;
     int levels = 1;
 
-    std::vector<PrefilterOptions> jobs() const { return filterChain(first, lobe, law, levels); }
+    std::vector<PrefilterOptions> jobs() const
+    {
+        PrefilterOptions turned = first;
+        turned.yaw = yawDeg * pi / 180.0;
+        return filterChain(turned, lobe, law, levels);
+    }
 };
 
-Filtered filterFile(const std::string& probe, const FilterArguments& arguments, int threads, const py::object& progress)
+Filtered filterFile(const std::string& probe, const ProbeReading& reading, const FilterArguments& arguments, int threads,
+                    const py::object& progress)
 {
     Filtered result{.options = arguments.jobs()};
     result.levels = resultOf(threads, progress, [&](const JobControl& job) {
-        ProbeFile file(probe, {});
-        const Plan plan = planFilters(probe, file.layout(), result.options, "");
-        OpenedSource opened = openFilterSource(file, result.options, partOf(job, 0.0f, 0.5f));
-        opened.source.useParaboloidDevice(std::make_shared<preview::ParaboloidBlur>());
-        result.record.stages = std::move(opened.stages);
-        SceneProbe ready{.source = std::move(opened.source)};
-        BuiltMap built = buildMap(plan.exports.front().map, ready, 0.0, partOf(job, 0.5f, 1.0f));
-        result.record += std::move(built.record);
+        PlannedFileFilter planned = planFileFilter(
+            {.probe = probe, .read = {.reading = reading}, .levels = result.options, .device = std::make_shared<preview::ParaboloidBlur>()},
+            job);
+        BuiltMap built = mirrorball::filterFile(std::move(planned), job);
+        result.record = std::move(built.record);
         return std::make_shared<std::vector<EnvironmentMap>>(std::move(built.levels));
     });
     return result;
@@ -146,7 +150,7 @@ FilterArguments arguments(const py::object& lobe, const std::string& to, int siz
     a.first.target = toLayout(to, size, border);
     a.first.method = *known;
     a.first.tolerance = tolerance;
-    a.first.yaw = yaw * pi / 180.0;
+    a.yawDeg = yaw;
     a.first.knobs.lambda = lambda;
     if (samples)
         a.first.knobs.samples = *samples;
@@ -199,6 +203,8 @@ void bindResult(py::module_& m)
         .def_property_readonly(
             "promised", [](const Filtered& f) { return f.record.unpromised.empty(); }, "whether every level keeps the tolerance")
         .def_property_readonly(
+            "notes", [](const Filtered& f) { return f.record.notes; }, "what of the probe's file a user should know, a clause each")
+        .def_property_readonly(
             "stages", [](const Filtered& f) { return stagesOf(f.record.stages); }, "what was done: dicts of name, seconds, left_out, why")
         .def(
             "write",
@@ -213,22 +219,23 @@ void bindResult(py::module_& m)
             "Writes the levels as `mirrorball filter` does, the same bytes. Returns the paths written.");
 }
 
-/// `prefilter` for one kind of input, which `run` takes.
-template <typename Input, typename Run>
-void bindPrefilter(py::module_& m, const char* input, const char* text, Run&& run)
+/// `prefilter` for one kind of input, which `run` takes; `More` are its own arguments, behind those that all kinds have.
+template <typename Input, typename... More, typename Run>
+void bindPrefilter(py::module_& m, const char* input, const std::string& text, Run&& run)
 {
     m.def(
         "prefilter",
         [run](Input probe, const py::object& lobe, const std::string& to, int size, double yaw, int border, const std::string& method,
               double tolerance, bool mips, const std::optional<std::string>& law, std::optional<int> levels,
-              const std::optional<int>& samples, const std::optional<double>& lambda, int threads, const py::object& progress) {
+              const std::optional<int>& samples, const std::optional<double>& lambda, int threads, const py::object& progress,
+              const More&... more) {
             return run(probe, arguments(lobe, to, size, yaw, border, method, tolerance, mips, law, levels, samples, lambda), threads,
-                       progress);
+                       progress, more...);
         },
         py::arg(input), py::arg("lobe") = py::none(), py::kw_only(), py::arg("to") = "cube", py::arg("size") = 128, py::arg("yaw") = 0.0,
         py::arg("border") = 0, py::arg("method") = "auto", py::arg("tolerance") = 1e-5, py::arg("mips") = false,
         py::arg("law") = py::none(), py::arg("levels") = py::none(), py::arg("samples") = py::none(), py::arg("lambda_") = py::none(),
-        py::arg("threads") = 0, py::arg("progress") = py::none(), text);
+        py::arg("threads") = 0, py::arg("progress") = py::none(), text.c_str());
 }
 
 } // namespace
@@ -251,9 +258,16 @@ void bindFilters(py::module_& m)
             Source once(map);
             return filterSource(once, a, threads, progress);
         });
-    bindPrefilter<std::filesystem::path>(m, "probe", "Filters a probe's file, streamed where it is too large to hold.",
-                                         [](const std::filesystem::path& probe, const FilterArguments& a, int threads,
-                                            const py::object& progress) { return filterFile(probe.string(), a, threads, progress); });
+    bindPrefilter<std::filesystem::path, py::kwargs>(
+        m, "probe",
+        withReadingHelp(
+            "Filters a probe's file, streamed where it is too large to hold; or the file of a spectrum, which takes none of the "
+            "keywords below."),
+        [](const std::filesystem::path& probe, FilterArguments a, int threads, const py::object& progress, const py::kwargs& keywords) {
+            const ReadingAndYaw apart = yawApart(toReading("prefilter", keywords));
+            a.yawDeg += apart.yawDeg;
+            return filterFile(probe.string(), apart.reading, a, threads, progress);
+        });
 }
 
 } // namespace mirrorball::python

@@ -1,5 +1,6 @@
 #include "arrays.h"
 #include "module.h"
+#include "reading.h"
 #include "work.h"
 
 #include "core/base/error.h"
@@ -146,9 +147,9 @@ struct ReadResult {
 };
 
 ReadResult read(const std::filesystem::path& path, const std::optional<std::string>& kind, const std::string& negatives, int threads,
-                const py::object& progress)
+                const py::object& progress, const py::kwargs& reading)
 {
-    ReadProbeOptions options;
+    ReadProbeOptions options{.reading = toReading("read_probe", reading)};
     if (kind)
         options.reading.parameterization = toKind(*kind, "kind");
     if (negatives != "keep" && negatives != "clamp")
@@ -170,10 +171,12 @@ void bindProbe(py::module_& m)
             "certain", [](const ReadResult& r) { return r.probe.certain; }, "False: a guess by shape alone")
         .def_property_readonly(
             "repaired", [](const ReadResult& r) { return describe(r.probe.repaired); },
-            "what was not finite or below 0, and what became of it");
+            "what was not finite or below 0, and what became of it")
+        .def_property_readonly(
+            "notes", [](const ReadResult& r) { return r.probe.notes; }, "what of the file a user should know, a clause each");
     m.def("read_probe", &read, py::arg("path"), py::arg("kind") = py::none(), py::kw_only(), py::arg("negatives") = "keep",
           py::arg("threads") = 0, py::arg("progress") = py::none(),
-          "Reads a probe, a file or builtin:NAME. `kind` says its parameterization where it is not to be found out.");
+          withReadingHelp("Reads a probe, a file or builtin:NAME. `negatives` are kept, or clamped to 0: keep or clamp.").c_str());
 }
 
 std::vector<std::filesystem::path> write(const std::filesystem::path& path, const std::vector<EnvironmentMap>& levels, bool half,

@@ -1,6 +1,7 @@
 #include "arrays.h"
 #include "json_text.h"
 #include "module.h"
+#include "reading.h"
 #include "work.h"
 
 #include "core/base/error.h"
@@ -23,9 +24,9 @@ namespace {
 
 py::object makeReportIn(const std::vector<std::string>& probes, const std::filesystem::path& folder, const std::string& lobes,
                         const std::optional<std::vector<std::string>>& methods, const std::string& to, int size, bool stability, bool quick,
-                        int threads, const py::object& progress)
+                        int threads, const py::object& progress, const py::kwargs& reading)
 {
-    ReportOptions options{.probes = probes};
+    ReportOptions options{.probes = probes, .reading = toReading("report", reading)};
     options.lobes = lobesFromWords(lobes);
     if (methods) {
         options.methods.clear();
@@ -64,26 +65,36 @@ void bindReports(py::module_& m)
         },
         py::arg("map"), py::arg("reference"),
         "Error of a map against a reference of the same layout, weighted by solid angle: a dict of rel_rms, max_abs, median_rel, p99_rel.");
-    m.def("report", &makeReportIn, py::arg("probes"), py::arg("folder"), py::kw_only(), py::arg("lobes") = "phong:50,ggx:0.3,diffuse",
-          py::arg("methods") = py::none(), py::arg("to") = "cube", py::arg("size") = 64, py::arg("stability") = false,
-          py::arg("quick") = false, py::arg("threads") = 0, py::arg("progress") = py::none(),
-          "Measures every method as `mirrorball report` does, writes its files into a folder, and returns report.json without pictures.");
+    m.def(
+        "report", &makeReportIn, py::arg("probes"), py::arg("folder"), py::kw_only(), py::arg("lobes") = "phong:50,ggx:0.3,diffuse",
+        py::arg("methods") = py::none(), py::arg("to") = "cube", py::arg("size") = 64, py::arg("stability") = false,
+        py::arg("quick") = false, py::arg("threads") = 0, py::arg("progress") = py::none(),
+        withReadingHelp(
+            "Measures every method as `mirrorball report` does, writes its files into a folder, and returns report.json without pictures.")
+            .c_str());
     m.def(
         "diagnose",
-        [](const std::string& map, const std::optional<std::string>& probe, int threads, const py::object& progress) {
+        [](const std::string& map, const std::optional<std::string>& probe, const std::optional<std::string>& kind, int threads,
+           const py::object& progress, const py::kwargs& keywords) {
+            const ProbeReading reading = toReading("diagnose", keywords);
+            const std::optional<Parameterization> from = kind ? std::optional(toKind(*kind, "kind")) : std::nullopt;
             return fromJson(diagnosisJson(resultOf(threads, progress, [&](const JobControl& job) {
-                const StoredMap stored = readStoredMap(map, {}, job);
+                const StoredMap stored = readStoredMap(map, from, job);
                 std::optional<EnvironmentMap> truth;
                 if (probe)
-                    truth = readProbe(*probe, {}, job).map;
+                    truth = readProbe(*probe, {.reading = reading}, job).map;
                 Diagnosis diagnosis = diagnose(stored, truth, {}, job);
                 diagnosis.map = map;
                 diagnosis.probe = probe.value_or("");
                 return diagnosis;
             })));
         },
-        py::arg("map"), py::arg("probe") = py::none(), py::kw_only(), py::arg("threads") = 1, py::arg("progress") = py::none(),
-        "What a prefiltered map of anyone is, as `mirrorball doctor --json` tells it.");
+        py::arg("map"), py::arg("probe") = py::none(), py::kw_only(), py::arg("kind") = py::none(), py::arg("threads") = 1,
+        py::arg("progress") = py::none(),
+        withReadingHelp(
+            "What a prefiltered map of anyone is, as `mirrorball doctor --json` tells it. `kind` is the map's; the keywords below are "
+            "about the probe.")
+            .c_str());
 }
 
 } // namespace mirrorball::python

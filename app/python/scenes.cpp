@@ -10,6 +10,7 @@
 #include "core/scene/export.h"
 #include "core/scene/material_presets.h"
 #include "core/scene/scene_file.h"
+#include "core/scene/scene_words.h"
 #include "core/spheremap/document/presets.h"
 
 #include <pybind11/stl.h>
@@ -28,13 +29,7 @@ std::string toText(const py::object& value)
         return value.cast<std::string>();
     if (py::hasattr(value, "__fspath__"))
         return value.attr("__fspath__")().cast<std::string>();
-    const py::cpp_function numpysToo([](const py::object& thing) -> py::object {
-        if (!py::hasattr(thing, "tolist"))
-            throw py::type_error("a field takes numbers, words, lists and dicts, no " +
-                                 py::str(py::type::of(thing).attr("__name__")).cast<std::string>());
-        return thing.attr("tolist")();
-    });
-    return py::module_::import("json").attr("dumps")(value, py::arg("default") = numpysToo).cast<std::string>();
+    return toJsonText(value);
 }
 
 void bindFields(py::class_<Scene>& scene)
@@ -140,13 +135,9 @@ Scene sceneOf(const std::optional<std::filesystem::path>& probe, const std::opti
 {
     Scene scene;
     if (probe)
-        scene.probe.source = probe->string().starts_with("builtin:") ? probe->string() : std::filesystem::absolute(*probe).string();
-    if (material) {
-        const MaterialPreset* preset = findMaterialPreset(*material);
-        if (!preset && material->find_first_of("./\\") == std::string::npos)
-            throw InvalidArgument("material: '" + *material + "' is neither a preset nor a file");
-        scene.material = preset ? preset->material : loadMaterial(*material);
-    }
+        scene.probe.source = probeFromWord(probe->string());
+    if (material)
+        scene.material = materialFromWord("material", *material);
     return scene;
 }
 

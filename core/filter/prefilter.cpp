@@ -7,6 +7,7 @@
 #include "mip_blur.h"
 #include "reference.h"
 #include "sh9.h"
+#include "source_file.h"
 #include "spectral.h"
 
 #include "core/base/error.h"
@@ -302,14 +303,28 @@ PrefilterPlan afterSettling(PrefilterPlan plan, const SettledSpectral& settled, 
     return plan;
 }
 
+/// What to do where the spectrum of a probe that is not held whole does not keep the tolerance. A probe's file was read as far as its lobes
+/// ask for; less of it is what the file of a spectrum has.
+std::string remedyOfStreamed(const PrefilterOptions& options, const ProbeTraits& probe)
+{
+    const int degree = probe.knownBandLimit, needed = streamedBandLimit(options);
+    if (degree >= needed)
+        return "allow a larger one, or make the probe smaller than 33 million texels so that it is read whole; of a spectrum, make it "
+               "again "
+               "with a larger --degree, or with a --bright that takes more of its suns out";
+    const std::string known = "its spectrum goes to degree " + std::to_string(degree);
+    if (needed >= std::min(largestBandLimit, probe.width - 1))
+        return known + ", and no spectrum holds this lobe; allow a larger tolerance, or filter the probe itself";
+    return known + "; make it again with --degree " + std::to_string(needed) + ", or allow a larger tolerance";
+}
+
 std::string cannotKeep(const PrefilterOptions& options, const SettledSpectral& settled, const ProbeTraits& probe)
 {
     std::ostringstream text;
     text.precision(2);
     text << "tolerance: 'spectral' cannot keep " << options.tolerance << " for lobe " << describe(options.lobe) << " (predicted: rel_rms "
          << settled.predicted.relRms << ", median_rel " << settled.predicted.medianRel << ", p99_rel " << settled.predicted.p99Rel << "); "
-         << (probe.streamed ? "allow a larger one, or make the probe smaller than 33 million texels so that it is read whole"
-                            : "use auto, or allow a larger one");
+         << (probe.streamed ? remedyOfStreamed(options, probe) : "use auto, or allow a larger one");
     return text.str();
 }
 
@@ -324,7 +339,9 @@ PrefilterOutcome prefilter(FilterSource& source, const PrefilterOptions& options
         outcome.why = plan.why;
         setPredicted(outcome, plan.predicted, plan.promised);
         if (!source.latlong())
-            throw InvalidArgument("lobe: too narrow to filter a probe that is read row by row; use convert");
+            throw InvalidArgument(
+                "lobe: too narrow to filter a probe that is read row by row, or of which there is a spectrum; use convert on "
+                "the probe itself");
         outcome.stages.push_back({.name = "filter", .leftOut = true, .why = plan.why});
         outcome.map = timedStage(outcome.stages, "resample", [&] {
             return options.lobe.isMirror() ? reproject(*source.latlong(), {.target = options.target, .yaw = options.yaw}, job)

@@ -5,6 +5,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/field_json.h"
+#include "core/base/file_log.h"
 
 #include <algorithm>
 #include <bit>
@@ -271,6 +272,7 @@ SpectrumPart readSpectrum(const std::filesystem::path& path)
     const std::string name = path.string();
     if (!isSpectrumFile(path))
         throw FileError(name, "is no spectrum; make one with mirrorball spectrum PROBE -o FILE");
+    noteRead(path);
     std::ifstream stream(path, std::ios::binary);
     stream.seekg(static_cast<std::streamoff>(firstLine.size()));
     std::string text;

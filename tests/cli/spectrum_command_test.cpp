@@ -48,6 +48,11 @@ TEST(SpectrumCommand, SaysInOneLineWhatIsWrong)
     EXPECT_FAILS(mirrorballRuns("spectrum " + probe + " --degree 20 --rows 5" + out), 2, "--rows: must be A:B");
     EXPECT_FAILS(mirrorballRuns("spectrum --add " + probe + out), 2, "is no spectrum");
     EXPECT_FALSE(std::filesystem::exists(folder / "x.spectrum"));
+    const std::string coarse = (folder / "coarse.spectrum").string();
+    ASSERT_EQ(mirrorballRuns("spectrum " + probe + " --degree 12 -o " + coarse).status, 0);
+    const std::string filter = "filter " + coarse + " --lobe phong --exponent 5 --to cube --size 8 -o " + (folder / "x.exr").string();
+    EXPECT_FAILS(mirrorballRuns(filter), 2, "its spectrum goes to degree 12; make it again with --degree ");
+    EXPECT_FAILS(mirrorballRuns(filter + " --mirror x"), 2, "PROBE: a spectrum knows how its probe was read");
 }
 
 } // namespace

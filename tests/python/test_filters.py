@@ -60,6 +60,31 @@ class Filters(FolderCase):
                 filtered.write(made, half="--half" in options)
                 self.assertEqual(made.read_bytes(), plain.read_bytes(), f"{name} from {other}")
 
+    def test_a_file_is_read_as_the_command_line_reads_it(self):
+        run_program("convert", "builtin:sky", "-o", self.folder / "cube.exr", "--to", "cube", "--size", 16)
+        probe = self.folder / "cube.exr"
+        for name, options, keywords in [
+            ("turned", ["--rotate", "33,10,-5", "--yaw", 20], {"rotate": (33, 10, -5), "yaw": 20}),
+            ("mirrored", ["--mirror", "x", "--from", "cube"], {"mirror": "x", "kind": "cube"}),
+            ("swapped", ["--faces", "nx px py ny pz nz:90", "--color-space", "srgb"],
+             {"faces": "nx px py ny pz nz:90", "color_space": "srgb"}),
+        ]:
+            plain, made = self.folder / f"{name}.exr", self.folder / f"{name}_python.exr"
+            run_program("filter", probe, "-o", plain, "--to", "cube", "--size", 8, "--lobe", "phong", "--exponent", 20, *options)
+            mirrorball.prefilter(probe, "phong:20", to="cube", size=8, **keywords).write(made)
+            self.assertEqual(made.read_bytes(), plain.read_bytes(), name)
+        with self.assertRaises(TypeError):
+            mirrorball.prefilter(uniform(), "phong:20", mirror="x")  # a map is read already
+
+    def test_a_spectrum_is_filtered_as_the_command_line_does(self):
+        run_program("convert", "builtin:sky", "-o", self.folder / "probe.hdr", "--to", "latlong", "--size", 64)
+        whole = self.folder / "whole.spectrum"
+        run_program("spectrum", self.folder / "probe.hdr", "-o", whole, "--degree", 100, "--bright", 20)
+        run_program("filter", whole, "-o", self.folder / "a.exr", "--lobe", "phong", "--exponent", 10, "--to", "cube", "--size", 8,
+                    "--tolerance", 1e-3)
+        mirrorball.prefilter(whole, "phong:10", to="cube", size=8, tolerance=1e-3).write(self.folder / "b.exr")
+        self.assertEqual((self.folder / "a.exr").read_bytes(), (self.folder / "b.exr").read_bytes())
+
     def test_the_result_says_how_it_was_made(self):
         filtered = mirrorball.prefilter(mirrorball.read_probe("builtin:sky").map, "phong:50", size=16, tolerance=1e-3)
         self.assertEqual(filtered.method, "spectral")

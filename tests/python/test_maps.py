@@ -1,6 +1,7 @@
 """Maps as values: layouts, arrays without copies, lookups."""
 
 import math
+import re
 import unittest
 
 import numpy as np
@@ -96,6 +97,45 @@ class Maps(FolderCase):
     def test_files_of_others_are_read(self):
         run_program("convert", "builtin:studio", "-o", self.folder / "picture.png", "--to", "latlong", "--size", 16)
         self.assertEqual(mirrorball.read_probe(self.folder / "picture.png").map.kind, "latlong")
+
+    def test_files_are_read_as_the_keywords_say(self):
+        run_program("convert", "builtin:sky", "-o", self.folder / "probe.exr", "--to", "latlong", "--size", 32)
+        run_program("convert", "builtin:sky", "-o", self.folder / "cube.exr", "--to", "cube", "--size", 16)
+        plain = mirrorball.read_probe(self.folder / "probe.exr").map.texels
+        # A mirrored X swaps left and right of the latlong, whose middle is +Z; a turn by 90 degrees about Y is a quarter of its columns.
+        mirrored = mirrorball.read_probe(self.folder / "probe.exr", mirror="x").map.texels
+        np.testing.assert_allclose(mirrored, plain[:, ::-1], rtol=1e-5)
+        turned = mirrorball.read_probe(self.folder / "probe.exr", rotate=(90, 0, 0)).map
+        for same in ("90,0,0", np.array([90.0, 0.0, 0.0]), (math.cos(math.pi / 4), 0, math.sin(math.pi / 4), 0)):
+            np.testing.assert_allclose(mirrorball.read_probe(self.folder / "probe.exr", rotate=same).map.texels, turned.texels, rtol=1e-4)
+        np.testing.assert_allclose(turned.texels, np.roll(plain, -16, axis=1), rtol=1e-4)
+        # Faces in another order in the file are other directions.
+        cube = mirrorball.read_probe(self.folder / "cube.exr", "cube").map.texels.reshape(6, 16, 16, 3)
+        swapped = mirrorball.read_probe(self.folder / "cube.exr", "cube", faces="nx px py ny pz nz").map.texels.reshape(6, 16, 16, 3)
+        np.testing.assert_array_equal(swapped, cube[[1, 0, 2, 3, 4, 5]])
+        # A part is named by its number or by its name, and there is one alone in this file.
+        np.testing.assert_array_equal(mirrorball.read_probe(self.folder / "probe.exr", part=0).map.texels, plain)
+        with self.assertRaisesRegex(mirrorball.InvalidArgument, "part"):
+            mirrorball.read_probe(self.folder / "probe.exr", part=7)
+        # sRGB values are decoded: IEC 61966-2-1 at values above its straight part.
+        decoded = mirrorball.read_probe(self.folder / "probe.exr", color_space="srgb").map.texels
+        high = (plain > 0.05) & (plain < 1)
+        np.testing.assert_allclose(decoded[high], ((plain[high] + 0.055) / 1.055) ** 2.4, rtol=1e-4)
+
+    def test_keywords_of_reading_are_those_of_scenes_and_of_the_command_line(self):
+        fields = {field["path"].removeprefix("probe.") for field in mirrorball.Scene.fields() if field["path"].startswith("probe.")}
+        fields = (fields - {"source", "yaw", "exposure", "parameterization"}) | {"kind"}
+        with self.assertRaises(TypeError) as caught:
+            mirrorball.read_probe("builtin:sky", layers="beauty")
+        self.assertEqual(set(str(caught.exception).split("is told by ")[1].split(", ")), fields)
+        options = {option.replace("-", "_") for option in re.findall(r"--([a-z-]+)", run_program("info", "--help"))}
+        self.assertLessEqual((fields - {"kind"}) | {"from"}, options)
+        for field in fields:
+            self.assertRegex(mirrorball.read_probe.__doc__, rf"\n  {field}: \w")
+        for keywords, words in [({"mirror": "w"}, "mirror: "), ({"kind": "ball"}, "kind: "),
+                                ({"rotate": (1, 2)}, "rotate: "), ({"fit": 3}, "fit: "), ({"horizontal_angle": 500}, "horizontal_angle: ")]:
+            with self.assertRaisesRegex(mirrorball.InvalidArgument, words):
+                mirrorball.read_probe("builtin:sky", **keywords)
 
     def test_errors_have_the_words_of_the_command_line(self):
         missing = self.folder / "none.hdr"

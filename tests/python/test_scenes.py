@@ -6,7 +6,7 @@ import unittest
 import numpy as np
 
 import mirrorball
-from support import FolderCase, run_program
+from support import FolderCase, error_of_program, run_program
 
 
 class Scenes(FolderCase):
@@ -28,6 +28,12 @@ class Scenes(FolderCase):
         with self.assertRaisesRegex(ValueError, "the scene has no such field"):
             scene["material.shine"]
         self.assertEqual(scene["material.specular.exponent"], 123.5)
+
+    def test_a_material_that_is_none_has_the_words_of_the_command_line(self):
+        with self.assertRaises(ValueError) as caught:
+            mirrorball.Scene("builtin:sky", "glossy")
+        self.assertEqual("--" + str(caught.exception),
+                         error_of_program("render", "--probe", "builtin:sky", "--material", "glossy", "-o", self.folder / "x.png"))
 
     def test_every_field_of_the_list_is_there(self):
         scene = mirrorball.Scene()

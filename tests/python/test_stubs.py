@@ -55,6 +55,13 @@ class Stubs(unittest.TestCase):
                     checked += 1
         self.assertGreater(checked, 60)
 
+    def test_keywords_of_reading_are_those_of_the_module(self):
+        stub = next(node for node in STUBS.body if isinstance(node, ast.ClassDef) and node.name == "_Reading")
+        stubs = {node.target.id for node in stub.body if isinstance(node, ast.AnnAssign)}
+        with self.assertRaises(TypeError) as caught:
+            mirrorball.read_probe("builtin:sky", nothing=1)
+        self.assertEqual(stubs, set(str(caught.exception).split("is told by ")[1].split(", ")))
+
     def test_everything_says_what_it_is(self):
         for name in mirrorball.__all__:
             thing = getattr(mirrorball, name)

@@ -1,7 +1,7 @@
 """Types of the module; its documentation is in the objects themselves and in the guide's page python.md."""
 
 from os import PathLike
-from typing import Any, Callable, Mapping, Sequence, TypedDict
+from typing import Any, Callable, Mapping, Sequence, TypedDict, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,6 +10,22 @@ __version__: str
 
 _Path = str | PathLike[str]
 _Progress = Callable[[float], object] | None
+
+class _Reading(TypedDict, total=False):
+    """How a file is to be read, where it does not tell it itself; see help(mirrorball.read_probe)."""
+
+    kind: str | None
+    part: str
+    layer: str
+    window: str
+    color_space: str
+    fit: str
+    horizontal_angle: float
+    vertical_angle: float
+    beyond: str
+    faces: str
+    mirror: str
+    rotate: str | Sequence[float]
 
 class Error(Exception): ...
 class WorkError(Error): ...
@@ -47,6 +63,8 @@ class Probe:
     def certain(self) -> bool: ...
     @property
     def repaired(self) -> str: ...
+    @property
+    def notes(self) -> list[str]: ...
 
 class Lobe:
     @staticmethod
@@ -92,6 +110,8 @@ class FilteredMap:
     def predicted_p99_rel(self) -> float: ...
     @property
     def promised(self) -> bool: ...
+    @property
+    def notes(self) -> list[str]: ...
     @property
     def stages(self) -> list[_Stage]: ...
     def write(self, path: _Path, *, half: bool = False) -> list[PathLike[str]]: ...
@@ -144,7 +164,7 @@ class Scene:
     ) -> dict[str, Any]: ...
 
 def read_probe(
-    path: _Path, kind: str | None = None, *, negatives: str = "keep", threads: int = 0, progress: _Progress = None
+    path: _Path, kind: str | None = None, *, negatives: str = "keep", threads: int = 0, progress: _Progress = None, **reading: Unpack[_Reading]
 ) -> Probe: ...
 def reproject(
     map: EnvironmentMap, to: str, size: int, *, yaw: float = 0.0, border: int = 0, threads: int = 0, progress: _Progress = None
@@ -167,6 +187,7 @@ def prefilter(
     lambda_: float | None = None,
     threads: int = 0,
     progress: _Progress = None,
+    **reading: Unpack[_Reading],
 ) -> FilteredMap: ...
 def write_map(
     path: _Path,
@@ -188,6 +209,9 @@ def report(
     quick: bool = False,
     threads: int = 0,
     progress: _Progress = None,
+    **reading: Unpack[_Reading],
 ) -> dict[str, Any]: ...
-def diagnose(map: str, probe: str | None = None, *, threads: int = 1, progress: _Progress = None) -> dict[str, Any]: ...
+def diagnose(
+    map: str, probe: str | None = None, *, kind: str | None = None, threads: int = 1, progress: _Progress = None, **reading: Unpack[_Reading]
+) -> dict[str, Any]: ...
 def presets() -> list[dict[str, str]]: ...

@@ -1,6 +1,7 @@
 #include "core/filter/spectrum_file.h"
 
 #include "core/base/error.h"
+#include "core/base/file_log.h"
 #include "core/filter/prefilter.h"
 #include "core/image/image_io.h"
 #include "core/report/error_metrics.h"
@@ -12,6 +13,8 @@
 
 #include <algorithm>
 #include <fstream>
+#include <string>
+#include <string_view>
 
 namespace mirrorball {
 namespace {
@@ -89,6 +92,56 @@ TEST_F(SpectrumFile, FiltersAsItsProbeDoesWithinTheTolerance)
         EXPECT_LE(error.relRms, 1e-3) << describe(lobe);
         EXPECT_LE(error.p99Rel, 5e-3) << describe(lobe);
     }
+}
+
+/// Made again as the message says, it holds the lobe.
+TEST_F(SpectrumFile, ThatDoesNotHoldALobeSaysWhichDegreeWould)
+{
+    const PrefilterOptions options{.lobe = phongLobe(30), .target = {Parameterization::Cube, 16, 0}, .tolerance = 1e-4};
+    const auto ofDegree = [&](int degree) {
+        ProbeFile opened(file.string(), {});
+        return filterSource(probeSpectrum(opened, {.degree = degree, .threshold = 1000.0}));
+    };
+    std::string why;
+    try {
+        FilterSource coarse = ofDegree(12);
+        prefilter(coarse, options);
+    } catch (const InvalidArgument& error) {
+        why = error.what();
+    }
+    constexpr std::string_view remedy = "its spectrum goes to degree 12; make it again with --degree ";
+    ASSERT_NE(why.find(remedy), std::string::npos) << why;
+    const int degree = std::stoi(why.substr(why.find(remedy) + remedy.size()));
+    EXPECT_LE(degree, 127) << "--degree takes no more of this probe";
+    FilterSource fine = ofDegree(degree), whole(probe);
+    PrefilterOptions exact = options;
+    exact.method = Method::Reference;
+    EXPECT_LE(errorMetrics(prefilter(fine, options).map, prefilter(whole, exact).map).relRms, 1e-4);
+}
+
+TEST_F(SpectrumFile, NamesTheProbeItselfForWhatNoSpectrumHolds)
+{
+    FilterSource source = filterSource(part(0, 64));
+    const auto words = [&](const Lobe& lobe, Method method = Method::Auto) {
+        try {
+            prefilter(source, {.lobe = lobe, .target = {Parameterization::Cube, 8, 0}, .method = method, .tolerance = 1e-5});
+        } catch (const InvalidArgument& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_THAT(words(phongLobe(600)), HasSubstr("no spectrum holds this lobe; allow a larger tolerance, or filter the probe itself"));
+    EXPECT_THAT(words(ggxLobe(0.0)), HasSubstr("too narrow to filter"));
+    EXPECT_THAT(words(phongLobe(5), Method::Direct), HasSubstr("needs the whole probe in memory; use auto or spectral"));
+}
+
+TEST_F(SpectrumFile, IsAFileThatARecipeNames)
+{
+    writeSpectrum(path, part(0, 64));
+    const FileLog log;
+    readSpectrum(path);
+    ASSERT_EQ(log.read().size(), 1u);
+    EXPECT_EQ(log.read().front().path, std::filesystem::absolute(path));
 }
 
 TEST_F(SpectrumFile, DoesNotDependOnTheOrderOfItsParts)
