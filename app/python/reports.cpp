@@ -79,7 +79,7 @@ void bindReports(py::module_& m)
             const ProbeReading reading = toReading("diagnose", keywords);
             const std::optional<Parameterization> from = kind ? std::optional(toKind(*kind, "kind")) : std::nullopt;
             return fromJson(diagnosisJson(resultOf(threads, progress, [&](const JobControl& job) {
-                const StoredMap stored = readStoredMap(map, from, job);
+                const StoredMap stored = readStoredMap(map, {.from = from}, job);
                 std::optional<EnvironmentMap> truth;
                 if (probe)
                     truth = readProbe(*probe, {.reading = reading}, job).map;
