@@ -5,10 +5,9 @@
 #include "core/doctor/diagnosis.h"
 #include "core/image/map_file.h"
 
-#include <array>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
-#include <utility>
 
 namespace mirrorball::cli {
 
@@ -23,11 +22,10 @@ struct Options {
 
 std::optional<PackedColor> packedForm(const std::string& word)
 {
-    constexpr std::array<std::pair<std::string_view, PackedColor>, 4> forms{
-        {{"rgbe", PackedColor::Rgbe}, {"rgbm", PackedColor::Rgbm}, {"rgbd", PackedColor::Rgbd}, {"rgbp", PackedColor::Rgbp}}};
-    for (const auto& [name, form] : forms)
-        if (name == word)
-            return form;
+    const auto forms = words(PackedColor{});
+    const auto found = std::find(forms.begin(), forms.end(), word);
+    if (found != forms.end())
+        return static_cast<PackedColor>(found - forms.begin());
     if (!word.empty())
         throw InvalidArgument("--encode: '" + word + "' is none; choose rgbe, rgbm, rgbd or rgbp, or leave it out");
     return {};

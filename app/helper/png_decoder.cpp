@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/wire.h"
 #include "core/image/container/packed_texel.h"
+#include "core/image/container/png_failure.h"
 #include "core/image/input_checks.h"
 
 #include <png.h>
@@ -17,19 +18,7 @@
 namespace mirrorball::helper {
 namespace {
 
-/// What libpng said when it gave up; it leaves by longjmp, over no object with a destructor.
-struct Failure {
-    std::array<char, 160> message{};
-};
-
-void onError(png_structp png, png_const_charp message)
-{
-    auto* failure = static_cast<Failure*>(png_get_error_ptr(png));
-    std::strncpy(failure->message.data(), message, failure->message.size() - 1);
-    png_longjmp(png, 1);
-}
-
-void onWarning(png_structp, png_const_charp) {}
+using png::Failure;
 
 void take(png_structp png, png_bytep bytes, png_size_t count)
 {
@@ -92,7 +81,7 @@ void servePng(const Received& request, Connection& connection)
     WireReader(request.bytes) >> largestTexels >> bytes;
     Reading reading;
     reading.rest = bytes;
-    reading.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reading.failure, onError, onWarning);
+    reading.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reading.failure, png::onError, png::onWarning);
     reading.info = reading.png != nullptr ? png_create_info_struct(reading.png) : nullptr;
     if (reading.info == nullptr)
         throw WorkError("libpng cannot be started; there may be too little memory");

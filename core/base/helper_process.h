@@ -21,6 +21,13 @@ enum class HelperWork {
     Pngs, ///< pictures inside of other files
 };
 
+/// How many times as long the helper takes under AddressSanitizer or ThreadSanitizer, which it then runs under too.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr double helperSlowdown = 20.0;
+#else
+inline constexpr double helperSlowdown = 1.0;
+#endif
+
 /// What the helper may spend on one file.
 struct HelperLimits {
     double seconds = 1.0;           ///< processor time; on the clock it may take 20 times that and half a minute

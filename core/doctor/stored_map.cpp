@@ -7,6 +7,7 @@
 #include "core/image/container/png_codec.h"
 #include "core/image/image_io.h"
 #include "core/image/layout_detection.h"
+#include "core/image/lookup.h"
 
 #include <algorithm>
 #include <array>
@@ -55,20 +56,7 @@ struct Picture {
     Image image{};
 };
 
-std::string_view wordOf(PackedColor form)
-{
-    switch (form) {
-    case PackedColor::Rgbe:
-        return "rgbe";
-    case PackedColor::Rgbm:
-        return "rgbm";
-    case PackedColor::Rgbd:
-        return "rgbd";
-    case PackedColor::Rgbp:
-        return "rgbp";
-    }
-    return {};
-}
+std::string_view wordOf(PackedColor form) { return words(form)[static_cast<size_t>(form)]; }
 
 /// A .png picture whose alpha multiplies its colours, as radiance.
 Picture packedPicture(const std::filesystem::path& path, PackedColor form)
@@ -105,7 +93,7 @@ Picture pictureOf(const std::filesystem::path& path, const StoredMapReading& rea
 }
 
 /// A rectangle of an atlas as a latlong: its inner texels, which run around and end at the poles, at the centres of one that is twice as
-/// wide as high; by Keys' cubic (lookup.h), held within the range of the four nearest.
+/// wide as high; by Keys' cubic, held within the range of the four nearest.
 Image latlongOf(const Image& atlas, const play_canvas_atlas::Rectangle& r)
 {
     const int width = r.width - 2, height = r.height - 2; // without the border
@@ -113,22 +101,18 @@ Image latlongOf(const Image& atlas, const play_canvas_atlas::Rectangle& r)
     const auto texel = [&](int i, int j) {
         return atlas.texel(r.x + 1 + (i % width + width) % width, r.y + 1 + std::clamp(j, 0, height - 1));
     };
-    const auto weights = [](double t) { // of the four around, a = -1/2
-        return std::array{((2.0 - t) * t - 1.0) * t / 2.0, ((3.0 * t - 5.0) * t * t + 2.0) / 2.0, ((4.0 - 3.0 * t) * t + 1.0) * t / 2.0,
-                          (t - 1.0) * t * t / 2.0};
-    };
     for (int y = 0; y < latlong.height; ++y)
         for (int x = 0; x < latlong.width; ++x) {
             const double u = (x + 0.5) / latlong.width * width - 0.5, v = (y + 0.5) / latlong.height * height - 0.5;
             const int i = static_cast<int>(std::floor(u)), j = static_cast<int>(std::floor(v));
-            const auto across = weights(u - i), down = weights(v - j);
+            const auto across = keysWeights(u - i), down = keysWeights(v - j);
             for (int c = 0; c < 3; ++c) {
-                double sum = 0.0;
+                float sum = 0.0f;
                 for (int dj = 0; dj < 4; ++dj)
                     for (int di = 0; di < 4; ++di)
                         sum += across[static_cast<size_t>(di)] * down[static_cast<size_t>(dj)] * texel(i + di - 1, j + dj - 1)[c];
                 const auto [least, most] = std::minmax({texel(i, j)[c], texel(i + 1, j)[c], texel(i, j + 1)[c], texel(i + 1, j + 1)[c]});
-                latlong.texel(x, y)[c] = std::clamp(static_cast<float>(sum), least, most);
+                latlong.texel(x, y)[c] = std::clamp(sum, least, most);
             }
         }
     return latlong;

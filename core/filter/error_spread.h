@@ -14,11 +14,13 @@ namespace mirrorball {
 
 /// Median and 99th percentile of the error, over some hundred directions r of a probe. The error at r is taken to be
 ///
-///   b(r) + s sqrt(v(r)) g,    b = sum over the texels of L (h - k)(r.d),    v = sum of D h(r.d),    g normal
+///   b(r) + s sqrt(v(r)) g,    b = sum over the texels of L (h - k)(r.d),    v = sum of D q(r.d),    g normal
 ///
-/// what is systematic being the probe seen through the difference of the kernels, and the rest as large as the light under the method's
-/// kernel h has detail D: the mean square of what texels and their slopes do not tell, since lookups between texels get slopes right. s
-/// makes the root mean square of the whole relRms. Sums run over the probe averaged down to texels as wide as the lobe.
+/// what is systematic being the probe seen through the difference of the kernels, and the rest as large as the light nearby has detail D:
+/// the mean square of what texels and their slopes do not tell, since lookups between texels get slopes right. q, of integral 1, says from
+/// how far away: it falls like h^2 where the method reads blurred levels, like h^1.5 where it takes samples, and else as the square of
+/// TransferModel::felt. s makes the root mean square of the whole relRms. Sums run over the probe averaged down to texels as wide as the
+/// lobe.
 /// @param model  without coefficients: nothing is systematic
 /// @throws Cancelled
 PredictedErrors spreadErrors(const EnvironmentMap& latlong, const Spectrum& spectrum, const Lobe& lobe, const TransferModel& model,

@@ -3,11 +3,14 @@
 #include "spectral.h"
 
 #include "core/base/error.h"
+#include "core/base/weighted_quantiles.h"
 #include "core/image/reproject.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace mirrorball {
 
@@ -44,31 +47,21 @@ double differenceAtTexels(const EnvironmentMap& original, const EnvironmentMap& 
 /// The value that half a per cent of the sphere's is below, over all channels, relative to their mean; over a part of the texels.
 double darkShare(const EnvironmentMap& latlong)
 {
-    struct Value {
-        float value;
-        double weight;
-    };
-    std::vector<Value> values;
+    std::vector<WeightedValue> values;
     const int step = std::max(1, latlong.image.height / 64);
     double mean = 0.0, total = 0.0;
     for (int y = step / 2; y < latlong.image.height; y += step) {
         const double weight = texelSolidAngle(latlong.layout, 0, y);
         for (int x = step / 2; x < latlong.image.width; x += step)
             for (int c = 0; c < 3; ++c) {
-                const float value = latlong.image.texel(x, y)[c];
+                const double value = latlong.image.texel(x, y)[c];
                 values.push_back({value, weight});
-                mean += weight * static_cast<double>(value);
+                mean += weight * value;
                 total += weight;
             }
     }
-    std::sort(values.begin(), values.end(), [](const Value& a, const Value& b) { return a.value < b.value; });
-    double passed = 0.0;
-    for (const Value& v : values) {
-        passed += v.weight;
-        if (passed >= 0.005 * total)
-            return mean > 0.0 ? std::clamp(static_cast<double>(v.value) * total / mean, 0.0, 1.0) : 1.0;
-    }
-    return 1.0;
+    const auto [dark] = weightedQuantiles(std::move(values), std::array{0.005});
+    return mean > 0.0 ? std::clamp(dark * total / mean, 0.0, 1.0) : 1.0;
 }
 
 } // namespace

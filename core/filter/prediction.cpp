@@ -153,11 +153,6 @@ TransferModel importanceModel(const PrefilterOptions& options, const ProbeTraits
     return model;
 }
 
-double transferError(const TransferModel& model, const ProbeTraits& probe)
-{
-    return model.relRms(power(probe.spectrum, static_cast<int>(model.k.size()) - 1, largestPower));
-}
-
 /// What the spectral method is expected to do before the probe has been looked at for this lobe: a usual probe's power, or its own as far
 /// as it is known. settleSpectral() tells better.
 BandLimitPlan expectedSpectral(const PrefilterOptions& options, const ProbeTraits& probe)
@@ -286,6 +281,11 @@ TransferModel transferModel(Method method, const PrefilterOptions& options, cons
         break;
     }
     return {};
+}
+
+double transferError(const TransferModel& model, const ProbeTraits& probe)
+{
+    return model.relRms(power(probe.spectrum, static_cast<int>(model.k.size()) - 1, largestPower));
 }
 
 double predictedError(Method method, const PrefilterOptions& options, const ProbeTraits& probe)

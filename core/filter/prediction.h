@@ -52,6 +52,9 @@ int predictedBandLimit(Method method, const PrefilterOptions& options);
 /// What importance, mip, paraboloid and sh9 put in the lobe's place; without coefficients for the others.
 TransferModel transferModel(Method method, const PrefilterOptions& options, const ProbeTraits& probe);
 
+/// rel_rms of such a model over the probe's spectrum, or where that is not known over one that is all sun.
+double transferError(const TransferModel& model, const ProbeTraits& probe);
+
 /// All of what is predicted of an error; relRms as predictedError().
 PredictedErrors predictedErrors(Method method, const PrefilterOptions& options, const ProbeTraits& probe);
 

@@ -310,8 +310,7 @@ std::string remedyOfStreamed(const PrefilterOptions& options, const ProbeTraits&
     const int degree = probe.knownBandLimit, needed = streamedBandLimit(options);
     if (degree >= needed)
         return "allow a larger one, or make the probe smaller than 33 million texels so that it is read whole; of a spectrum, make it "
-               "again "
-               "with a larger --degree, or with a --bright that takes more of its suns out";
+               "again with a larger --degree, or with a --bright that takes more of its suns out";
     const std::string known = "its spectrum goes to degree " + std::to_string(degree);
     if (needed >= std::min(largestBandLimit, probe.width - 1))
         return known + ", and no spectrum holds this lobe; allow a larger tolerance, or filter the probe itself";
@@ -385,8 +384,8 @@ PredictedErrors informedErrors(const PrefilterOutcome& outcome, const PrefilterO
     constexpr int enough = 256; // beyond it a spectrum goes on at the level of its last degrees
     const Spectrum& spectrum = source.spectrum(enough, job);
     const ProbeTraits probe = traits(source);
-    return spreadErrors(*source.latlong(), spectrum, options.lobe, transferModel(method, options, probe),
-                        predictedError(method, options, probe), job);
+    const TransferModel model = transferModel(method, options, probe);
+    return spreadErrors(*source.latlong(), spectrum, options.lobe, model, transferError(model, probe), job);
 }
 
 std::string unpromisedText(const PrefilterOptions& options, const PrefilterOutcome& outcome)

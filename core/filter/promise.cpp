@@ -1,9 +1,13 @@
 #include "promise.h"
 
+#include "core/base/weighted_quantiles.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace mirrorball {
 
@@ -100,32 +104,14 @@ double ValueDistribution::floor() const { return std::max(1e-6 * std::abs(mean()
 
 ValueDistribution::Quantiles ValueDistribution::quantiles(const glm::dvec3& rms) const
 {
-    struct Weighted {
-        double ratio, weight;
-    };
-    std::vector<Weighted> ratios;
+    std::vector<WeightedValue> ratios;
     ratios.reserve(3 * m_values.size());
     const double least = floor();
     for (const Value& v : m_values)
         for (int c = 0; c < 3; ++c)
             ratios.push_back({rms[c] / std::max(v.rgb[c], least), v.weight});
-    std::sort(ratios.begin(), ratios.end(), [](const Weighted& a, const Weighted& b) { return a.ratio < b.ratio; });
-    Quantiles found{-1.0, -1.0, -1.0};
-    double passed = 0.0;
-    for (const Weighted& r : ratios) {
-        passed += r.weight / (3.0 * m_weight);
-        if (found.bright < 0.0 && passed >= 1.0 - tailShare)
-            found.bright = r.ratio;
-        if (found.middle < 0.0 && passed >= 0.5)
-            found.middle = r.ratio;
-        if (found.dark < 0.0 && passed >= tailShare)
-            found.dark = r.ratio;
-    }
-    const double last = ratios.empty() ? 0.0 : ratios.back().ratio; // where rounding keeps the sum from getting there
-    for (double* q : {&found.bright, &found.middle, &found.dark})
-        if (*q < 0.0)
-            *q = last;
-    return found;
+    const auto [bright, middle, dark] = weightedQuantiles(std::move(ratios), std::array{1.0 - tailShare, 0.5, tailShare});
+    return {bright, middle, dark};
 }
 
 PredictedErrors ValueDistribution::errors(const glm::dvec3& rms) const

@@ -15,7 +15,8 @@ struct TransferModel {
         double share, variance;
     };
     std::vector<Blur> blurs{};
-    /// Coefficients of a kernel whose square tells from how far away a texel is felt where the method errs; empty: from as far as h.
+    /// Coefficients of a kernel whose square tells from how far away a texel is felt where the method errs; empty:
+    /// from as far as h reaches.
     std::vector<double> felt{};
 
     /// rel_rms: sqrt(sum p_l (bias_l^2 + scatter_l) / sum p_l k_l^2).

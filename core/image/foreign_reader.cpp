@@ -13,12 +13,7 @@ namespace {
 HelperLimits limitsFor(std::uintmax_t fileBytes)
 {
     constexpr std::uintmax_t mib = std::uintmax_t{1} << 20;
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    constexpr double slower = 20.0;
-#else
-    constexpr double slower = 1.0;
-#endif
-    return {.seconds = slower * std::min(600.0, 1.2 + static_cast<double>(fileBytes) / static_cast<double>(mib)),
+    return {.seconds = helperSlowdown * std::min(600.0, 1.2 + static_cast<double>(fileBytes) / static_cast<double>(mib)),
             .memoryBytes = std::min(6144 * mib, 384 * mib + 64 * fileBytes)};
 }
 

@@ -12,14 +12,13 @@
 
 namespace mirrorball {
 
-namespace {
-
-/// Weights of the texels at -1, 0, 1, 2 from the one at or before the position.
 std::array<float, 4> keysWeights(double f)
 {
     return {static_cast<float>(f * (f * (1.0 - 0.5 * f) - 0.5)), static_cast<float>(1.0 + f * f * (1.5 * f - 2.5)),
             static_cast<float>(f * (0.5 + f * (2.0 - 1.5 * f))), static_cast<float>(0.5 * f * f * (f - 1.0))};
 }
+
+namespace {
 
 /// Whether all 4 x 4 texels from (x, y) on lie in the chart of `at` and hold radiance.
 bool fits(const MapLayout& layout, Texel at, int x, int y)

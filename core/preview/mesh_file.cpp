@@ -106,12 +106,8 @@ namespace {
 HelperLimits helperLimits(std::uintmax_t fileBytes, const MeshLimits& limits)
 {
     constexpr std::uintmax_t mib = std::uintmax_t{1} << 20;
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    constexpr double slower = 20.0;
-#else
-    constexpr double slower = 1.0;
-#endif
-    return {.seconds = slower * std::min<double>(limits.seconds, 1.4 + 5.0 * static_cast<double>(fileBytes) / static_cast<double>(mib)),
+    return {.seconds =
+                helperSlowdown * std::min<double>(limits.seconds, 1.4 + 5.0 * static_cast<double>(fileBytes) / static_cast<double>(mib)),
             .memoryBytes = std::min(limits.memoryBytes, 512 * mib + 64 * fileBytes)};
 }
 

@@ -1,10 +1,13 @@
 #include "error_metrics.h"
 
 #include "core/base/error.h"
+#include "core/base/weighted_quantiles.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace mirrorball {
@@ -12,9 +15,6 @@ namespace mirrorball {
 ErrorMetrics errorMetrics(std::span<const glm::dvec3> values, std::span<const glm::dvec3> reference, std::span<const double> solidAngles)
 {
     assert(values.size() == reference.size() && (solidAngles.empty() || solidAngles.size() == values.size()));
-    struct Weighted {
-        double error, weight;
-    };
     double differencePower = 0.0, referencePower = 0.0, mean = 0.0, total = 0.0, largest = 0.0;
     for (size_t i = 0; i < values.size(); ++i) {
         const double w = solidAngles.empty() ? 1.0 : solidAngles[i];
@@ -36,23 +36,14 @@ ErrorMetrics errorMetrics(std::span<const glm::dvec3> values, std::span<const gl
                 .p99Rel = largest > 0.0 ? HUGE_VAL : 0.0};
     mean /= total;
 
-    std::vector<Weighted> relative;
+    std::vector<WeightedValue> relative;
     for (size_t i = 0; i < values.size(); ++i) {
         const double w = solidAngles.empty() ? 1.0 : solidAngles[i];
         if (w > 0.0)
             for (int c = 0; c < 3; ++c)
                 relative.push_back({std::abs(values[i][c] - reference[i][c]) / std::max(reference[i][c], 1e-6 * std::abs(mean)), w});
     }
-    std::sort(relative.begin(), relative.end(), [](const Weighted& a, const Weighted& b) { return a.error < b.error; });
-    double passed = 0.0, median = -1.0, p99 = 0.0;
-    for (const Weighted& r : relative) {
-        p99 = r.error;
-        passed += r.weight;
-        if (median < 0.0 && passed >= 0.5 * total)
-            median = r.error;
-        if (passed >= 0.99 * total)
-            break;
-    }
+    const auto [median, p99] = weightedQuantiles(std::move(relative), std::array{0.5, 0.99});
     return {.relRms = std::sqrt(differencePower / referencePower),
             .maxAbs = largest / std::sqrt(referencePower / total),
             .medianRel = median,

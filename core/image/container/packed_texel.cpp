@@ -136,6 +136,12 @@ float largestValue(PackedColor form)
     }
 }
 
+std::span<const std::string_view> words(PackedColor)
+{
+    static constexpr std::array<std::string_view, 4> all{"rgbe", "rgbm", "rgbd", "rgbp"};
+    return all;
+}
+
 Rgba8 packColor(PackedColor form, const glm::vec3& rgb)
 {
     if (form == PackedColor::Rgbe)

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
+#include <string_view>
 
 /// How radiance is packed into few bits: floats with few bits, floats that share an exponent, and 8-bit colours with a multiplier in
 /// alpha. Every encoder takes any number: NaN and negative values become 0, values out of range the largest one.
@@ -30,6 +32,7 @@ using Rgba8 = std::array<std::uint8_t, 4>; ///< straight alpha
 ///   Rgbd  (rgb^2.2) / m                    Babylon.js; range 255, at most 255 / 1
 ///   Rgbp  ((8 - 7 m) rgb)^2                PlayCanvas; range 64
 enum class PackedColor { Rgbe, Rgbm, Rgbd, Rgbp };
+std::span<const std::string_view> words(PackedColor); // rgbe rgbm rgbd rgbp
 
 Rgba8 packColor(PackedColor form, const glm::vec3& rgb);
 glm::vec3 unpackColor(PackedColor form, const Rgba8& texel);

@@ -1,5 +1,7 @@
 #include "png_codec.h"
 
+#include "png_failure.h"
+
 #include "core/base/error.h"
 #include "core/base/helper_process.h"
 #include "core/base/wire.h"
@@ -14,26 +16,6 @@
 namespace mirrorball::png {
 
 namespace {
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr double slower = 20.0;
-#else
-constexpr double slower = 1.0;
-#endif
-
-/// What libpng said when it gave up; it leaves by longjmp, over no object with a destructor.
-struct Failure {
-    std::array<char, 160> message{};
-};
-
-void onError(png_structp png, png_const_charp message)
-{
-    auto* failure = static_cast<Failure*>(png_get_error_ptr(png));
-    std::strncpy(failure->message.data(), message, failure->message.size() - 1);
-    png_longjmp(png, 1);
-}
-
-void onWarning(png_structp, png_const_charp) {}
 
 void append(png_structp png, png_bytep bytes, png_size_t count)
 {
@@ -101,7 +83,7 @@ Picture decode(std::string_view bytes, const std::string& name, long long larges
 {
     constexpr std::uintmax_t mib = std::uintmax_t{1} << 20;
     const auto texelBytes = sizeof(Rgba8) * static_cast<std::uintmax_t>(largestTexels);
-    const HelperLimits limits{.seconds = slower * (1.0 + static_cast<double>(texelBytes) / static_cast<double>(32 * mib)),
+    const HelperLimits limits{.seconds = helperSlowdown * (1.0 + static_cast<double>(texelBytes) / static_cast<double>(32 * mib)),
                               .memoryBytes = 64 * mib + 3 * texelBytes + 2 * bytes.size()}; // texels, the answer, and some to spare
     WireWriter request;
     request << largestTexels << bytes;

@@ -1,20 +1,10 @@
 import * as pc from 'playcanvas';
+import { application, latlong, ownAtlas } from './playcanvas_latlong.js';
 
 export async function open({ canvas, folder, name, size, own }) {
-  const app = new pc.Application(canvas, { graphicsDeviceOptions: { antialias: false } });
-  app.autoRender = false;
-  app.start();
+  const app = application(canvas);
   if (own) {
-    const asset = new pc.Asset('latlong', 'texture', { url: `${folder}/${own}` }, { mipmaps: false, projection: 'equirect' });
-    await new Promise((resolve, reject) => {
-      asset.on('load', resolve);
-      asset.on('error', reject);
-      app.assets.add(asset);
-      app.assets.load(asset);
-    });
-    asset.resource.projection = pc.TEXTUREPROJECTION_EQUIRECT;
-    const lighting = pc.EnvLighting.generateLightingSource(asset.resource);
-    app.scene.envAtlas = pc.EnvLighting.generateAtlas(lighting);
+    app.scene.envAtlas = ownAtlas(await latlong(app, `${folder}/${own}`));
   } else {
     await (await import(`${folder}/${name}_playcanvas.js`)).addLight(app, folder + '/');
   }

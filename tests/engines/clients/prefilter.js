@@ -57,19 +57,9 @@ const own = {
 
 async function playCanvas({ canvas, url }) {
   const pc = await import('playcanvas');
-  const app = new pc.Application(canvas, { graphicsDeviceOptions: { antialias: false } });
-  app.autoRender = false;
-  app.start();
-  const asset = new pc.Asset('latlong', 'texture', { url }, { mipmaps: false, projection: 'equirect' });
-  await new Promise((resolve, reject) => {
-    asset.on('load', resolve);
-    asset.on('error', reject);
-    app.assets.add(asset);
-    app.assets.load(asset);
-  });
-  asset.resource.projection = pc.TEXTUREPROJECTION_EQUIRECT;
-  const start = performance.now();
-  const atlas = pc.EnvLighting.generateAtlas(pc.EnvLighting.generateLightingSource(asset.resource));
+  const { application, latlong, ownAtlas } = await import('./playcanvas_latlong.js');
+  const texture = await latlong(application(canvas), url), start = performance.now();
+  const atlas = ownAtlas(texture);
   const bytes = await atlas.read(0, 0, atlas.width, atlas.height, { immediate: true });
   const milliseconds = performance.now() - start;
   if (atlas.type !== pc.TEXTURETYPE_RGBP || bytes.length !== 4 * atlas.width * atlas.height)
