@@ -62,6 +62,7 @@ void ValueDistribution::add(const glm::dvec3& value, double weight)
 {
     if (weight <= 0.0)
         return;
+    m_rms.reset();
     const double least = std::min({value.r, value.g, value.b});
     m_least = m_values.empty() ? least : std::min(m_least, least);
     m_values.push_back({value, weight});
@@ -91,13 +92,15 @@ double ValueDistribution::rms() const
 {
     if (m_weight <= 0.0)
         return 0.0;
+    if (m_rms)
+        return *m_rms;
     const double bright = 1.0 / quantiles(glm::dvec3(1.0)).bright;
     double squares = 0.0;
     for (const Value& v : m_values) {
         const glm::dvec3 rgb = glm::min(v.rgb, glm::dvec3(bright));
         squares += v.weight * glm::dot(rgb, rgb) / 3.0;
     }
-    return std::sqrt(squares / m_weight);
+    return *(m_rms = std::sqrt(squares / m_weight));
 }
 
 double ValueDistribution::floor() const { return std::max(1e-6 * std::abs(mean()), std::numeric_limits<double>::min()); }

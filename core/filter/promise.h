@@ -6,6 +6,7 @@
 
 #include <glm/glm.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -78,6 +79,7 @@ private:
     };
     std::vector<Value> m_values{};
     double m_weight = 0.0, m_sum = 0.0, m_least = 0.0;
+    mutable std::optional<double> m_rms{}; ///< found by the first rms(), which planning asks for again and again
 };
 
 } // namespace mirrorball

@@ -165,11 +165,10 @@ RingGrid::RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int r
     }
     const int normLimit = zonalNormLimit(spectrum, factors);
     m_zonal = poleToPole(spectrum, factors, normLimit);
-    m_zonalBeyond.assign(m_zonal.size(), 0.0);
     if (normLimit >= static_cast<int>(k.size())) { // most norms end within the band limit
         const std::vector<double> within = poleToPole(spectrum, k, normLimit);
         for (size_t i = 0; i < within.size(); ++i)
-            m_zonalBeyond[i] = m_zonal[i] - within[i];
+            m_zonalBeyond.push_back(m_zonal[i] - within[i]);
     }
     for (double& value : m_zonal)
         value -= 1.0;
@@ -250,14 +249,18 @@ void RingGrid::read(std::span<const SpherePoint> points, float* rgbn) const
         // Lagrange's cubic through the four places about it.
         const std::array<double, 4> w{-t * (t - 1.0) * (t - 2.0) / 6.0, (t + 1.0) * (t - 1.0) * (t - 2.0) / 2.0,
                                       -(t + 1.0) * t * (t - 2.0) / 2.0, (t + 1.0) * t * (t - 1.0) / 6.0};
-        double zonal = 0.0, beyond = 0.0;
-        for (size_t j = 0; j < w.size(); ++j) {
-            zonal += w[j] * m_zonal[i + j];
-            beyond += w[j] * m_zonalBeyond[i + j];
+        const auto between = [&](const std::vector<double>& line) {
+            double sum = 0.0;
+            for (size_t j = 0; j < w.size(); ++j)
+                sum += w[j] * line[i + j];
+            return sum;
+        };
+        if (!m_zonalBeyond.empty()) {
+            const double beyond = between(m_zonalBeyond);
+            for (int c = 0; c < 3; ++c)
+                rgbn[c] = static_cast<float>(rgbn[c] + m_mean[c] * beyond);
         }
-        for (int c = 0; c < 3; ++c)
-            rgbn[c] = static_cast<float>(rgbn[c] + m_mean[c] * beyond);
-        rgbn[3] += static_cast<float>(zonal);
+        rgbn[3] += static_cast<float>(between(m_zonal));
         rgbn += 4;
     }
 }

@@ -49,7 +49,7 @@ private:
     std::vector<float>
         m_texels; ///< spline coefficients of RGB and what of the norm is not zonal, with a halo so that no tap needs wrapping
     /// From pole to pole and one place beyond either: the zonal norm less 1, and that part of it that lies beyond the rings' band limit,
-    /// which the numerators of RGB have times the mean.
+    /// which the numerators of RGB have times the mean; empty where none does.
     std::vector<double> m_zonal, m_zonalBeyond;
     glm::dvec3 m_mean{0.0};
 };
