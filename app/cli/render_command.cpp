@@ -9,6 +9,7 @@
 #include "core/scene/scene_file.h"
 #include "core/scene/scene_maps.h"
 #include "core/scene/scene_words.h"
+#include "core/shading/brdf_file.h"
 
 #include <algorithm>
 #include <array>
@@ -51,6 +52,8 @@ constexpr std::array fieldOptions{
     FieldOption{"--roughness", "material.specular.roughness", "material.specular.lobe", "ggx"},
     FieldOption{"--ior", "material.fresnel.index", "material.fresnel.kind", "dielectric"},
     FieldOption{"--metal", "material.fresnel.metal", "material.fresnel.kind", "conductor"},
+    FieldOption{"--brdf", "material.brdf.model"},
+    FieldOption{"--lookups", "material.brdf.lookups"},
     FieldOption{"--combine", "material.combine"},
     FieldOption{"--lambda", "material.lambda"},
     FieldOption{"--lambda-grazing", "material.lambda_grazing"},
@@ -140,8 +143,9 @@ Scene makeScene(const Options& o)
         setCamera(scene, o.camera);
     for (const FieldOption& option : fieldOptions)
         if (const auto given = o.fields.find(option.flag); given != o.fields.end() && !given->second.empty()) {
-            const bool isFile = std::string_view(option.flag) == "--sphere-map" && isSphereMapFile(given->second);
-            if (std::string_view(option.flag) == "--rotate") {
+            const std::string_view flag = option.flag;
+            const bool isFile = (flag == "--sphere-map" && isSphereMapFile(given->second)) || (flag == "--brdf" && isBrdfFile(given->second));
+            if (flag == "--rotate") {
                 scene.probe.reading.rotateDeg = parseRotation(option.flag, given->second);
                 continue;
             }

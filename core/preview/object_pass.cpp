@@ -116,6 +116,7 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
         addMapDefines(defines, "SPECULAR", specular.update(maps.specular, format, "specular"));
         defines.emplace_back("SPECULAR_ANISOTROPY", number(material.anisotropy));
     }
+    defines.emplace_back("BRDF_LOOKUPS", needed.specular ? number(material.brdfLookups) : "0");
     if (needed.diffuse)
         addMapDefines(defines, "DIFFUSE", diffuse.update(maps.diffuse, format, "diffuse"));
 
@@ -124,6 +125,11 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
     if (needed.specular) {
         bindMap(shader, "specular", 0, *specular.texture(), mapRotation(settings), material.lodBias);
         shader.set("specularColor", material.specular);
+        if (material.brdfLookups > 0) {
+            brdfLookups.update(maps.brdfLookups);
+            brdfLookups.bind(7);
+            shader.set("brdfTable", 7);
+        }
         shader.set("lambda", material.lambda);
         shader.set("lambdaGrazing", material.lambdaGrazing);
     }

@@ -2,6 +2,7 @@
 
 #include "bound_map.h"
 #include "display_tables.h"
+#include "lookup_texture.h"
 #include "mesh_buffer.h"
 #include "render_target.h"
 #include "renderer.h"
@@ -19,6 +20,7 @@ struct Renderer::Resources {
     TexelFormat format;
     GlObject emptyVertexArray;
     BoundMap specular{}, diffuse{}, background{};
+    LookupTexture brdfLookups{};
     SphereMapTexture sphereMaps[3]{};
     ProgramCache programs{};
     DisplayTables displayTables{};
@@ -59,7 +61,8 @@ glm::mat3 yawToMap(float yaw);
 void addOutputDefines(std::vector<ShaderDefine>& defines, const RenderSettings& settings, Output output);
 std::string_view outputPrelude(const RenderSettings& settings, Output output);
 
-/// Texture units: 0 specular, 1 diffuse, 2 background, 3 the object's samples, 4 to 6 painted maps, from here on tables of the display.
+/// Texture units: 0 specular, 1 diffuse, 2 background, 3 the object's samples, 4 to 6 painted maps, 7 the table of a BRDF's lookups, from here on
+/// tables of the display.
 inline constexpr GLuint displayUnit = 8;
 
 } // namespace mirrorball::preview

@@ -69,7 +69,10 @@ enum class FaceEdges { Seamless, Clamped };
 struct MaterialSettings {
     glm::vec3 specular{1.0f};
     glm::vec3 diffuse{0.0f};
-    Fresnel fresnel{};              ///< F; None: F = 1
+    /// Lookups into the specular map, a ggx chain (chainRoughness()), at each pixel, as the table of the maps says: they stand for F L_m, and
+    /// their weights' sum for F. 0: one lookup by the mirror direction.
+    int brdfLookups = 0;
+    Fresnel fresnel{};              ///< F; None: F = 1. Not with BRDF lookups
     Combine combine = Combine::Add; ///< Add: F L_m + L_d; Coat: F L_m + (1 - F) L_d
     float lambda = 0.0f;            ///< least mip level of the specular lookup: max(lod + lodBias, lambda). Source: 002 section 2
     float lambdaGrazing = 0.0f;     ///< how much sharper at grazing angles: lambdaAt() of core/shading/lambda.h
@@ -138,6 +141,7 @@ struct RenderMaps {
     MapLevels specular{};   ///< the environment for a mirror, a filtered map for a glossy material
     MapLevels diffuse{};    ///< filtered with the diffuse lobe
     MapLevels background{}; ///< the environment, drawn behind the object
+    std::shared_ptr<const Image> brdfLookups{}; ///< core/filter/lookup_table.h
     /// The painted sphere map; for a window the layers outside, one to three, nearest first.
     std::vector<SphereMapChain> sphereMaps{};
 };

@@ -72,6 +72,8 @@ void Renderer::Resources::drawScene(const RenderSettings& settings, const Render
     const NeededMaps needed = neededMaps(settings);
     if (!needed.specular)
         specular.release();
+    if (!needed.specular || settings.material.brdfLookups == 0)
+        brdfLookups.release();
     if (!needed.diffuse)
         diffuse.release();
     if (!needed.background)

@@ -81,6 +81,7 @@ RenderSettings renderSettings(const Scene& scene, const Plan& plan, std::shared_
                                                                                                     : Projection::Perspective};
     settings.material = {.specular = plan.material.specular,
                          .diffuse = plan.material.diffuse,
+                         .brdfLookups = plan.brdf ? std::max(plan.brdf->lookups, 1) : 0,
                          .fresnel = plan.material.fresnel,
                          .combine = plan.material.combine,
                          .lambda = static_cast<float>(scene.material.lambda),
@@ -107,7 +108,11 @@ RenderSettings renderSettings(const Scene& scene, const Plan& plan, std::shared_
 
 RenderMaps renderMaps(const SceneMaps& maps)
 {
-    return {.specular = maps.specular, .diffuse = maps.diffuse, .background = maps.background, .sphereMaps = maps.sphereMaps};
+    return {.specular = maps.specular,
+            .diffuse = maps.diffuse,
+            .background = maps.background,
+            .brdfLookups = maps.brdfLookups,
+            .sphereMaps = maps.sphereMaps};
 }
 
 } // namespace mirrorball::preview

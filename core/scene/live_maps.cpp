@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/field_checks.h"
 #include "core/filter/source_file.h"
+#include "core/shading/brdf_file.h"
 #include "core/sphere/direction.h"
 
 #include <algorithm>
@@ -222,6 +223,7 @@ MadeScene LiveMaps::update(const Scene& scene, const MapDetail& detail, const Jo
     };
     made.maps.background = make(m_background, made.plan.background); // first: where it is the probe itself, the others may be, too
     made.maps.specular = make(m_specular, made.plan.specular);
+    made.maps.brdfLookups = brdfLookups(scene, made.plan, job, made.record);
     made.maps.diffuse = make(m_diffuse, made.plan.diffuse);
     made.maps.sphereMaps = sphereMaps(scene, made.plan, job, made.record);
     made.probeLayout = m_layout;
@@ -230,10 +232,46 @@ MadeScene LiveMaps::update(const Scene& scene, const MapDetail& detail, const Jo
     made.origin = m_probe.origin;
     made.certain = m_certain;
     made.problem = m_problem;
+    const auto addProblem = [&](const std::string& problem) {
+        if (!problem.empty())
+            made.problem += (made.problem.empty() ? "" : "; ") + problem;
+    };
+    if (m_brdf)
+        addProblem(m_brdf->problem);
     for (const KeptSphereMap& map : m_sphereMaps)
-        if (!map.problem.empty())
-            made.problem += (made.problem.empty() ? "" : "; ") + map.problem;
+        addProblem(map.problem);
     return made;
+}
+
+// A measurement that cannot be read must not stop the picture either.
+std::shared_ptr<const Image> LiveMaps::brdfLookups(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record)
+{
+    if (!plan.brdf) {
+        m_brdf.reset();
+        return nullptr;
+    }
+    KeptBrdf wanted{.plan = *plan.brdf};
+    if (isBrdfFile(wanted.plan.model)) {
+        std::error_code ignored;
+        wanted.path = resolved(scene, wanted.plan.model);
+        wanted.time = std::filesystem::last_write_time(wanted.path, ignored);
+    }
+    if (m_brdf && m_brdf->plan == wanted.plan && m_brdf->path == wanted.path && m_brdf->time == wanted.time)
+        return m_brdf->table;
+    timedStage(record.stages, "BRDF lookups", [&] {
+        try {
+            wanted.table = buildBrdfLookups(scene, wanted.plan, job);
+        } catch (const Cancelled&) {
+            throw;
+        } catch (const Error& error) {
+            wanted.problem = error.what();
+            Image mirror(1, 2);
+            std::fill_n(mirror.texel(0, 1), 3, 1.0f);
+            wanted.table = std::make_shared<const Image>(std::move(mirror));
+        }
+    });
+    m_brdf = std::move(wanted);
+    return m_brdf->table;
 }
 
 namespace {

@@ -49,6 +49,13 @@ private:
         double exposure = 0.0;
         MapLevels levels{};
     };
+    struct KeptBrdf {
+        BrdfPlan plan{};
+        std::string path{}; ///< of a measurement
+        std::filesystem::file_time_type time{};
+        std::shared_ptr<const Image> table{};
+        std::string problem{}; ///< why the file could not be read: a white mirror stands in
+    };
     struct KeptSphereMap {
         SphereMapPlan plan{};
         std::string path{};
@@ -68,6 +75,7 @@ private:
                      const JobControl& job, WorkRecord& record);
     void keepProbe(EnvironmentMap probe);
     bool isProbeItself(const MapPlan& plan, const SceneProbe& probe, const MapDetail& detail, double exposure) const;
+    std::shared_ptr<const Image> brdfLookups(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record);
     static void build(KeptSphereMap& map, const Scene& scene, const JobControl& job);
     std::vector<SphereMapChain> sphereMaps(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record);
 
@@ -81,6 +89,7 @@ private:
     std::shared_ptr<const EnvironmentMap> m_environment{}; ///< that level
     bool m_certain = true;
     KeptMap m_specular{}, m_diffuse{}, m_background{};
+    std::optional<KeptBrdf> m_brdf{};
     std::vector<KeptSphereMap> m_sphereMaps{};
 };
 

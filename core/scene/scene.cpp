@@ -4,6 +4,7 @@
 #include "core/base/field_checks.h"
 #include "core/image/image_format.h"
 #include "core/image/map_file.h"
+#include "core/shading/brdf_file.h"
 #include "core/shading/conductor.h"
 #include "core/spheremap/evaluation/evaluate.h"
 
@@ -53,6 +54,15 @@ void checkPainted(const std::string& path, const ExportTarget& target)
                               std::to_string(target.border));
 }
 
+Brdf readModel(const std::string& field, const std::string& model)
+{
+    try {
+        return brdfFromText(model);
+    } catch (const InvalidArgument& error) {
+        throw InvalidArgument(field + ": " + error.what());
+    }
+}
+
 void checkMaterial(const std::string& path, const Material& material)
 {
     Material::visitFields(material, RangeChecker(path));
@@ -63,6 +73,8 @@ void checkMaterial(const std::string& path, const Material& material)
         throw InvalidArgument(fieldPath(path, "fresnel.metal") + ": must be one of " + known + "custom; it is " +
                               inQuotes(material.fresnel.metal));
     }
+    if (!material.brdf.isNone() && !isBrdfFile(material.brdf.model))
+        readModel(fieldPath(path, "brdf.model"), material.brdf.model);
 }
 
 /// A word that is a file name on every system, and no path.
@@ -183,6 +195,12 @@ Lobe lobe(const SpecularSettings& specular)
         break;
     }
     return ggxLobe(0.0);
+}
+
+Brdf brdfOf(const Scene& scene)
+{
+    const std::string& model = scene.material.brdf.model;
+    return readModel("material.brdf.model", isBrdfFile(model) ? resolved(scene, model) : model);
 }
 
 Fresnel fresnelTerm(const FresnelSettings& settings)

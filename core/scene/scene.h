@@ -5,6 +5,7 @@
 #include "core/filter/method.h"
 #include "core/image/color.h"
 #include "core/image/probe_reading.h"
+#include "core/shading/brdf.h"
 #include "core/shading/fresnel.h"
 #include "core/sphere/parameterization.h"
 #include "core/spheremap/document/embedded_sphere_map.h"
@@ -155,6 +156,26 @@ struct DiffuseSettings {
     }
 };
 
+/// A lobe that knows the view, in place of the specular lobe and the Fresnel term: the picture reads it as a few lookups into an ordinary ggx
+/// chain, as an engine would. lookup_table.h
+struct BrdfSettings {
+    std::string model{};
+    int lookups = 5;
+    UnknownKeys unknown{};
+
+    bool isNone() const { return model.empty(); }
+    bool operator==(const BrdfSettings&) const = default;
+    template <typename Self, typename Visit>
+    static void visitFields(Self& self, Visit&& visit)
+    {
+        visit(Field{"model", "ggx:roughness=0.5,metal=gold, another model, or a measured file (.binary .brdf .csv .txt), in place of the "
+                             "specular lobe and the Fresnel term; empty: those"},
+              self.model);
+        visit(Field{"lookups", "into a ggx chain that stand for the lobe at each angle of view; 0: the split sum of engines", 0, 8},
+              self.lookups);
+    }
+};
+
 /// Flecks: cells on the surface, each of which looks the sphere map up elsewhere, as facets that are turned at random. Source: 003
 /// section 6.2
 struct FleckSettings {
@@ -211,10 +232,12 @@ struct SphereMapSettings {
     }
 };
 
-/// A material: F L_m + L_d (add) or F L_m + (1 - F) L_d (coat), with L_m the specular and L_d the diffuse part.
+/// A material: F L_m + L_d (add) or F L_m + (1 - F) L_d (coat), with L_m the specular and L_d the diffuse part. With a BRDF, F L_m is the
+/// light that it reflects and F its directional albedo.
 struct Material {
     SpecularSettings specular{};
     FresnelSettings fresnel{};
+    BrdfSettings brdf{};
     Combine combine = Combine::Add;
     DiffuseSettings diffuse{};
     double lambda = 0.0;
@@ -229,6 +252,7 @@ struct Material {
     {
         visit(Field{"specular", "the mirrored part"}, self.specular);
         visit(Field{"fresnel", "how much is mirrored at which angle"}, self.fresnel);
+        visit(Field{"brdf", "a lobe that knows the view"}, self.brdf);
         visit(Field{"combine", "add: F times specular plus diffuse; coat: the diffuse part lies under the reflecting layer, times 1 - F"},
               self.combine);
         visit(Field{"diffuse", "the matt part"}, self.diffuse);
@@ -473,6 +497,9 @@ CameraSettings initialCamera(std::string_view geometry);
 
 /// The lobe of the reflection; a mirror is ggx with alpha = 0.
 Lobe lobe(const SpecularSettings& specular);
+/// The BRDF of the scene's material, a measurement's file read. Only of a scene that has one.
+/// @throws InvalidArgument naming the field; FileError
+Brdf brdfOf(const Scene& scene);
 /// The Fresnel term with the metal looked up. @throws InvalidArgument for an unknown metal
 Fresnel fresnelTerm(const FresnelSettings& settings);
 

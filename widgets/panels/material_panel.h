@@ -22,6 +22,7 @@ public:
 private:
     QWidget* makePresetRow();
     void addReflection();
+    void addBrdf();
     void addFresnel();
     void addDiffuse();
     void addLookup();
