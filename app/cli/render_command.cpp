@@ -144,7 +144,8 @@ Scene makeScene(const Options& o)
     for (const FieldOption& option : fieldOptions)
         if (const auto given = o.fields.find(option.flag); given != o.fields.end() && !given->second.empty()) {
             const std::string_view flag = option.flag;
-            const bool isFile = (flag == "--sphere-map" && isSphereMapFile(given->second)) || (flag == "--brdf" && isBrdfFile(given->second));
+            const bool isFile =
+                (flag == "--sphere-map" && isSphereMapFile(given->second)) || (flag == "--brdf" && isBrdfFile(given->second));
             if (flag == "--rotate") {
                 scene.probe.reading.rotateDeg = parseRotation(option.flag, given->second);
                 continue;

@@ -61,8 +61,8 @@ glm::mat3 yawToMap(float yaw);
 void addOutputDefines(std::vector<ShaderDefine>& defines, const RenderSettings& settings, Output output);
 std::string_view outputPrelude(const RenderSettings& settings, Output output);
 
-/// Texture units: 0 specular, 1 diffuse, 2 background, 3 the object's samples, 4 to 6 painted maps, 7 the table of a BRDF's lookups, from here on
-/// tables of the display.
+/// Texture units: 0 specular, 1 diffuse, 2 background, 3 the object's samples, 4 to 6 painted maps, 7 the table of a BRDF's lookups, from
+/// here on tables of the display.
 inline constexpr GLuint displayUnit = 8;
 
 } // namespace mirrorball::preview

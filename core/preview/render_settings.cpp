@@ -66,8 +66,7 @@ NeededMaps neededMaps(const RenderSettings& settings)
     const bool isShown = settings.shading == Shading::Material;
     const bool isMaterial = isShown && !isWindow && paint != PaintUse::Replace && paint != PaintUse::Multiply;
     const bool isLevels = settings.shading == Shading::Mips;
-    const bool hidden =
-        material.combine == Combine::Coat && material.fresnel.kind == FresnelKind::None && material.brdfLookups == 0;
+    const bool hidden = material.combine == Combine::Coat && material.fresnel.kind == FresnelKind::None && material.brdfLookups == 0;
     return {.specular = (isMaterial || isLevels) && material.specular != glm::vec3(0.0f),
             .diffuse = isMaterial && material.diffuse != glm::vec3(0.0f) && !hidden,
             .background = settings.background.kind == BackgroundKind::Environment,

@@ -69,8 +69,8 @@ enum class FaceEdges { Seamless, Clamped };
 struct MaterialSettings {
     glm::vec3 specular{1.0f};
     glm::vec3 diffuse{0.0f};
-    /// Lookups into the specular map, a ggx chain (chainRoughness()), at each pixel, as the table of the maps says: they stand for F L_m, and
-    /// their weights' sum for F. 0: one lookup by the mirror direction.
+    /// Lookups into the specular map, a ggx chain (chainRoughness()), at each pixel, as the table of the maps says: they stand for F L_m,
+    /// and their weights' sum for F. 0: one lookup by the mirror direction.
     int brdfLookups = 0;
     Fresnel fresnel{};              ///< F; None: F = 1. Not with BRDF lookups
     Combine combine = Combine::Add; ///< Add: F L_m + L_d; Coat: F L_m + (1 - F) L_d
@@ -138,9 +138,9 @@ using MapLevels = std::shared_ptr<const std::vector<EnvironmentMap>>;
 /// The maps of a picture, by pointer: the renderer keeps a texture as long as it is handed the same pointer. Maps that the settings
 /// do not need may be null and are never looked at.
 struct RenderMaps {
-    MapLevels specular{};   ///< the environment for a mirror, a filtered map for a glossy material
-    MapLevels diffuse{};    ///< filtered with the diffuse lobe
-    MapLevels background{}; ///< the environment, drawn behind the object
+    MapLevels specular{};                       ///< the environment for a mirror, a filtered map for a glossy material
+    MapLevels diffuse{};                        ///< filtered with the diffuse lobe
+    MapLevels background{};                     ///< the environment, drawn behind the object
     std::shared_ptr<const Image> brdfLookups{}; ///< core/filter/lookup_table.h
     /// The painted sphere map; for a window the layers outside, one to three, nearest first.
     std::vector<SphereMapChain> sphereMaps{};

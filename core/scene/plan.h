@@ -76,7 +76,8 @@ struct MapDetail {
 };
 
 /// While a control is dragged: soft enough to be made between two frames, and near enough to judge by.
-inline constexpr MapDetail coarseDetail{.largestSize = 128, .tolerance = 1e-3, .texelsPerLobe = 6.0, .brdfColumns = 8, .probeItselfUpTo = 4.0};
+inline constexpr MapDetail coarseDetail{
+    .largestSize = 128, .tolerance = 1e-3, .texelsPerLobe = 6.0, .brdfColumns = 8, .probeItselfUpTo = 4.0};
 
 /// Angle across a lobe at half its peak, and along the side of a square of a texel's mean solid angle; radians.
 double lobeAngle(const Lobe& lobe);

@@ -156,8 +156,8 @@ struct DiffuseSettings {
     }
 };
 
-/// A lobe that knows the view, in place of the specular lobe and the Fresnel term: the picture reads it as a few lookups into an ordinary ggx
-/// chain, as an engine would. lookup_table.h
+/// A lobe that knows the view, in place of the specular lobe and the Fresnel term: the picture reads it as a few lookups into an ordinary
+/// ggx chain, as an engine would. lookup_table.h
 struct BrdfSettings {
     std::string model{};
     int lookups = 5;

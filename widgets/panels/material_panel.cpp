@@ -180,8 +180,8 @@ void MaterialPanel::addBrdf()
                         {.label = tr("BRDF"),
                          .isText = true,
                          .suggestions = {QStringLiteral("ggx:roughness=0.5,metal=gold"), QStringLiteral("ggx:roughness=0.4,ior=1.5"),
-                                         QStringLiteral("beckmann:alpha=0.25,metal=aluminium"), QStringLiteral("ward:alpha=0.2,metal=copper"),
-                                         QStringLiteral("phong:exponent=50")},
+                                         QStringLiteral("beckmann:alpha=0.25,metal=aluminium"),
+                                         QStringLiteral("ward:alpha=0.2,metal=copper"), QStringLiteral("phong:exponent=50")},
                          .fileFilter = tr("Measured BRDFs (*.binary *.brdf *.csv *.txt)")}},
                        {"lookups", {.label = tr("Lookups"), .isShown = [](const Scene& scene) { return !hasNoBrdf(scene); }}}});
 }
