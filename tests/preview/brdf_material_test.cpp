@@ -81,7 +81,7 @@ double errorOf(const Picture& picture, const Brdf& brdf, const EnvironmentMap& p
                 continue;
             const glm::dvec3 n = glm::normalize(at(picture.buffers.normal, x, y));
             const double nv = glm::dot(n, picture.toViewer), view = std::acos(std::clamp(nv, -1.0, 1.0));
-            if (!(view >= radians(from) && view < radians(to)))
+            if (!(view >= glm::radians(from) && view < glm::radians(to)))
                 continue;
             const glm::dvec3 r = glm::normalize(2.0 * nv * n - picture.toViewer);
             const glm::dvec3 truth = BrdfSum(probe, brdf, view).at(std::span(&n, 1), std::span(&r, 1)).front();
