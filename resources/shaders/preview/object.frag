@@ -118,13 +118,13 @@ void main()
     float least = lambda;
 #endif
 #if BRDF_LOOKUPS
-    // The levels are a ggx chain, roughness sqrt(alpha) even between them; a pixel's footprint and lambda hold the level from below.
+    // The levels are a ggx chain, roughness sqrt(alpha) even between them. As in engines, a pixel's footprint does not choose among them: a
+    // rougher level is another material. Lambda still holds the level from below.
     vec3 f = vec3(0.0);
-    float lod = specularLod(specularRotation * p.r, least);
     for (int k = 0; k < BRDF_LOOKUPS; ++k) {
         BrdfLookup lookup = brdfLookup(brdfTable, k, p.n, p.r);
         float level = sqrt(lookup.alpha) * specularSettings.y;
-        mirrored += lookup.weight * specularRadiance(max(level, lod), specularRotation * lookup.axis);
+        mirrored += lookup.weight * specularRadiance(max(level, least), specularRotation * lookup.axis);
         f += lookup.weight;
     }
     mirrored *= specularColor;
