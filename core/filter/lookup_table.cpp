@@ -33,17 +33,20 @@ Image makeLookupTable(const Brdf& brdf, int count, int size, const JobControl& j
     const int middle = columns / 2;
     const LookupFit first = fitLookups(brdf, viewAt(middle, columns), count);
     put(table, middle, first);
-    int done = 1;
-    for (const int step : {1, -1}) {
-        LookupFit fit = first;
-        for (int i = middle + step; i >= 0 && i < columns; i += step) {
-            job.checkStop();
-            fit = fitLookups(brdf, viewAt(i, columns), fit);
-            put(table, i, fit);
-            if (job.progress)
-                job.progress(static_cast<float>(++done) / static_cast<float>(columns));
-        }
-    }
+    parallelRows(
+        2, job,
+        [&](int firstWay, int lastWay) {
+            for (int way = firstWay; way < lastWay; ++way) {
+                const int step = way == 0 ? 1 : -1;
+                LookupFit fit = first;
+                for (int i = middle + step; i >= 0 && i < columns; i += step) {
+                    job.checkStop();
+                    fit = fitLookups(brdf, viewAt(i, columns), fit);
+                    put(table, i, fit);
+                }
+            }
+        },
+        1);
     return table;
 }
 
