@@ -5,7 +5,6 @@
 #include "core/filter/method.h"
 #include "core/image/color.h"
 #include "core/image/probe_reading.h"
-#include "core/shading/brdf.h"
 #include "core/shading/fresnel.h"
 #include "core/sphere/parameterization.h"
 #include "core/spheremap/document/embedded_sphere_map.h"
@@ -23,6 +22,8 @@
 /// line reads from a file (scene_file.h) and the studio edits. Angles are in degrees here, and only here in core: they stand as they
 /// were typed, so that a file that is loaded and saved stays the same.
 namespace mirrorball {
+
+struct Brdf;
 
 enum class SurfaceLobe { Mirror, Phong, Ggx };
 enum class SphereMapUse { Replace, Multiply, Over, Tint, Add };
