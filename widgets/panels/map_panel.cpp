@@ -7,7 +7,7 @@
 #include "core/report/error_metrics.h"
 #include "core/sphere/map_sheet.h"
 
-#include <QFormLayout>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QIcon>
 #include <QSignalBlocker>
@@ -140,11 +140,13 @@ QWidget* MapPanel::makeStageRow()
     return row;
 }
 
+// Two rows, of which neither grows with what is chosen: a dock keeps its size.
 QWidget* MapPanel::makeLayoutRow()
 {
-    auto* row = new QWidget;
-    auto* layout = new QHBoxLayout(row);
+    auto* rows = new QWidget;
+    auto* layout = new QGridLayout(rows);
     layout->setContentsMargins(0, 0, 0, 0);
+    layout->setVerticalSpacing(6);
     m_kind = new QComboBox;
     m_kind->setObjectName(QStringLiteral("map.parameterization"));
     m_kind->setAccessibleName(tr("Parameterization"));
@@ -174,11 +176,17 @@ QWidget* MapPanel::makeLayoutRow()
     m_kind->setMinimumContentsLength(8);
     m_compare->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_compare->setMinimumContentsLength(9);
-    layout->addWidget(m_kind, 2);
-    layout->addWidget(m_size);
-    layout->addWidget(m_borderLabel);
-    layout->addWidget(m_border);
-    layout->addWidget(m_compare, 2);
+    layout->addWidget(m_kind, 0, 0);
+    layout->addWidget(m_size, 0, 1, 1, 2);
+    layout->addWidget(m_compare, 1, 0);
+    layout->addWidget(m_borderLabel, 1, 1);
+    layout->addWidget(m_border, 1, 2);
+    layout->setColumnStretch(0, 1);
+    for (QWidget* each : {static_cast<QWidget*>(m_borderLabel), static_cast<QWidget*>(m_border)}) {
+        QSizePolicy keepsPlace = each->sizePolicy();
+        keepsPlace.setRetainSizeWhenHidden(true);
+        each->setSizePolicy(keepsPlace);
+    }
 
     Document& document = m_workspace.document;
     connect(m_kind, &QComboBox::activated, this, [this, &document] {
@@ -198,7 +206,7 @@ QWidget* MapPanel::makeLayoutRow()
     connect(m_border, &QSpinBox::valueChanged, this,
             [&document](int border) { document.edit(tr("Map border"), {}, [border](Scene& scene) { scene.map.border = border; }); });
     connect(m_compare, &QComboBox::currentIndexChanged, this, &MapPanel::showMaps);
-    return row;
+    return rows;
 }
 
 QWidget* MapPanel::makeViewRow()
@@ -209,10 +217,10 @@ QWidget* MapPanel::makeViewRow()
     layout->setSpacing(6);
     m_colors = new QComboBox;
     m_colors->setObjectName(QStringLiteral("map.colors"));
-    m_colors->setAccessibleName(tr("Colours"));
-    m_colors->setToolTip(tr("As a display shows it, or luminance in false colours"));
+    m_colors->setAccessibleName(tr("Colors"));
+    m_colors->setToolTip(tr("As a display shows it, or luminance in false colors"));
     m_colors->addItem(tr("Display"), static_cast<int>(MapColors::Display));
-    m_colors->addItem(tr("False colour"), static_cast<int>(MapColors::Luminance));
+    m_colors->addItem(tr("False color"), static_cast<int>(MapColors::Luminance));
     m_tint = new QComboBox;
     m_tint->setObjectName(QStringLiteral("map.tint"));
     m_tint->setAccessibleName(tr("Overlay"));
@@ -239,10 +247,10 @@ QWidget* MapPanel::makeViewRow()
     m_exposure =
         new NumberField({.low = -64, .high = 64, .sliderLow = -10, .sliderHigh = 10, .initial = 0.0, .step = 0.25, .unit = tr("EV")});
     m_exposure->setObjectName(QStringLiteral("map.exposure"));
-    m_exposure->describe(tr("Map exposure"), tr("Brightness of the map here; in false colours it moves the scale"));
+    m_exposure->describe(tr("Map exposure"), tr("Brightness of the map here; in false colors it moves the scale"));
     layout->addLayout(first);
     auto* exposure = new QHBoxLayout;
-    exposure->addWidget(new QLabel(tr("Exposure")));
+    exposure->addWidget(new QLabel(tr("Map exposure")));
     exposure->addWidget(m_exposure, 1);
     layout->addLayout(exposure);
 

@@ -195,8 +195,11 @@ void PreviewWidget::paintEvent(QPaintEvent*)
         paintGround(painter);
     if (m_picture.image.size() == deviceSize()) {
         painter.drawImage(0, 0, m_picture.image);
-    } else { // until the new size is drawn
-        painter.drawImage(rect(), m_picture.image);
+    } else { // until the new size is drawn: as high as that will be, so that nothing is stretched and the object stays in place
+        painter.fillRect(rect(), QColor(0x26, 0x26, 0x26));
+        const QSizeF old = m_picture.image.size();
+        const double wide = old.width() * height() / std::max(1.0, old.height());
+        painter.drawImage(QRectF(0.5 * (width() - wide), 0.0, wide, height()), m_picture.image);
         redraw();
     }
     if (m_comparison == Comparison::Wipe)
@@ -257,6 +260,11 @@ void PreviewWidget::changeExposure(double ev)
     m_workspace.document.edit(tr("Change exposure"), QStringLiteral("view.exposure"),
                               [&](Scene& scene) { scene.view.exposure = std::clamp(scene.view.exposure + ev, -64.0, 64.0); });
     m_rest.start();
+}
+
+void PreviewWidget::resetExposure()
+{
+    m_workspace.document.edit(tr("Reset exposure"), {}, [](Scene& scene) { scene.view.exposure = 0.0; });
 }
 
 void PreviewWidget::takeSnapshot()

@@ -55,6 +55,8 @@ public slots:
     void frame();
     void resetView();
     void changeExposure(double ev);
+    /// Back to 0 EV.
+    void resetExposure();
     /// Keeps what is shown now, for comparison.
     void takeSnapshot();
     /// Off without a snapshot.
