@@ -3,10 +3,10 @@
 #include "theme.h"
 
 #include "widgets/files/kept_picture.h"
+#include "widgets/spheremap/layer_clipboard.h"
 #include "widgets/spheremap/sphere_map_panel.h"
 
 #include "core/base/error.h"
-#include "core/spheremap/document/sphere_map_file.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -14,13 +14,6 @@
 #include <QUrl>
 
 namespace mirrorball::studio {
-
-namespace {
-
-const QString layersMime = QStringLiteral("application/x-mirrorball-layers");
-const std::filesystem::path anywhere = "/"; ///< paths of layers that are on their way start here
-
-} // namespace
 
 EditActions::EditActions(QWidget& window, Workspace& workspace, FileOpener& opener, PreviewWidget& preview)
     : QObject(&window), m_window(window), m_workspace(workspace), m_opener(opener), m_preview(preview)
@@ -69,26 +62,16 @@ bool EditActions::isOnSphereMap() const
 
 void EditActions::copy()
 {
-    const Layer* layer = isOnSphereMap() ? m_workspace.sphereMap.chosenLayer() : nullptr;
-    if (!layer) {
-        if (!m_preview.picture().isNull())
-            QApplication::clipboard()->setImage(m_preview.picture());
-        return;
-    }
-    SphereMapDocument one;
-    one.folder = m_workspace.sphereMap.map()->folder;
-    one.layers = {*layer};
-    const QString text = QString::fromStdString(sphereMapToText(movedTo(std::move(one), anywhere)));
-    auto* data = new QMimeData;
-    data->setData(layersMime, text.toUtf8());
-    data->setText(text);
-    QApplication::clipboard()->setMimeData(data);
+    if (isOnSphereMap() && m_workspace.sphereMap.chosenLayer())
+        copyLayer(m_workspace.sphereMap);
+    else if (!m_preview.picture().isNull())
+        QApplication::clipboard()->setImage(m_preview.picture());
 }
 
 void EditActions::paste()
 {
     const QMimeData* data = QApplication::clipboard()->mimeData();
-    if (!data || pasteLayers())
+    if (!data || pasteCopiedLayers())
         return;
     QStringList paths;
     for (const QUrl& url : data->urls())
@@ -104,20 +87,12 @@ void EditActions::paste()
 }
 
 /// @return whether there were layers to paste
-bool EditActions::pasteLayers()
+bool EditActions::pasteCopiedLayers()
 {
-    const QMimeData* data = QApplication::clipboard()->mimeData();
-    if (!data->hasFormat(layersMime))
+    if (!hasCopiedLayers())
         return false;
     try {
-        SphereMapDocument pasted = sphereMapFromText(data->data(layersMime).toStdString());
-        pasted.folder = anywhere;
-        if (!m_workspace.sphereMap.map()) {
-            m_workspace.sphereMap.setMap(tr("Paste layers"), pasted);
-            return true;
-        }
-        for (const Layer& layer : movedTo(std::move(pasted), m_workspace.sphereMap.map()->folder).layers)
-            m_workspace.sphereMap.addLayer(layer);
+        pasteLayers(m_workspace.sphereMap);
     } catch (const Error& error) {
         m_workspace.notices.set(
             {.subject = QStringLiteral("paste"), .text = tr("Nothing was pasted: %1").arg(QString::fromUtf8(error.what()))});

@@ -28,7 +28,7 @@ public:
 
 private:
     bool isOnSphereMap() const;
-    bool pasteLayers();
+    bool pasteCopiedLayers();
     void refresh();
 
     QWidget& m_window;

@@ -7,9 +7,12 @@
 #include "core/report/error_metrics.h"
 #include "core/sphere/map_sheet.h"
 
+#include <QClipboard>
 #include <QGridLayout>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QIcon>
+#include <QMenu>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -57,6 +60,10 @@ MapPanel::MapPanel(Workspace& workspace, QWidget* parent)
     for (MapView* view : {m_view, m_otherView, m_differenceView})
         m_views->addWidget(view);
     m_views->setChildrenCollapsible(false);
+    for (MapView* view : {m_view, m_otherView, m_differenceView}) {
+        view->setContextMenuPolicy(Qt::CustomContextMenu);
+        connect(view, &QWidget::customContextMenuRequested, this, [this, view](const QPoint& at) { showMenu(*view, at); });
+    }
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
@@ -449,6 +456,26 @@ void MapPanel::applyOverlays()
         view->setOverlays(overlays);
     m_tintScale->setVisible(overlays.tint != MapTint::None);
     m_tintScale->showTint(overlays.tint);
+}
+
+/// What can be done with the map of a view.
+void MapPanel::showMenu(MapView& view, const QPoint& position)
+{
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("mapMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    const QString readout = m_readout->text(); // of the texel that was clicked
+    menu->addAction(tr("Copy the texel's values"), this, [readout] { QGuiApplication::clipboard()->setText(readout); })
+        ->setEnabled(m_workspace.cursor.direction().has_value());
+    menu->addAction(tr("Copy the view as a picture"), this, [&view] { QGuiApplication::clipboard()->setPixmap(view.grab()); });
+    menu->addSeparator();
+    menu->addAction(tr("Show the whole map"), &view, &MapView::fit);
+    for (QToolButton* overlay : {m_grid, m_seams}) {
+        QAction* action = menu->addAction(overlay->text(), overlay, &QToolButton::toggle);
+        action->setCheckable(true);
+        action->setChecked(overlay->isChecked());
+    }
+    menu->popup(view.mapToGlobal(position));
 }
 
 void MapPanel::showReadout()

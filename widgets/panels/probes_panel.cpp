@@ -3,14 +3,18 @@
 #include "widgets/controls/color_scale_bar.h"
 #include "widgets/controls/file_dialogs.h"
 #include "widgets/controls/text.h"
+#include "widgets/files/doctor_dialog.h"
 #include "widgets/files/file_kind.h"
 
 #include "core/base/error.h"
 #include "core/image/color_space.h"
 
+#include <QClipboard>
+#include <QDesktopServices>
 #include <QDir>
 #include <QFileInfo>
 #include <QFormLayout>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QMenu>
 #include <QPainter>
@@ -19,6 +23,7 @@
 #include <QSplitter>
 #include <QStackedLayout>
 #include <QStyledItemDelegate>
+#include <QUrl>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -189,6 +194,8 @@ ProbesPanel::ProbesPanel(Workspace& workspace, QWidget* parent)
     layout->addWidget(makeGroupRow());
     layout->addWidget(splitter, 1);
 
+    m_list->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_list, &QWidget::customContextMenuRequested, this, &ProbesPanel::showMenu);
     connect(m_list, &QListView::clicked, this, &ProbesPanel::choose);
     connect(m_list, &QListView::activated, this, &ProbesPanel::choose);
     connect(&m_filter, &QAbstractItemModel::modelReset, this, &ProbesPanel::showEmptiness);
@@ -380,6 +387,32 @@ void ProbesPanel::choose(const QModelIndex& index)
         scene.probe.source = source.toStdString();
         scene.probe.reading = {};
     });
+}
+
+/// What can be done with a probe of the list, whether it is chosen or not.
+void ProbesPanel::showMenu(const QPoint& position)
+{
+    const QModelIndex at = m_list->indexAt(position).isValid() ? m_list->indexAt(position) : m_list->currentIndex();
+    if (!at.isValid())
+        return;
+    const QString source = at.data(ProbeLibrary::SourceRole).toString();
+    const bool isFile = at.data(ProbeLibrary::GroupRole).toString() != ProbeLibrary::builtinGroup();
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("probeMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(tr("Light the scene with it"), this, [this, at] { choose(at); });
+    menu->addAction(tr("Read its picture anew"), this, [this, source] { m_workspace.library.refresh(source); })->setEnabled(isFile);
+    menu->addAction(tr("What is this map?"), this, [this, source] { (new DoctorDialog(m_workspace, source, window()))->open(); })
+        ->setEnabled(isFile);
+    menu->addSeparator();
+    menu->addAction(tr("Copy its path"), this, [source] { QGuiApplication::clipboard()->setText(QDir::toNativeSeparators(source)); });
+    menu->addAction(tr("Open its folder"), this, [source] {
+        QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(source).absolutePath()));
+    })->setEnabled(isFile);
+    menu->addSeparator();
+    menu->addAction(tr("Remove from the list"), this, [this, source] { m_workspace.library.removeFile(source); })
+        ->setEnabled(at.data(ProbeLibrary::GroupRole).toString() == ProbeLibrary::filesGroup());
+    menu->popup(m_list->viewport()->mapToGlobal(position));
 }
 
 /// The chosen probe is current in the list. One of a scene that no folder holds joins the single files.

@@ -56,6 +56,7 @@ private:
     QWidget* makeDetails();
     void listGroups();
     void choose(const QModelIndex& index);
+    void showMenu(const QPoint& position);
     void markChosen();
     void showEmptiness();
     void survey();
