@@ -50,8 +50,8 @@ CommandPalette::CommandPalette(QMainWindow& window)
     m_entries = commandEntries(window) + controlEntries(window);
     for (int i = 0; i < m_entries.size(); ++i) {
         const PaletteEntry& entry = m_entries[i];
-        auto* item = new QListWidgetItem(entry.icon, entry.keys.isEmpty() ? entry.title : entry.title + QStringLiteral("   ") + entry.keys,
-                                         m_list);
+        auto* item =
+            new QListWidgetItem(entry.icon, entry.keys.isEmpty() ? entry.title : entry.title + QStringLiteral("   ") + entry.keys, m_list);
         item->setData(Qt::UserRole, i);
         item->setData(Qt::UserRole + 1, entry.title);
         item->setToolTip(entry.help);

@@ -103,9 +103,10 @@ bool EditActions::pasteCopiedLayers()
 QString EditActions::keep(const QImage& picture)
 {
     const QString path = keepPicture(picture, m_workspace.document.filePath());
-    m_workspace.notices.set(
-        {.subject = QStringLiteral("paste"),
-         .text = path.isEmpty() ? tr("The picture cannot be kept: its folder cannot be written; save the scene in another one") : QString()});
+    m_workspace.notices.set({.subject = QStringLiteral("paste"),
+                             .text = path.isEmpty()
+                                         ? tr("The picture cannot be kept: its folder cannot be written; save the scene in another one")
+                                         : QString()});
     return path;
 }
 

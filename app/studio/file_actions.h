@@ -26,6 +26,7 @@ public:
     bool saveAs(const QString& path);
     /// Saves, discards or stops, as the user says. @return whether to go on
     bool mayGoOn();
+
 private:
     void newScene();
     void askAndOpen();

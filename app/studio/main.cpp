@@ -45,7 +45,8 @@ int main(int count, char** arguments)
     parser.addVersionOption();
     parser.addPositionalArgument(
         QStringLiteral("FILE"),
-        QCoreApplication::translate("main", "What to open: a scene, a light probe or another picture, a folder of them, a mesh, a sphere map, a material."),
+        QCoreApplication::translate(
+            "main", "What to open: a scene, a light probe or another picture, a folder of them, a mesh, a sphere map, a material."),
         QStringLiteral("[FILE...]"));
     parser.process(*application);
 

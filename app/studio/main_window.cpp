@@ -67,6 +67,8 @@ MainWindow::MainWindow(const QString& recoveryFolder, QWidget* parent)
     setCentralWidget(middle);
     new ModelPainter(*m_preview, *m_workspace); // the preview's child
     setHelpPage(*middle, QStringLiteral("studio.md"));
+    m_preview->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_preview, &QWidget::customContextMenuRequested, this, &MainWindow::showPictureMenu);
 
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks | GroupedDragging);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea); // the docks at the sides have the window's whole height
@@ -142,16 +144,17 @@ void MainWindow::offerDoctor(const QString& path)
 {
     const std::optional<PictureFacts> facts = pictureFacts(path);
     const bool hasLevels = facts && facts->levels > 1;
-    m_workspace->notices.set({.subject = QStringLiteral("doctor"),
-                              .text = hasLevels ? tr("%1 holds %2 levels: it may be a map that was filtered already.")
-                                                      .arg(QFileInfo(path).fileName())
-                                                      .arg(facts->levels)
-                                                : QString(),
-                              .actionText = tr("What is this map?"),
-                              .action = [this, path] {
-                                  m_workspace->notices.clear(QStringLiteral("doctor"));
-                                  askDoctor(path);
-                              }});
+    m_workspace->notices.set(
+        {.subject = QStringLiteral("doctor"),
+         .text =
+             hasLevels
+                 ? tr("%1 holds %2 levels: it may be a map that was filtered already.").arg(QFileInfo(path).fileName()).arg(facts->levels)
+                 : QString(),
+         .actionText = tr("What is this map?"),
+         .action = [this, path] {
+             m_workspace->notices.clear(QStringLiteral("doctor"));
+             askDoctor(path);
+         }});
 }
 
 void MainWindow::askDoctor(const QString& path)
@@ -190,8 +193,8 @@ void MainWindow::addMenus()
     exportMaps->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_E));
     exportMaps->setToolTip(tr("Write the maps of the scene, or copy the command line that does"));
     QAction* doctor = file->addAction(icon("report"), tr("&What is this map?…"), this, [this] {
-        const QString path = askForFile(
-            this, {.purpose = QStringLiteral("open"), .title = tr("What is this map?"), .filter = filterOf(FileKind::Picture)});
+        const QString path =
+            askForFile(this, {.purpose = QStringLiteral("open"), .title = tr("What is this map?"), .filter = filterOf(FileKind::Picture)});
         if (!path.isEmpty())
             askDoctor(path);
     });
@@ -270,8 +273,8 @@ void MainWindow::showProblems()
     notices.clear(QStringLiteral("scene"));
     notices.set(
         {.subject = QStringLiteral("probe"), .text = toQString(made->problem), .actionText = tr("Choose another…"), .action = [this] {
-             openFiles(askForFiles(
-                 this, {.purpose = QStringLiteral("open"), .title = tr("Open probe"), .filter = filterOf(FileKind::Picture)}));
+             openFiles(
+                 askForFiles(this, {.purpose = QStringLiteral("open"), .title = tr("Open probe"), .filter = filterOf(FileKind::Picture)}));
          }});
     notices.set({.subject = QStringLiteral("display"), .text = toQString(made->displayProblem)});
     notices.set(
@@ -336,6 +339,17 @@ void MainWindow::openExport()
 
 void MainWindow::greet() { m_tour->greet(); }
 
+// A right drag may turn the light, or change the brush.
+void MainWindow::showPictureMenu(const QPoint& position)
+{
+    if (QApplication::keyboardModifiers() != Qt::NoModifier || m_workspace->sphereMap.paintsOnModel())
+        return;
+    QList<QAction*> others;
+    for (const char* name : {"edit.copy", "file.picture", "file.export"})
+        others << findChild<QAction*>(QLatin1String(name));
+    m_views->popUp(m_preview->mapToGlobal(position), others);
+}
+
 void MainWindow::showPlace(const QString& id, const QString& control)
 {
     QDockWidget* place = dock(id);
@@ -351,13 +365,11 @@ void MainWindow::askAndSavePicture()
     const QString filters = tr("Display picture (%1);;Linear radiance (%2)")
                                 .arg(imagePatterns(Holding::Display).join(u' '), imagePatterns(Holding::Light).join(u' '));
     const QString ending = QStringLiteral(".png");
-    const QString path = askWhereToSave(this,
-                                        {.purpose = QStringLiteral("picture"),
-                                         .title = tr("Save picture"),
-                                         .filter = filters,
-                                         .start = tr("picture") + ending},
-                                        ending)
-                             .path;
+    const QString path =
+        askWhereToSave(
+            this, {.purpose = QStringLiteral("picture"), .title = tr("Save picture"), .filter = filters, .start = tr("picture") + ending},
+            ending)
+            .path;
     if (!path.isEmpty())
         savePicture(path);
 }

@@ -65,6 +65,7 @@ private:
     void askAndSavePicture();
     void showTitle();
     void showProblems();
+    void showPictureMenu(const QPoint& position);
     void showPlace(const QString& id, const QString& control);
 
     std::unique_ptr<Workspace> m_workspace; ///< goes after the widgets that look at it

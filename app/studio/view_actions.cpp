@@ -58,6 +58,25 @@ QAction* ViewActions::add(const char* id, const char* iconName, const QString& t
     return action;
 }
 
+void ViewActions::popUp(const QPoint& global, const QList<QAction*>& others)
+{
+    auto* menu = new QMenu(&m_preview);
+    menu->setObjectName(QStringLiteral("pictureMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addActions(m_camera);
+    menu->addActions(m_exposure);
+    menu->addSeparator();
+    for (const auto& [title, group] :
+         {std::pair{tr("&Geometry"), &m_geometry}, std::pair{tr("&Shading"), &m_shading}, std::pair{tr("&Background"), &m_background}})
+        menu->addMenu(title)->addActions(group->actions());
+    menu->addSeparator();
+    menu->addAction(m_snapshot);
+    menu->addActions(m_compare.actions());
+    menu->addSeparator();
+    menu->addActions(others);
+    menu->popup(global);
+}
+
 void ViewActions::addKeysTo(QWidget& widget) { widget.addActions(m_plainKeys); }
 
 /// What was done, and that it can be taken back: a key may have been pressed by mistake.
@@ -72,10 +91,9 @@ void ViewActions::say()
 QAction* ViewActions::addChoice(QActionGroup& group, const char* id, const char* iconName, const QString& text, const QKeySequence& key,
                                 const QString& undoLabel, std::function<void(Scene&)> choose, std::function<bool(const Scene&)> isOn)
 {
-    QAction* action = add(id, iconName, text, text, key,
-                          [this, undoLabel, text, choose = std::move(choose)] {
-                              m_workspace.document.edit(QStringLiteral("%1: %2").arg(undoLabel, text), {}, choose);
-                          });
+    QAction* action = add(id, iconName, text, text, key, [this, undoLabel, text, choose = std::move(choose)] {
+        m_workspace.document.edit(QStringLiteral("%1: %2").arg(undoLabel, text), {}, choose);
+    });
     action->setCheckable(true);
     group.addAction(action);
     m_choices.push_back({action, std::move(isOn)});

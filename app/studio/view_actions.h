@@ -21,6 +21,8 @@ public:
 
     void addTo(QMenu& menu);
     void addTo(QToolBar& bar);
+    /// What can be done with the picture, where the mouse is. @param others  commands of elsewhere that belong there, too
+    void popUp(const QPoint& global, const QList<QAction*>& others);
     /// Keys without Ctrl or Alt work while this widget or one inside it has the keys: typed elsewhere they change nothing.
     void addKeysTo(QWidget& widget);
 

@@ -274,7 +274,8 @@ void DropTest::copiesPastesAndDuplicatesLayers()
         Drag(pictures.square).dropOn(painting.panel().layers());
         QVERIFY(painting.window()->files().save()); // in the file the path is relative
         QVERIFY(painting.window()->files().openScene(fromPath(pictures.folder / "scene.mirrorball")));
-        QVERIFY(!QFileInfo(QString::fromStdString(std::get<ImageLayer>(painting.editor().map()->layers.back().content).source)).isAbsolute());
+        QVERIFY(
+            !QFileInfo(QString::fromStdString(std::get<ImageLayer>(painting.editor().map()->layers.back().content).source)).isAbsolute());
         painting.panel().layers().setFocus();
         QTest::keyClick(&painting.panel().layers(), Qt::Key_D, Qt::ControlModifier);
         QCOMPARE(painting.editor().map()->layers.size(), size_t(4));

@@ -193,7 +193,8 @@ void LayoutTest::aKeyOnThePictureSaysWhatItDid()
     QVERIFY(window.preview().hasFocus()); // at first the keys are the picture's
     QTest::keyClick(&window.preview(), Qt::Key_2);
     QCOMPARE(window.document().scene().view.shading, Shading::Wireframe);
-    QVERIFY2(window->statusBar()->currentMessage().contains(QStringLiteral("Wireframe")), qPrintable(window->statusBar()->currentMessage()));
+    QVERIFY2(window->statusBar()->currentMessage().contains(QStringLiteral("Wireframe")),
+             qPrintable(window->statusBar()->currentMessage()));
     QTest::keyClick(&window.preview(), Qt::Key_E);
     QVERIFY2(window->statusBar()->currentMessage().contains(QStringLiteral("0.5 EV")), qPrintable(window->statusBar()->currentMessage()));
 }

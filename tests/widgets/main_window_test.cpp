@@ -324,7 +324,7 @@ void MainWindowTest::remembersRecentFiles()
     QVERIFY(window->files().saveAs(fromPath(folder / "two.mirrorball")));
     QVERIFY(window->files().openScene(fromPath(folder / "one.mirrorball")));
     QCOMPARE(recentFiles(), (QVector<RecentFile>{{fromPath(folder / "one.mirrorball"), FileKind::Scene},
-                                                  {fromPath(folder / "two.mirrorball"), FileKind::Scene}}));
+                                                 {fromPath(folder / "two.mirrorball"), FileKind::Scene}}));
     QVERIFY(!window->files().openScene(fromPath(folder / "gone.mirrorball")));
     QVERIFY(hasNotice(window, QStringLiteral("file"), QStringLiteral("gone.mirrorball")));
 }

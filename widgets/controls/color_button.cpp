@@ -44,8 +44,9 @@ void ColorButton::choose()
     QColorDialog dialog(parts.shown, this);
     dialog.setWindowTitle(accessibleName());
     dialog.setOption(QColorDialog::DontUseNativeDialog);
-    connect(&dialog, &QColorDialog::currentColorChanged, this,
-            [this, ev = parts.ev](const QColor& color) { emit edited(linearColor({color, ev})); });
+    connect(&dialog, &QColorDialog::currentColorChanged, this, [this, ev = parts.ev](const QColor& color) {
+        emit edited(linearColor({color, ev}));
+    });
     if (dialog.exec() != QDialog::Accepted)
         emit edited(before);
     emit finished();

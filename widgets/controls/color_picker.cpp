@@ -117,8 +117,14 @@ ColorPicker::ColorPicker(QWidget* parent)
 
 NumberField* ColorPicker::addNumber(const char* id, const QString& name, const QString& help, double low, double high, const QString& unit)
 {
-    auto* field = new NumberField({.low = low, .high = high, .sliderLow = low, .sliderHigh = high, .initial = low, .digits = 3,
-                                   .step = (high - low) / 100.0, .unit = unit});
+    auto* field = new NumberField({.low = low,
+                                   .high = high,
+                                   .sliderLow = low,
+                                   .sliderHigh = high,
+                                   .initial = low,
+                                   .digits = 3,
+                                   .step = (high - low) / 100.0,
+                                   .unit = unit});
     field->setObjectName(QLatin1String(id));
     field->describe(name, help);
     connect(field, &NumberField::finished, this, &ColorPicker::finish);

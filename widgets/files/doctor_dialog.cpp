@@ -104,8 +104,7 @@ void DoctorDialog::chooseSource()
 void DoctorDialog::examine()
 {
     m_text->clear();
-    m_runner.start([map = m_map, source = m_source->currentData().toString()](
-                       const JobControl& job) { return examined(map, source, job); },
+    m_runner.start([map = m_map, source = m_source->currentData().toString()](const JobControl& job) { return examined(map, source, job); },
                    [this](const QString& words) { m_text->setPlainText(words); });
 }
 

@@ -49,7 +49,7 @@ private:
     QWidget& m_window;
     FileOpener& m_opener;
     KeepPicture m_keep{};
-    QVector<Place> m_places; ///< inner ones are found first, by who holds whom
+    QVector<Place> m_places;                                           ///< inner ones are found first, by who holds whom
     std::optional<std::pair<QStringList, const QWidget*>> m_hovered{}; ///< what hovers, and over which place
 };
 

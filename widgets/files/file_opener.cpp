@@ -34,9 +34,10 @@ void FileOpener::open(const QStringList& paths, DropPlace place)
     if (!missing.isEmpty())
         problems << tr("%1: there is no such file; it may have been moved or renamed").arg(missing.join(QStringLiteral(", ")));
     if (!strange.isEmpty())
-        problems << tr("%1: is nothing that can be opened here; choose a scene, a light probe or another picture, a folder of them, a mesh, "
-                       "a sphere map or a material")
-                        .arg(strange.join(QStringLiteral(", ")));
+        problems
+            << tr("%1: is nothing that can be opened here; choose a scene, a light probe or another picture, a folder of them, a mesh, "
+                  "a sphere map or a material")
+                   .arg(strange.join(QStringLiteral(", ")));
     m_workspace.notices.set({.subject = noticeSubject, .text = problems.join(u'\n')});
 }
 

@@ -28,8 +28,8 @@ QImage ballOf(const QString& path, const JobControl& job)
 {
     Scene scene;
     scene.material.sphereMap.source = path.toStdString();
-    const SphereMapTexels texels = readSphereMap(scene, "material.sphere_map.source", scene.material.sphereMap.source, 2 * ballEdge,
-                                                 SphereMapLevels::Plain, job);
+    const SphereMapTexels texels =
+        readSphereMap(scene, "material.sphere_map.source", scene.material.sphereMap.source, 2 * ballEdge, SphereMapLevels::Plain, job);
     // The level that is just larger than the card.
     const std::vector<Image>& levels = texels.levels;
     const auto small = std::find_if(levels.rbegin(), levels.rend(), [](const Image& level) { return level.width >= ballEdge; });

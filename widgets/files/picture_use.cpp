@@ -14,9 +14,8 @@ std::optional<PictureFacts> pictureFacts(const QString& path)
         return std::nullopt;
     try {
         const ImageFileInfo info = openImage(toPath(path))->info();
-        PictureFacts facts{.isSquare = info.width == info.height,
-                           .saysSphereMap = info.attributes.contains("mirrorball:index"),
-                           .levels = info.levels};
+        PictureFacts facts{
+            .isSquare = info.width == info.height, .saysSphereMap = info.attributes.contains("mirrorball:index"), .levels = info.levels};
         facts.mayBeBall = facts.isSquare && info.width > 1 && !detectLayout(info).certain;
         return facts;
     } catch (const Error&) {

@@ -62,8 +62,7 @@ bool useMaterial(Workspace& workspace, const QString& path)
 {
     return orNotice(workspace, QStringLiteral("material"), [&] {
         const Material material = loadMaterial(toPath(path));
-        workspace.document.edit(words(QT_TRANSLATE_NOOP("UseFile", "Open material")), {},
-                                [&](Scene& scene) { scene.material = material; });
+        workspace.document.edit(words(QT_TRANSLATE_NOOP("UseFile", "Open material")), {}, [&](Scene& scene) { scene.material = material; });
         rememberRecent(path, FileKind::Material);
     });
 }

@@ -134,13 +134,11 @@ QWidget* MaterialPanel::makePresetRow()
             openMaterial(path);
     });
     button("save", tr("Save material"), tr("Save this material as a file of its own"), [this, filter, ending] {
-        const QString path = askWhereToSave(this,
-                                            {.purpose = QStringLiteral("save"),
-                                             .title = tr("Save material"),
-                                             .filter = filter,
-                                             .start = tr("untitled") + ending},
-                                            ending)
-                                 .path;
+        const QString path =
+            askWhereToSave(
+                this, {.purpose = QStringLiteral("save"), .title = tr("Save material"), .filter = filter, .start = tr("untitled") + ending},
+                ending)
+                .path;
         if (!path.isEmpty())
             saveMaterialAs(path);
     });
@@ -159,8 +157,7 @@ QWidget* MaterialPanel::makeReplacedNote()
     over->setAccessibleName(over->text());
     over->setToolTip(tr("Uses the sphere map over the reflecting material; the Sphere map dock has the other uses"));
     connect(over, &QPushButton::clicked, this, [this] {
-        m_workspace.document.edit(tr("Change use of the map"), {},
-                                  [](Scene& scene) { scene.material.sphereMap.use = SphereMapUse::Over; });
+        m_workspace.document.edit(tr("Change use of the map"), {}, [](Scene& scene) { scene.material.sphereMap.use = SphereMapUse::Over; });
     });
     auto* column = new QVBoxLayout(note);
     column->setContentsMargins(8, 6, 8, 6);

@@ -256,8 +256,8 @@ QWidget* ProbesPanel::makeGroupRow()
         }
     });
     menu->addAction(tr("Files..."), this, [this] {
-        for (const QString& file : askForFiles(
-                 this, {.purpose = QStringLiteral("probes"), .title = tr("Add probes"), .filter = filterOf(FileKind::Picture)}))
+        for (const QString& file :
+             askForFiles(this, {.purpose = QStringLiteral("probes"), .title = tr("Add probes"), .filter = filterOf(FileKind::Picture)}))
             m_workspace.library.addFile(file);
     });
     QAction* remove = menu->addAction(tr("Remove this folder from the list"), this,
@@ -406,9 +406,9 @@ void ProbesPanel::showMenu(const QPoint& position)
         ->setEnabled(isFile);
     menu->addSeparator();
     menu->addAction(tr("Copy its path"), this, [source] { QGuiApplication::clipboard()->setText(QDir::toNativeSeparators(source)); });
-    menu->addAction(tr("Open its folder"), this, [source] {
-        QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(source).absolutePath()));
-    })->setEnabled(isFile);
+    menu->addAction(tr("Open its folder"), this,
+                    [source] { QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(source).absolutePath())); })
+        ->setEnabled(isFile);
     menu->addSeparator();
     menu->addAction(tr("Remove from the list"), this, [this, source] { m_workspace.library.removeFile(source); })
         ->setEnabled(at.data(ProbeLibrary::GroupRole).toString() == ProbeLibrary::filesGroup());

@@ -205,9 +205,9 @@ void ViewPanel::addDisplay()
         } else if (chosen.size() == 3) {
             setDisplay({.config = chosen[0].toStdString(), .display = chosen[1].toStdString(), .view = chosen[2].toStdString()});
         } else {
-            const QString path = askForFile(this, {.purpose = QStringLiteral("open"),
-                                                   .title = tr("Open OpenColorIO configuration"),
-                                                   .filter = filterOf(FileKind::Display)});
+            const QString path = askForFile(
+                this,
+                {.purpose = QStringLiteral("open"), .title = tr("Open OpenColorIO configuration"), .filter = filterOf(FileKind::Display)});
             if (!path.isEmpty())
                 openDisplayConfig(path);
             showDisplay(m_workspace.document.scene()); // the dialog may have been cancelled

@@ -1,6 +1,7 @@
 #include "preview_widget.h"
 
 #include "cut_out.h"
+#include "preview_painting.h"
 
 #include "core/preview/scene_settings.h"
 #include "core/scene/scene_dependencies.h"
@@ -192,39 +193,17 @@ void PreviewWidget::paintEvent(QPaintEvent*)
         return;
     }
     if (m_picture.image.hasAlphaChannel())
-        paintGround(painter);
+        paintChequer(painter, size());
     if (m_picture.image.size() == deviceSize()) {
         painter.drawImage(0, 0, m_picture.image);
-    } else { // until the new size is drawn: as high as that will be, so that nothing is stretched and the object stays in place
-        painter.fillRect(rect(), QColor(0x26, 0x26, 0x26));
-        const QSizeF old = m_picture.image.size();
-        const double wide = old.width() * height() / std::max(1.0, old.height());
-        painter.drawImage(QRectF(0.5 * (width() - wide), 0.0, wide, height()), m_picture.image);
+    } else {
+        paintInPlaceOf(painter, m_picture.image, size());
         redraw();
     }
     if (m_comparison == Comparison::Wipe)
-        paintWipe(painter);
+        paintWipeLine(painter, m_wipe * width(), height());
     if (std::exchange(m_isNew, false))
         emit painted(m_picture.order.made, m_picture.seconds);
-}
-
-/// What stands for nothing: a chequer of two greys.
-void PreviewWidget::paintGround(QPainter& painter) const
-{
-    constexpr int square = 12;
-    painter.fillRect(rect(), QColor(0x2e, 0x2e, 0x2e));
-    for (int y = 0; y < height(); y += square)
-        for (int x = y / square % 2 * square; x < width(); x += 2 * square)
-            painter.fillRect(x, y, square, square, QColor(0x38, 0x38, 0x38));
-}
-
-void PreviewWidget::paintWipe(QPainter& painter) const
-{
-    const double x = m_wipe * width();
-    painter.setPen(QPen(QColor(20, 20, 20, 160), 3.0));
-    painter.drawLine(QPointF(x, 0), QPointF(x, height()));
-    painter.setPen(QPen(QColor(235, 235, 235), 1.0));
-    painter.drawLine(QPointF(x, 0), QPointF(x, height()));
 }
 
 void PreviewWidget::resizeEvent(QResizeEvent*) { redraw(); }

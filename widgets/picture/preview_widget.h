@@ -90,8 +90,6 @@ private:
     void order();
     bool patchSphereMap(const PreparedScene& made);
     void show(const Picture& picture);
-    void paintGround(QPainter& painter) const;
-    void paintWipe(QPainter& painter) const;
     bool isTurn(const QMouseEvent& event) const;
     void drag(const QPointF& moved);
     void point();

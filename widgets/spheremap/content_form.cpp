@@ -129,7 +129,8 @@ bool isUsed(const ImageLayer& layer, std::string_view name) { return name != "ti
 
 QString askForImage(QWidget* parent)
 {
-    return askForFile(parent, {.purpose = QStringLiteral("layer"), .title = ContentForm::tr("Open a picture of a ball"), .filter = imageFilter()});
+    return askForFile(parent,
+                      {.purpose = QStringLiteral("layer"), .title = ContentForm::tr("Open a picture of a ball"), .filter = imageFilter()});
 }
 
 ContentForm::ContentForm(EditContent edit, QWidget* parent) : SettingsForm(parent), m_edit(std::move(edit)) {}

@@ -314,8 +314,8 @@ void LayerList::contextMenuEvent(QContextMenuEvent* event)
     menu->setObjectName(QStringLiteral("layerMenu"));
     menu->setAttribute(Qt::WA_DeleteOnClose);
     fillMenu(*menu);
-    const QPoint at = event->reason() == QContextMenuEvent::Mouse ? event->globalPos()
-                                                                  : viewport()->mapToGlobal(visualRect(currentIndex()).center());
+    const QPoint at =
+        event->reason() == QContextMenuEvent::Mouse ? event->globalPos() : viewport()->mapToGlobal(visualRect(currentIndex()).center());
     menu->popup(at);
 }
 

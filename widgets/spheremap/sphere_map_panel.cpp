@@ -139,8 +139,8 @@ QWidget* SphereMapPanel::makeStart()
 
 void SphereMapPanel::askAndOpen()
 {
-    const QString path = askForFile(
-        this, {.purpose = QStringLiteral("open"), .title = tr("Open a sphere map"), .filter = filterOf(FileKind::SphereMap)});
+    const QString path =
+        askForFile(this, {.purpose = QStringLiteral("open"), .title = tr("Open a sphere map"), .filter = filterOf(FileKind::SphereMap)});
     if (!path.isEmpty())
         openMap(path);
 }
@@ -386,12 +386,11 @@ QMenu* SphereMapPanel::makeMapMenu(QToolButton& button)
     connect(menu->addAction(tr("Open...")), &QAction::triggered, this, &SphereMapPanel::askAndOpen);
     connect(menu->addAction(tr("Link a file...")), &QAction::triggered, this, &SphereMapPanel::askAndLink);
     connect(menu->addAction(tr("Save a copy...")), &QAction::triggered, this, [this] {
-        const QString path = askWhereToSave(this,
-                                            {.purpose = QStringLiteral("save"),
-                                             .title = tr("Save the sphere map"),
-                                             .filter = tr("Sphere maps (*.spheremap)")},
-                                            QStringLiteral(".spheremap"))
-                                 .path;
+        const QString path =
+            askWhereToSave(
+                this, {.purpose = QStringLiteral("save"), .title = tr("Save the sphere map"), .filter = tr("Sphere maps (*.spheremap)")},
+                QStringLiteral(".spheremap"))
+                .path;
         if (!path.isEmpty())
             saveMapAs(path.endsWith(QStringLiteral(".spheremap")) ? path : path + QStringLiteral(".spheremap"));
     });

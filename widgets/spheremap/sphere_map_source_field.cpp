@@ -40,10 +40,9 @@ SphereMapSourceField::SphereMapSourceField(PresetLibrary& library, QWidget* pare
     file->setObjectName(QStringLiteral("chooseFile"));
     file->setToolTip(tr("Choose a file"));
     connect(file, &QAction::triggered, this, [this, set] {
-        const QString path = askForFile(this, {.purpose = QStringLiteral("open"),
-                                               .title = tr("Choose a sphere map"),
-                                               .filter = sphereMapFileFilter(),
-                                               .start = m_source});
+        const QString path = askForFile(
+            this,
+            {.purpose = QStringLiteral("open"), .title = tr("Choose a sphere map"), .filter = sphereMapFileFilter(), .start = m_source});
         if (!path.isEmpty())
             set(path);
     });

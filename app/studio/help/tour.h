@@ -11,8 +11,8 @@
 
 namespace mirrorball::studio {
 
-/// A tour that does a real job: a light is chosen and turned, a material and the kind of its map, and maps are written. It stands as a strip
-/// above the picture and blocks nothing. A step waits until the user has done it, by whatever way; it can be shown, or skipped.
+/// A tour that does a real job: a light is chosen and turned, a material and the kind of its map, and maps are written. It stands as a
+/// strip above the picture and blocks nothing. A step waits until the user has done it, by whatever way; it can be shown, or skipped.
 class Tour : public QFrame {
     Q_OBJECT
 
