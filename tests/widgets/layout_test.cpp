@@ -173,11 +173,11 @@ void LayoutTest::keysOutsideThePictureChangeNothing()
 {
     StudioWindow window;
     window.show();
-    QWidget* const places[] = {window->findChild<QListView*>(QStringLiteral("probes.list")),
+    QWidget* const spots[] = {window->findChild<QListView*>(QStringLiteral("probes.list")),
                                window->findChild<QWidget*>(QStringLiteral("map.view")),
                                window->findChild<QPushButton*>(QStringLiteral("newSphereMap"))};
     const Scene before = window.document().scene();
-    for (QWidget* place : places) {
+    for (QWidget* place : spots) {
         place->setFocus();
         for (const Qt::Key key : {Qt::Key_2, Qt::Key_3, Qt::Key_E, Qt::Key_F, Qt::Key_R, Qt::Key_W, Qt::Key_D})
             QTest::keyClick(place, key);
