@@ -1,16 +1,20 @@
 #include "material_panel.h"
 
 #include "fresnel_curve.h"
+#include "widgets/controls/file_dialogs.h"
 #include "widgets/controls/text.h"
+#include "widgets/files/recent_files.h"
+#include "widgets/files/use_file.h"
 
 #include "core/base/error.h"
 #include "core/scene/material_presets.h"
 #include "core/scene/scene_file.h"
 #include "core/shading/conductor.h"
 
-#include <QFileDialog>
+#include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -48,6 +52,13 @@ bool isCustomMetal(const Scene& scene)
 /// Whether the reflection is read from levels of its map.
 bool readsLevels(const Scene& scene) { return scene.map.mips || scene.material.lambda > 0.0; }
 
+/// Whether the model shows a painted map alone: nothing here then has an effect.
+bool isReplaced(const Scene& scene)
+{
+    const SphereMapSettings& map = scene.material.sphereMap;
+    return !map.isNone() && map.use == SphereMapUse::Replace;
+}
+
 /// A weight of 0 to 2 on the slider; more can be typed.
 FieldStyle weightStyle() { return {.sliderLow = 0.0, .sliderHigh = 2.0}; }
 
@@ -74,6 +85,7 @@ MaterialPanel::MaterialPanel(Workspace& workspace, QWidget* parent) : QWidget(pa
     m_form = new OptionsForm(m_workspace.document);
     m_form->layout()->setContentsMargins(10, 10, 10, 10);
     m_form->addRow(makePresetRow(), OptionsForm::Span::Whole);
+    m_form->addRow(makeReplacedNote(), OptionsForm::Span::Whole, isReplaced);
     addReflection();
     addBrdf();
     addFresnel();
@@ -118,34 +130,53 @@ QWidget* MaterialPanel::makePresetRow()
         connect(made, &QToolButton::clicked, this, action);
         layout->addWidget(made);
     };
+    const QString ending = QStringLiteral(".material");
     const QString filter = tr("Materials and scenes (*.material *.json *.mirrorball);;All files (*)");
     button("open", tr("Open material"), tr("Take the material of a material or scene file"), [this, filter] {
-        if (const QString path = QFileDialog::getOpenFileName(this, tr("Open material"), {}, filter); !path.isEmpty())
+        const QString path = askForFile(this, {.purpose = QStringLiteral("open"), .title = tr("Open material"), .filter = filter});
+        if (!path.isEmpty())
             openMaterial(path);
     });
-    button("save", tr("Save material"), tr("Save this material as a file of its own"), [this, filter] {
-        QString path = QFileDialog::getSaveFileName(this, tr("Save material"), QStringLiteral("material.json"), filter);
+    button("save", tr("Save material"), tr("Save this material as a file of its own"), [this, filter, ending] {
+        const QString path =
+            askWhereToSave(
+                this, {.purpose = QStringLiteral("save"), .title = tr("Save material"), .filter = filter, .start = tr("untitled") + ending},
+                ending)
+                .path;
         if (!path.isEmpty())
             saveMaterialAs(path);
     });
     return row;
 }
 
-void MaterialPanel::openMaterial(const QString& path)
+QWidget* MaterialPanel::makeReplacedNote()
 {
-    try {
-        const Material material = loadMaterial(toPath(path));
-        m_workspace.document.edit(tr("Open material"), {}, [&](Scene& scene) { scene.material = material; });
-        m_workspace.notices.clear(QStringLiteral("material"));
-    } catch (const Error& error) {
-        m_workspace.notices.set({.subject = QStringLiteral("material"), .text = QString::fromUtf8(error.what())});
-    }
+    auto* note = new QFrame;
+    note->setObjectName(QStringLiteral("material.replaced"));
+    note->setProperty("role", QStringLiteral("notice"));
+    auto* text = new QLabel(tr("The sphere map is shown in place of this material: nothing below changes the picture."));
+    text->setWordWrap(true);
+    auto* over = new QPushButton(tr("Lay it over the material"));
+    over->setObjectName(QStringLiteral("material.showUnderMap"));
+    over->setAccessibleName(over->text());
+    over->setToolTip(tr("Uses the sphere map over the reflecting material; the Sphere map dock has the other uses"));
+    connect(over, &QPushButton::clicked, this, [this] {
+        m_workspace.document.edit(tr("Change use of the map"), {}, [](Scene& scene) { scene.material.sphereMap.use = SphereMapUse::Over; });
+    });
+    auto* column = new QVBoxLayout(note);
+    column->setContentsMargins(8, 6, 8, 6);
+    column->addWidget(text);
+    column->addWidget(over, 0, Qt::AlignLeft);
+    return note;
 }
+
+void MaterialPanel::openMaterial(const QString& path) { useMaterial(m_workspace, path); }
 
 void MaterialPanel::saveMaterialAs(const QString& path)
 {
     try {
         saveMaterial(m_workspace.document.scene(), toPath(path));
+        rememberRecent(path, FileKind::Material);
         m_workspace.notices.clear(QStringLiteral("material"));
     } catch (const Error& error) {
         m_workspace.notices.set({.subject = QStringLiteral("material"), .text = QString::fromUtf8(error.what())});

@@ -21,6 +21,7 @@ public:
 
 private:
     QWidget* makePresetRow();
+    QWidget* makeReplacedNote();
     void addReflection();
     void addBrdf();
     void addFresnel();

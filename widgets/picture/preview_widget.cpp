@@ -1,6 +1,8 @@
 #include "preview_widget.h"
 
+#include "cut_out.h"
 #include "picture_badges.h"
+#include "preview_painting.h"
 
 #include "core/preview/scene_settings.h"
 #include "core/scene/scene_dependencies.h"
@@ -167,36 +169,17 @@ void PreviewWidget::paintEvent(QPaintEvent*)
         return;
     }
     if (m_picture.image.hasAlphaChannel())
-        paintGround(painter);
+        paintChequer(painter, size());
     if (m_picture.image.size() == deviceSize()) {
         painter.drawImage(0, 0, m_picture.image);
-    } else { // until the new size is drawn
-        painter.drawImage(rect(), m_picture.image);
+    } else {
+        paintInPlaceOf(painter, m_picture.image, size());
         redraw();
     }
     if (m_comparison == Comparison::Wipe)
-        paintWipe(painter);
+        paintWipeLine(painter, m_wipe * width(), height());
     if (std::exchange(m_isNew, false))
         emit painted(m_picture.order.made, m_picture.seconds);
-}
-
-/// What stands for nothing: a chequer of two greys.
-void PreviewWidget::paintGround(QPainter& painter) const
-{
-    constexpr int square = 12;
-    painter.fillRect(rect(), QColor(0x2e, 0x2e, 0x2e));
-    for (int y = 0; y < height(); y += square)
-        for (int x = y / square % 2 * square; x < width(); x += 2 * square)
-            painter.fillRect(x, y, square, square, QColor(0x38, 0x38, 0x38));
-}
-
-void PreviewWidget::paintWipe(QPainter& painter) const
-{
-    const double x = m_wipe * width();
-    painter.setPen(QPen(QColor(20, 20, 20, 160), 3.0));
-    painter.drawLine(QPointF(x, 0), QPointF(x, height()));
-    painter.setPen(QPen(QColor(235, 235, 235), 1.0));
-    painter.drawLine(QPointF(x, 0), QPointF(x, height()));
 }
 
 void PreviewWidget::resizeEvent(QResizeEvent*) { redraw(); }
@@ -232,6 +215,11 @@ void PreviewWidget::changeExposure(double ev)
     m_workspace.document.edit(tr("Change exposure"), QStringLiteral("view.exposure"),
                               [&](Scene& scene) { scene.view.exposure = std::clamp(scene.view.exposure + ev, -64.0, 64.0); });
     m_rest.start();
+}
+
+void PreviewWidget::resetExposure()
+{
+    m_workspace.document.edit(tr("Reset exposure"), {}, [](Scene& scene) { scene.view.exposure = 0.0; });
 }
 
 void PreviewWidget::takeSnapshot()
