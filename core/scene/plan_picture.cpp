@@ -284,10 +284,8 @@ void Planner::planBrdf()
         ++levels;
     for (int i = 0; i < levels; ++i) {
         const double roughness = chainRoughness(i, levels);
-        const PrefilterOptions filter{.lobe = ggxLobe(roughness * roughness),
-                                      .target = levelLayout(largest, i),
-                                      .tolerance = chainTolerance,
-                                      .yaw = bakedYaw()};
+        const PrefilterOptions filter{
+            .lobe = ggxLobe(roughness * roughness), .target = levelLayout(largest, i), .tolerance = chainTolerance, .yaw = bakedYaw()};
         addLevel(map, planned(filter), text(map.name, " level ", i), "", "roughness 0: the level is the environment itself");
     }
     m_plan.specular = std::move(map);

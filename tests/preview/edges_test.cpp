@@ -57,8 +57,9 @@ int smoothRows(const Image& picture, int rows)
 
 } // namespace
 
-// A straight edge crosses the pixels of nearly every row. Four samples of a pixel span 0.79 of its width, measured across this edge: in so many
-// of the rows some lie on either side. The texels, 0.4 pixels wide, make the edge itself a little rough, so that two thirds must be found.
+// A straight edge crosses the pixels of nearly every row. Four samples of a pixel span 0.79 of its width, measured across this edge: in so
+// many of the rows some lie on either side. The texels, 0.4 pixels wide, make the edge itself a little rough, so that two thirds must be
+// found.
 TEST_F(Edges, OfHighlightsAreAsSmoothAsOutlinesHoweverBright)
 {
     constexpr int rows = 100;

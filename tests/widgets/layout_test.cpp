@@ -174,8 +174,8 @@ void LayoutTest::keysOutsideThePictureChangeNothing()
     StudioWindow window;
     window.show();
     QWidget* const spots[] = {window->findChild<QListView*>(QStringLiteral("probes.list")),
-                               window->findChild<QWidget*>(QStringLiteral("map.view")),
-                               window->findChild<QPushButton*>(QStringLiteral("newSphereMap"))};
+                              window->findChild<QWidget*>(QStringLiteral("map.view")),
+                              window->findChild<QPushButton*>(QStringLiteral("newSphereMap"))};
     const Scene before = window.document().scene();
     for (QWidget* place : spots) {
         place->setFocus();
