@@ -4,6 +4,7 @@
 #include "core/base/field_checks.h"
 #include "core/image/image_format.h"
 #include "core/image/map_file.h"
+#include "core/shading/brdf.h"
 #include "core/shading/brdf_file.h"
 #include "core/shading/conductor.h"
 #include "core/spheremap/evaluation/evaluate.h"

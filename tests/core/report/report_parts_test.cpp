@@ -121,8 +121,9 @@ TEST(DistortionCurves, EndWhereThePaperSays)
         ASSERT_EQ(curve.distortion.size(), static_cast<size_t>(distortionSteps));
         EXPECT_NEAR(curve.distortion.front(), 0.0, 1e-12);
         // Small circles: tan(t/2) has the slope (1 + d^2)/2 and the curvature of that, d: the middle moves by r d / (1 + d^2).
-        if (curve.radius <= 0.1)
+        if (curve.radius <= 0.1) {
             EXPECT_NEAR(curve.distortion.back(), curve.radius / 2.0, 0.05 * curve.radius);
+        }
         for (const double v : curve.distortion)
             largest = std::max(largest, v);
     }
