@@ -48,9 +48,9 @@ DoctorDialog::DoctorDialog(Workspace& workspace, const QString& map, QWidget* pa
     m_source->setAccessibleName(tr("Made from"));
     m_source->setToolTip(tr("The light probe that the map was filtered from: with it the doctor measures orientation and errors"));
     m_source->addItem(tr("not known"), QString());
-    for (const QString& source : {toQString(resolved(workspace.document.scene(), workspace.document.scene().probe.source))})
-        if (QFileInfo(source) != QFileInfo(map))
-            m_source->addItem(tr("the scene's probe, %1").arg(QFileInfo(source).fileName()), source);
+    const QString source = toQString(resolved(workspace.document.scene(), workspace.document.scene().probe.source));
+    if (QFileInfo(source) != QFileInfo(map)) // it may have become the probe itself
+        m_source->addItem(tr("the scene's probe, %1").arg(QFileInfo(source).fileName()), source);
     m_source->addItem(tr("Choose a file…"));
     connect(m_source, &QComboBox::activated, this, &DoctorDialog::chooseSource);
 

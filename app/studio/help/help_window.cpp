@@ -30,6 +30,28 @@ QToolButton* button(const char* iconName, const QString& name, const QString& he
     return made;
 }
 
+/// Pictures that are wider than a page should be are shown smaller.
+void fitPictures(QTextBrowser& browser)
+{
+    constexpr double widest = 600.0;
+    for (QTextBlock block = browser.document()->begin(); block.isValid(); block = block.next())
+        for (auto part = block.begin(); !part.atEnd(); ++part) {
+            QTextImageFormat format = part.fragment().charFormat().toImageFormat();
+            if (!format.isValid())
+                continue;
+            const QImage picture = browser.document()->resource(QTextDocument::ImageResource, QUrl(format.name())).value<QImage>();
+            if (picture.width() <= widest)
+                continue;
+            format.setWidth(widest);
+            format.setHeight(widest * picture.height() / picture.width());
+            QTextCursor cursor(browser.document());
+            cursor.setPosition(part.fragment().position());
+            cursor.setPosition(part.fragment().position() + part.fragment().length(), QTextCursor::KeepAnchor);
+            cursor.setCharFormat(format);
+            break; // the block's fragments are others now
+        }
+}
+
 } // namespace
 
 HelpWindow::HelpWindow() : m_text(new QTextBrowser), m_pages(new QListWidget), m_search(new QLineEdit)
@@ -39,7 +61,7 @@ HelpWindow::HelpWindow() : m_text(new QTextBrowser), m_pages(new QListWidget), m
     m_text->setOpenLinks(false);
     m_text->setAccessibleName(tr("Page of the guide"));
     m_text->setToolTip({});
-    m_text->document()->setBaseUrl(QUrl(QStringLiteral("qrc:/docs/")));
+    m_text->setSearchPaths({QStringLiteral(":/docs")});
     m_text->document()->setDocumentMargin(16);
     m_pages->setAccessibleName(tr("Pages of the guide"));
     m_pages->setFrameShape(QFrame::NoFrame);
@@ -105,6 +127,7 @@ void HelpWindow::load(const QString& file)
 {
     m_page = file;
     m_text->setMarkdown(guideText(file));
+    fitPictures(*m_text);
     for (int i = 0; i < m_pages->count(); ++i)
         if (m_pages->item(i)->data(Qt::UserRole).toString() == file) {
             m_pages->setCurrentRow(i);
