@@ -119,9 +119,8 @@ EnvironmentMap runSh9(FilterSource& source, const PrefilterOptions& options, con
 EnvironmentMap runMip(FilterSource& source, const PrefilterOptions& options, const JobControl& job, PrefilterOutcome& outcome)
 {
     const MipFiltering filtering = options.knobs.mipFiltering;
-    const MipPyramid& pyramid =
-        timedStage(outcome.stages, "mip pyramid of the environment",
-                   [&]() -> std::reference_wrapper<const MipPyramid> { return source.blurPyramid(filtering, job); });
+    timedStage(outcome.stages, "mip pyramid of the environment", [&] { source.blurPyramid(filtering, job); });
+    const MipPyramid& pyramid = source.blurPyramid(filtering, job); // which keeps it
     const double lambda = effectiveLambda(options, source.width());
     return timedStage(outcome.stages, "mip lookup", [&] { return mipBlur(pyramid, filtering, lambda, options.target, options.yaw, job); });
 }

@@ -2,8 +2,10 @@
 
 #include "color_space.h"
 #include "input_checks.h"
+#include "ocio_tables.h"
 
 #include "core/base/error.h"
+#include "core/base/file_log.h"
 
 #include <OpenColorIO/OpenColorIO.h>
 
@@ -33,6 +35,7 @@ ocio::ConstConfigRcPtr configuration(const std::string& space)
                               "; set $OCIO to an OpenColorIO configuration for names of its own");
     if (!std::filesystem::is_regular_file(path, error) || std::filesystem::file_size(path, error) > (std::uintmax_t{64} << 20))
         throw InvalidArgument("color_space: $OCIO is " + oneLine(path) + ", which is no OpenColorIO configuration; name a .ocio file");
+    noteRead(path);
     ocio::SetLoggingLevel(ocio::LOGGING_LEVEL_NONE);
     return ocio::Config::CreateFromFile(path);
 }
@@ -58,7 +61,9 @@ std::function<void(float* rgb)> ocioSpace(const std::string& name)
         }
         if (target.empty())
             target = ocio::ROLE_SCENE_LINEAR;
-        const ocio::ConstCPUProcessorRcPtr processor = config->getProcessor(name.c_str(), target.c_str())->getDefaultCPUProcessor();
+        const ocio::ConstProcessorRcPtr conversion = config->getProcessor(name.c_str(), target.c_str());
+        noteTables(*conversion);
+        const ocio::ConstCPUProcessorRcPtr processor = conversion->getDefaultCPUProcessor();
         return [processor, matrix](float* rgb) {
             processor->applyRGB(rgb);
             const glm::vec3 color = matrix * glm::vec3(rgb[0], rgb[1], rgb[2]);

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/file_log.h"
 #include "core/image/input_checks.h"
+#include "core/image/ocio_tables.h"
 
 #include <OpenColorIO/OpenColorIO.h>
 
@@ -155,7 +156,9 @@ std::shared_ptr<const DisplayTransform> displayTransform(const DisplayChoice& ch
         description->setLanguage(ocio::GPU_LANGUAGE_GLSL_4_0);
         description->setFunctionName("ocioDisplay");
         description->setResourcePrefix("ocio_");
-        config->getProcessor(transform)->getDefaultGPUProcessor()->extractGpuShaderInfo(description);
+        const ocio::ConstProcessorRcPtr processor = config->getProcessor(transform);
+        noteTables(*processor);
+        processor->getDefaultGPUProcessor()->extractGpuShaderInfo(description);
         made->glsl = description->getShaderText();
         addTables(*made, *description);
     });

@@ -13,12 +13,14 @@ namespace mirrorball {
 
 namespace {
 
+const ImageFormat& formatOf(const ExportTarget& target) { return writableFormat(target.fileName()); }
+
 SampleType samplesOf(const ExportTarget& target) { return target.half ? SampleType::Half : SampleType::Float; }
 
 /// Size of the files over that of their texels.
 double ratioOf(const ExportTarget& target, bool smooth)
 {
-    const ImageFormat& format = writableFormat(target.fileName());
+    const ImageFormat& format = formatOf(target);
     const CompressionRatios& ratios = format.half && target.half ? format.halfRatios : format.ratios;
     return target.kind == ExportKind::Painted ? ratios.painted : smooth ? ratios.smooth : ratios.plain;
 }
@@ -58,7 +60,7 @@ std::vector<ExportEstimate> estimateExports(const Plan& plan)
             estimate.seconds += filter.plan.filtered ? filter.plan.predictedSeconds : 0.0;
         }
         estimate.seconds += planned.paintingSeconds;
-        const std::int64_t texel = texelBytes(writableFormat(target.fileName()), samplesOf(target));
+        const std::int64_t texel = texelBytes(formatOf(target), samplesOf(target));
         for (const MapLayout& layout : layouts)
             estimate.texelBytes += texel * layout.width() * layout.height();
         estimate.fileBytes = std::llround(ratioOf(target, smooth) * static_cast<double>(estimate.texelBytes)) +

@@ -68,13 +68,15 @@ Json lobeJson(const Lobe& lobe)
     return {};
 }
 
+const ImageFormat& formatOf(const ExportTarget& target) { return writableFormat(target.fileName()); }
+
 /// What the texels of a file are, as its format stores them.
 struct Stored {
     const ImageFormat& format;
     std::string_view word; ///< of a sample
 
     explicit Stored(const ExportTarget& target)
-        : format(writableFormat(target.fileName())), word(sampleWord(format, target.half ? SampleType::Half : SampleType::Float))
+        : format(formatOf(target)), word(sampleWord(format, target.half ? SampleType::Half : SampleType::Float))
     {
     }
     bool isShown() const { return format.samples == StoredSamples::Byte; }

@@ -123,6 +123,42 @@ TEST(Recipe, HashesWhatTheOutputFollowsFrom)
     }
 }
 
+/// A configuration of OpenColorIO names its tables; both decide what comes out, whether it reads a file or shows a picture.
+TEST(Recipe, NamesAnOpenColorIoConfigurationAndTheTablesThatItReads)
+{
+    const BatchFolder folder;
+    const std::string table = "Version 1\nFrom 0.0 1.0\nLength 2\nComponents 1\n{\n0.0\n%\n}\n";
+    const auto writeTable = [&](const std::string& name, const std::string& top) {
+        test::writeBytes(folder / name, std::string(table).replace(table.find('%'), 1, top));
+    };
+    writeTable("camera.spi1d", "0.5");
+    writeTable("screen.spi1d", "0.8");
+    writeTable("unused.spi1d", "1.0");
+    test::writeBytes(folder / "c.ocio",
+                     "ocio_profile_version: 2\nroles:\n  default: lin_rec709\n  scene_linear: lin_rec709\nfile_rules:\n"
+                     "  - !<Rule> {name: Default, colorspace: default}\ndisplays:\n  d:\n    - !<View> {name: v, colorspace: screen}\n"
+                     "colorspaces:\n  - !<ColorSpace>\n    name: lin_rec709\n"
+                     "  - !<ColorSpace>\n    name: camera\n    to_scene_reference: !<FileTransform> {src: camera.spi1d}\n"
+                     "  - !<ColorSpace>\n    name: unused\n    to_scene_reference: !<FileTransform> {src: unused.spi1d}\n"
+                     "  - !<ColorSpace>\n    name: screen\n    from_scene_reference: !<FileTransform> {src: screen.spi1d}\n");
+    ASSERT_EQ(folder.shell("OCIO=c.ocio $mirrorball convert probe.hdr -o a.exr --to cube --size 8 --color-space camera --recipe").status,
+              0);
+    ASSERT_EQ(
+        folder.run("render --probe probe.hdr --geometry sphere --size 16x16 -o b.png --set view.display.config=c.ocio --recipe").status, 0);
+    const auto inputs = [&](const std::string& recipe) {
+        std::set<std::string> names;
+        const nlohmann::json json = nlohmann::json::parse(folder.bytes(recipe));
+        for (const auto& input : json["inputs"])
+            names.insert(input["file"].get<std::string>());
+        return names;
+    };
+    EXPECT_EQ(inputs("a.exr.recipe.json"), (std::set<std::string>{"c.ocio", "camera.spi1d", "probe.hdr"}));
+    EXPECT_EQ(inputs("b.png.recipe.json"), (std::set<std::string>{"c.ocio", "probe.hdr", "screen.spi1d"}));
+    writeTable("camera.spi1d", "0.6");
+    EXPECT_THAT(folder.run("recipe a.exr").err, HasSubstr("does not verify, because camera.spi1d has changed"));
+    EXPECT_EQ(folder.run("recipe b.png").err, "");
+}
+
 TEST(Recipe, SaysWhenAFileIsNoLongerWhatItMade)
 {
     const BatchFolder folder;

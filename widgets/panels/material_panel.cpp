@@ -26,24 +26,27 @@ namespace mirrorball::studio {
 namespace {
 
 constexpr auto specularOf = [](auto& scene) -> auto& { return scene.material.specular; };
+constexpr auto brdfOf = [](auto& scene) -> auto& { return scene.material.brdf; };
 constexpr auto fresnelOf = [](auto& scene) -> auto& { return scene.material.fresnel; };
 constexpr auto diffuseOf = [](auto& scene) -> auto& { return scene.material.diffuse; };
 constexpr auto mapOf = [](auto& scene) -> auto& { return scene.map; };
 constexpr auto materialOf = [](auto& scene) -> auto& { return scene.material; };
 
+bool hasNoBrdf(const Scene& scene) { return scene.material.brdf.isNone(); }
+
 auto lobeIs(SurfaceLobe lobe)
 {
-    return [lobe](const Scene& scene) { return scene.material.specular.lobe == lobe; };
+    return [lobe](const Scene& scene) { return scene.material.brdf.isNone() && scene.material.specular.lobe == lobe; };
 }
 
 auto fresnelIs(FresnelKind kind)
 {
-    return [kind](const Scene& scene) { return scene.material.fresnel.kind == kind; };
+    return [kind](const Scene& scene) { return scene.material.brdf.isNone() && scene.material.fresnel.kind == kind; };
 }
 
 bool isCustomMetal(const Scene& scene)
 {
-    return scene.material.fresnel.kind == FresnelKind::Conductor && scene.material.fresnel.metal == "custom";
+    return hasNoBrdf(scene) && scene.material.fresnel.kind == FresnelKind::Conductor && scene.material.fresnel.metal == "custom";
 }
 
 /// Whether the reflection is read from levels of its map.
@@ -84,6 +87,7 @@ MaterialPanel::MaterialPanel(Workspace& workspace, QWidget* parent) : QWidget(pa
     m_form->addRow(makePresetRow(), OptionsForm::Span::Whole);
     m_form->addRow(makeReplacedNote(), OptionsForm::Span::Whole, isReplaced);
     addReflection();
+    addBrdf();
     addFresnel();
     addDiffuse();
     addLookup();
@@ -184,7 +188,8 @@ void MaterialPanel::addReflection()
     m_form->addHeading(tr("Reflection"));
     m_form->addFields(
         "material.specular", specularOf,
-        {{"exponent", {.sliderLow = 0.1, .sliderHigh = 1e6, .scale = Scale::Logarithmic, .isShown = lobeIs(SurfaceLobe::Phong)}},
+        {{"lobe", {.isShown = hasNoBrdf}},
+         {"exponent", {.sliderLow = 0.1, .sliderHigh = 1e6, .scale = Scale::Logarithmic, .isShown = lobeIs(SurfaceLobe::Phong)}},
          {"roughness", {.digits = 3, .isShown = lobeIs(SurfaceLobe::Ggx)}},
          {"weight", weightStyle()}});
     m_form->addFields("material", materialOf,
@@ -196,6 +201,20 @@ void MaterialPanel::addReflection()
                          .sliderHigh = 1.0,
                          .isShown = [](const Scene& scene) { return scene.material.lambda > 0.0; }}},
                        {"lod_bias", {.label = tr("LOD bias"), .sliderLow = -4.0, .sliderHigh = 8.0, .step = 0.1}}});
+}
+
+void MaterialPanel::addBrdf()
+{
+    m_form->addHeading(tr("Lobe that knows the view"));
+    m_form->addFields("material.brdf", brdfOf,
+                      {{"model",
+                        {.label = tr("BRDF"),
+                         .isText = true,
+                         .suggestions = {QStringLiteral("ggx:roughness=0.5,metal=gold"), QStringLiteral("ggx:roughness=0.4,ior=1.5"),
+                                         QStringLiteral("beckmann:alpha=0.25,metal=aluminium"),
+                                         QStringLiteral("ward:alpha=0.2,metal=copper"), QStringLiteral("phong:exponent=50")},
+                         .fileFilter = tr("Measured BRDFs (*.binary *.brdf *.csv *.txt)")}},
+                       {"lookups", {.label = tr("Lookups"), .isShown = [](const Scene& scene) { return !hasNoBrdf(scene); }}}});
 }
 
 // Kind and size of the map have their place in the map's dock.
@@ -218,7 +237,8 @@ void MaterialPanel::addFresnel()
     m_form->addHeading(tr("Fresnel"));
     m_form->addFields(
         "material.fresnel", fresnelOf,
-        {{"index", {.sliderLow = 1.0, .sliderHigh = 200.0, .scale = Scale::Logarithmic, .isShown = fresnelIs(FresnelKind::Dielectric)}},
+        {{"kind", {.isShown = hasNoBrdf}},
+         {"index", {.sliderLow = 1.0, .sliderHigh = 200.0, .scale = Scale::Logarithmic, .isShown = fresnelIs(FresnelKind::Dielectric)}},
          {"n", {.isHidden = true}},
          {"k", {.isHidden = true}}});
 
@@ -262,7 +282,7 @@ void MaterialPanel::addFresnel()
     m_form->addFields("material.fresnel", fresnelOf,
                       {{"kind", {.isHidden = true}}, {"index", {.isHidden = true}}, {"n", component}, {"k", component}});
     m_form->addRow(new FresnelCurve(m_workspace.document), OptionsForm::Span::Whole,
-                   [](const Scene& scene) { return scene.material.fresnel.kind != FresnelKind::None; });
+                   [](const Scene& scene) { return hasNoBrdf(scene) && scene.material.fresnel.kind != FresnelKind::None; });
 }
 
 void MaterialPanel::addDiffuse()

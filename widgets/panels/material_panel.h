@@ -23,6 +23,7 @@ private:
     QWidget* makePresetRow();
     QWidget* makeReplacedNote();
     void addReflection();
+    void addBrdf();
     void addFresnel();
     void addDiffuse();
     void addLookup();

@@ -55,6 +55,8 @@ private:
     QWidget* makeGroupRow();
     QWidget* makeDetails();
     void listGroups();
+    QString removableFile() const;
+    void removeFile();
     void choose(const QModelIndex& index);
     void showMenu(const QPoint& position);
     void markChosen();

@@ -1,6 +1,7 @@
 #include "core/scene/export.h"
 
 #include "core/base/error.h"
+#include "core/base/version.h"
 #include "core/image/builtin_probes.h"
 #include "core/image/image_io.h"
 #include "core/image/mip_pyramid.h"
@@ -102,6 +103,7 @@ TEST_F(Export, DescribesEachMapBesideIt)
 {
     exportScene(exportingScene(), m_folder);
     const nlohmann::json gloss = sidecar("gloss");
+    EXPECT_EQ(gloss["mirrorball_version"], version());
     EXPECT_EQ(gloss["files"], nlohmann::json({"gloss.exr"}));
     EXPECT_EQ(gloss["parameterization"], "paraboloid");
     EXPECT_EQ(gloss["width"], 64);
@@ -120,7 +122,7 @@ TEST_F(Export, DescribesEachMapBesideIt)
     EXPECT_EQ(sidecar("env")["levels"].size(), 7u);
     for (const char* name : {"env", "gloss", "chain"})
         EXPECT_EQ(openImage(m_folder / (std::string(name) + ".exr"))->info().attributes.at("mirrorball:indexed_by"),
-                  sidecar(name)["indexed_by"])
+                  sidecar(name)["indexed_by"].get<std::string>())
             << name;
 
     const nlohmann::json chain = sidecar("chain");
