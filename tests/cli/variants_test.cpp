@@ -72,7 +72,7 @@ TEST_F(Variants, TakeVectorsAndValuesWithCommas)
 TEST_F(Variants, OfRadianceAreFiles)
 {
     ASSERT_EQ(render("--grid material.specular.weight=1,2", "grid.exr").status, 0);
-    const Image grid = readImage(folder / "grid.exr").image;
+    const Image grid = readImage(folder / "grid.exr");
     const float* one = grid.texel(grid.width - 48 - 4 - 24, grid.height - 16);
     const float* two = grid.texel(grid.width - 24, grid.height - 16);
     for (int c = 0; c < 3; ++c)

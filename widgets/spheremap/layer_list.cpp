@@ -298,10 +298,11 @@ void LayerList::fillMenu(QMenu& menu)
     menu.addSeparator();
     add(tr("Copy"), QKeySequence::Copy, at.isValid(), [this] { copyLayer(m_editor); });
     add(tr("Paste above"), QKeySequence::Paste, hasCopiedLayers(), [this] { pasteLayers(m_editor); });
-    add(tr("Duplicate"), Qt::CTRL | Qt::Key_D, at.isValid(), [this] { m_editor.duplicateChosen(); });
+    add(tr("Duplicate"), QKeySequence(QStringLiteral("Ctrl+D")), at.isValid(), [this] { m_editor.duplicateChosen(); });
     menu.addSeparator();
-    add(tr("Move up"), Qt::CTRL | Qt::Key_Up, at.isValid() && layer < last, [this, layer] { m_editor.moveLayer(layer, layer + 1); });
-    add(tr("Move down"), Qt::CTRL | Qt::Key_Down, layer > 0, [this, layer] { m_editor.moveLayer(layer, layer - 1); });
+    add(tr("Move up"), QKeySequence(QStringLiteral("Ctrl+Up")), at.isValid() && layer < last,
+        [this, layer] { m_editor.moveLayer(layer, layer + 1); });
+    add(tr("Move down"), QKeySequence(QStringLiteral("Ctrl+Down")), layer > 0, [this, layer] { m_editor.moveLayer(layer, layer - 1); });
     menu.addSeparator();
     add(tr("Delete"), Qt::Key_Delete, at.isValid(), [this] { m_editor.removeChosen(); });
 }
