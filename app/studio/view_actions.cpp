@@ -76,6 +76,8 @@ void ViewActions::makeShading()
     view(Shading::TexCoords, "texcoords", tr("Texture coordinates"));
     view(Shading::Seams, "seams", tr("Seams of the map"));
     view(Shading::Mips, "mips", tr("Mip levels"));
+    view(Shading::NormalLines, "normal-lines", tr("Normals as lines"));
+    view(Shading::Bounds, "bounds", tr("Bounding box"));
     m_lookup = add("view.lookup", "lookup-vertex", tr("&Interpolate texture coordinates at vertices, as in 1999"),
                    tr("Looks sphere maps up between the vertices of the mesh, as the hardware of the papers did; otherwise at every pixel"),
                    {}, [this] {

@@ -57,6 +57,7 @@ struct PaintSettings {
     PlaceAt place = PlaceAt::Pixel;
     int anisotropy = 16; ///< most lookups along the longer side of a pixel's footprint, where the map's levels are averages; 1 to 16
     Flecks flecks{};
+    std::optional<int> onlyLevel{}; ///< of the map's levels this one alone is read, wherever; beyond the last: the last
 
     bool operator==(const PaintSettings&) const = default;
 };
@@ -93,11 +94,13 @@ struct Background {
 /// The material, or a debug view of what it is computed from. Debug colours are meant for the display: neither exposed nor tone-mapped.
 enum class Shading {
     Material,
-    Wireframe, ///< the triangles
-    Normals,   ///< world space, [-1, 1] to [0, 1]: x red, y green, z blue
-    TexCoords, ///< u red, v green, under a chequer of 1/16
-    Seams,     ///< of the specular map's parameterization: its charts in colours, lines where they meet
-    Mips,      ///< the level that the specular lookup reads, in the colours of levelColor()
+    Wireframe,   ///< the triangles
+    Normals,     ///< world space, [-1, 1] to [0, 1]: x red, y green, z blue
+    TexCoords,   ///< u red, v green, under a chequer of 1/16
+    Seams,       ///< of the specular map's parameterization: its charts in colours, lines where they meet
+    Mips,        ///< the level that the specular lookup reads, in the colours of levelColor()
+    NormalLines, ///< a line along the normal of every vertex, or of some where there are many
+    Bounds,      ///< the box along the axes that holds the object
 };
 
 /// Colour of a mip level in the debug view: blue 0, cyan 1, green 2, yellow 3, orange 4, red 5, magenta 6, white from 7 on; linear RGB,
@@ -120,6 +123,7 @@ struct RenderSettings {
     float yaw = 0.0f;                        ///< radians, turns the environment about +Y as direction.h says
     float exposure = 0.0f;                   ///< EV: display pictures are multiplied by 2^exposure; radiance pictures are not
     ToneCurve toneCurve = ToneCurve::Filmic; ///< display pictures only
+    std::optional<ToneCurve> objectCurve{};  ///< of the object, where it is not toneCurve: paint is shown as it was painted
     /// In place of tone curve and sRGB, display pictures only; a new pointer means a new transform.
     std::shared_ptr<const DisplayTransform> display = nullptr;
 

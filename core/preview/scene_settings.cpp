@@ -1,6 +1,7 @@
 #include "scene_settings.h"
 
 #include "core/base/error.h"
+#include "core/scene/display_curves.h"
 
 #include <algorithm>
 
@@ -100,7 +101,10 @@ RenderSettings renderSettings(const Scene& scene, const Plan& plan, std::shared_
     settings.yaw = toRadians(scene.probe.yawDeg);
     settings.exposure = static_cast<float>(view.exposure);
     settings.display = std::move(display);
-    settings.toneCurve = static_cast<ToneCurve>(view.toneCurve);
+    const DisplayCurves curves = displayCurves(scene);
+    settings.toneCurve = curves.behind;
+    if (curves.object != curves.behind)
+        settings.objectCurve = curves.object;
     validate(settings);
     return settings;
 }

@@ -23,7 +23,9 @@ constexpr std::array lookupAtWords{"pixel"sv, "vertex"sv};
 constexpr std::array mapSpaceWords{"world"sv, "eye"sv};
 constexpr std::array projectionWords{"perspective"sv, "orthographic"sv};
 constexpr std::array backdropWords{"environment"sv, "blurred"sv, "color"sv, "none"sv};
-constexpr std::array shadingWords{"material"sv, "wireframe"sv, "normals"sv, "texcoords"sv, "seams"sv, "mips"sv};
+constexpr std::array shadingWords{"material"sv, "wireframe"sv, "normals"sv,      "texcoords"sv,
+                                  "seams"sv,    "mips"sv,      "normal-lines"sv, "bounds"sv};
+constexpr std::array toneChoiceWords{"auto"sv, "none"sv, "reinhard"sv, "filmic"sv};
 constexpr std::array exportKindWords{"source"sv, "specular"sv, "diffuse"sv, "chain"sv, "painted"sv};
 constexpr std::array fresnelKindWords{"none"sv, "dielectric"sv, "conductor"sv};
 constexpr std::array combineWords{"add"sv, "coat"sv};
@@ -117,6 +119,7 @@ std::span<const std::string_view> words(LookupAt) { return lookupAtWords; }
 std::span<const std::string_view> words(MapSpace) { return mapSpaceWords; }
 std::span<const std::string_view> words(Projection) { return projectionWords; }
 std::span<const std::string_view> words(Backdrop) { return backdropWords; }
+std::span<const std::string_view> words(ToneChoice) { return toneChoiceWords; }
 std::span<const std::string_view> words(Shading) { return shadingWords; }
 std::span<const std::string_view> words(ExportKind) { return exportKindWords; }
 std::span<const std::string_view> words(FresnelKind) { return fresnelKindWords; }
@@ -131,12 +134,6 @@ std::span<const std::string_view> words(Parameterization)
 std::span<const std::string_view> words(Method)
 {
     static const auto names = namesOf<Method, allMethods.size()>(allMethods);
-    return names;
-}
-
-std::span<const std::string_view> words(ToneCurve)
-{
-    static const auto names = namesOf<ToneCurve, 3>(std::array{ToneCurve::None, ToneCurve::Reinhard, ToneCurve::Filmic});
     return names;
 }
 

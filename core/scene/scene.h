@@ -30,7 +30,8 @@ enum class LookupAt { Pixel, Vertex };
 enum class MapSpace { World, Eye };
 enum class Projection { Perspective, Orthographic };
 enum class Backdrop { Environment, Blurred, Color, None };
-enum class Shading { Material, Wireframe, Normals, TexCoords, Seams, Mips };
+enum class ToneChoice { Auto, None, Reinhard, Filmic };
+enum class Shading { Material, Wireframe, Normals, TexCoords, Seams, Mips, NormalLines, Bounds };
 enum class ExportKind { Source, Specular, Diffuse, Chain, Painted };
 
 /// The words of files and command line for an enum's values, in their order.
@@ -41,13 +42,13 @@ std::span<const std::string_view> words(LookupAt);         // pixel vertex
 std::span<const std::string_view> words(MapSpace);         // world eye
 std::span<const std::string_view> words(Projection);       // perspective orthographic
 std::span<const std::string_view> words(Backdrop);         // environment blurred color none
-std::span<const std::string_view> words(Shading);          // material wireframe normals texcoords seams mips
+std::span<const std::string_view> words(Shading);          // material wireframe normals texcoords seams mips normal-lines bounds
 std::span<const std::string_view> words(ExportKind);       // source specular diffuse chain painted
 std::span<const std::string_view> words(Parameterization); // latlong cube sphere angular paraboloid octahedral
 std::span<const std::string_view> words(FresnelKind);      // none dielectric conductor
 std::span<const std::string_view> words(Combine);          // add coat
 std::span<const std::string_view> words(Method);           // auto reference spectral direct hierarchical importance paraboloid mip sh9
-std::span<const std::string_view> words(ToneCurve);        // none reinhard filmic
+std::span<const std::string_view> words(ToneChoice);       // auto none reinhard filmic
 
 /// Where the light comes from.
 struct ProbeSettings {
@@ -332,7 +333,7 @@ struct ViewSettings {
     Shading shading = Shading::Material;
     CameraSettings camera{};
     WindowSettings window{};
-    ToneCurve toneCurve = ToneCurve::Filmic;
+    ToneChoice tone = ToneChoice::Auto;
     double exposure = 0.0;
     DisplaySettings display{};
     BackdropSettings background{};
@@ -348,12 +349,17 @@ struct ViewSettings {
               self.geometry);
         visit(Field{"tessellation", "quads along a quarter of a circumference; 0: as fine as the picture needs", 0, 256},
               self.tessellation);
-        visit(Field{"shading",
-                    "the material, or what it is computed from: triangles, normals, texture coordinates, seams or levels of the map"},
-              self.shading);
+        visit(
+            Field{
+                "shading",
+                "the material, or what it is computed from: triangles, normals as colors or as lines, texture coordinates, seams or levels "
+                "of the map, the bounding box"},
+            self.shading);
         visit(Field{"camera", "where the eye is"}, self.camera);
         visit(Field{"window", "the window of the geometry of that name"}, self.window);
-        visit(Field{"tone", "curve that brings radiance to the display"}, self.toneCurve);
+        visit(Field{"tone", "curve that brings radiance to the display; auto: a sphere map that replaces the material is shown as it was "
+                            "painted, all else through filmic"},
+              self.tone);
         visit(Field{"exposure", "brightness of the display picture: times 2^exposure", -64, 64, "EV"}, self.exposure);
         visit(Field{"display", "display through OpenColorIO"}, self.display);
         visit(Field{"background", "what stands behind the object"}, self.background);

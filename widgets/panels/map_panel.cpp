@@ -5,6 +5,7 @@
 #include "core/image/mip_pyramid.h"
 #include "core/image/reproject.h"
 #include "core/report/error_metrics.h"
+#include "core/scene/display_curves.h"
 #include "core/sphere/map_sheet.h"
 
 #include <QFormLayout>
@@ -413,7 +414,7 @@ void MapPanel::applyColors()
         m_differenceRange = signedRange(*m_map);
     MapColoring coloring{.colors = static_cast<MapColors>(m_colors->currentData().toInt()),
                          .exposure = ev,
-                         .tone = m_workspace.document.scene().view.toneCurve,
+                         .tone = displayCurves(m_workspace.document.scene()).behind,
                          .low = m_range.low * std::exp2(-ev),
                          .high = m_range.high * std::exp2(-ev)};
     MapColoring signedColoring{.colors = MapColors::Signed, .high = m_differenceRange * std::exp2(-ev)};
