@@ -9,6 +9,7 @@
 #include "support/temporary_folder.h"
 #include "widgets/panels/probes_panel.h"
 
+#include <QAction>
 #include <QDir>
 #include <QFile>
 #include <QSettings>
@@ -294,6 +295,37 @@ void ProbesPanelTest::namesAllControls()
     ShownPanel shown;
     const QStringList names = unexplained(*shown.panel);
     QVERIFY2(names.isEmpty(), qPrintable(names.join(u'\n')));
+}
+
+void ProbesPanelTest::filesThatAreGoneCanBeTakenOffTheList()
+{
+    const TemporaryFolder folder;
+    ShownPanel shown;
+    QVERIFY(shown.isReady);
+    const int builtin = shown.panel->list().model()->rowCount();
+    QStringList files;
+    for (const char* name : {"one.exr", "two.exr", "three.exr"}) {
+        files << writeProbe(folder, name);
+        shown.workspace.library.addFile(files.back());
+    }
+    QVERIFY(shown.settle());
+    std::filesystem::remove(folder / "one.exr");
+    std::filesystem::remove(folder / "two.exr");
+    QCOMPARE(shown.workspace.library.missingFiles(), (QStringList{files[0], files[1]}));
+
+    QListView& list = shown.panel->list();
+    list.setCurrentIndex(shown.row(QStringLiteral("one.exr")));
+    QTest::keyClick(&list, Qt::Key_Delete);
+    QVERIFY(!shown.row(QStringLiteral("one.exr")).isValid());
+    auto* removeMissing = shown.panel->findChild<QAction*>(QStringLiteral("probes.remove-missing"));
+    QVERIFY(removeMissing);
+    removeMissing->trigger();
+    QVERIFY(!shown.row(QStringLiteral("two.exr")).isValid());
+    QVERIFY(shown.row(QStringLiteral("three.exr")).isValid());
+    list.setCurrentIndex(shown.row(QStringLiteral("studio"))); // built in: stays
+    QTest::keyClick(&list, Qt::Key_Delete);
+    QCOMPARE(list.model()->rowCount(), builtin + 1);
+    QVERIFY(ProbeLibrary().missingFiles().isEmpty()); // the next run knows
 }
 
 } // namespace mirrorball::test

@@ -156,7 +156,7 @@ ProbesPanel::ProbesPanel(Workspace& workspace, QWidget* parent)
     m_filter.setSourceModel(&workspace.library);
     m_list->setObjectName(QStringLiteral("probes.list"));
     m_list->setAccessibleName(tr("Probes"));
-    m_list->setToolTip(tr("Click a probe, or press Enter on it, to light the scene with it"));
+    m_list->setToolTip(tr("Click a probe, or press Enter on it, to light the scene with it; Delete takes a single file off the list"));
     m_list->setModel(&m_filter);
     m_list->setItemDelegate(new ProbeDelegate(m_watcher, this));
     m_list->setViewMode(QListView::IconMode);
@@ -261,8 +261,22 @@ QWidget* ProbesPanel::makeGroupRow()
     });
     QAction* remove = menu->addAction(tr("Remove this folder from the list"), this,
                                       [this] { m_workspace.library.removeFolder(m_group->currentData().toString()); });
-    connect(menu, &QMenu::aboutToShow, this,
-            [this, remove] { remove->setEnabled(m_workspace.library.folders().contains(m_group->currentData().toString())); });
+    QAction* removeOne = menu->addAction(tr("Remove the selected file from the list"), this, &ProbesPanel::removeFile);
+    removeOne->setObjectName(QStringLiteral("probes.remove-file"));
+    removeOne->setShortcut(QKeySequence::Delete);
+    removeOne->setShortcutContext(Qt::WidgetShortcut);
+    m_list->addAction(removeOne);
+    QAction* removeMissing = menu->addAction(tr("Remove missing files from the list"), this, [this] {
+        for (const QString& file : m_workspace.library.missingFiles())
+            m_workspace.library.removeFile(file);
+    });
+    removeMissing->setObjectName(QStringLiteral("probes.remove-missing"));
+    connect(menu, &QMenu::aboutToShow, this, [this, remove, removeOne, removeMissing] {
+        remove->setEnabled(m_workspace.library.folders().contains(m_group->currentData().toString()));
+        removeOne->setEnabled(!removableFile().isEmpty());
+        removeMissing->setEnabled(!m_workspace.library.missingFiles().isEmpty());
+    });
+    connect(menu, &QMenu::aboutToHide, removeOne, [removeOne] { removeOne->setEnabled(true); }); // its key works without the menu
     add->setMenu(menu);
     layout->addWidget(m_group, 1);
     layout->addWidget(m_find, 1);
@@ -276,6 +290,20 @@ QWidget* ProbesPanel::makeGroupRow()
         showEmptiness();
     });
     return row;
+}
+
+/// The selected card's file, where it is listed by itself; empty for built-in probes and those of a folder.
+QString ProbesPanel::removableFile() const
+{
+    const QModelIndex index = m_list->currentIndex();
+    return index.data(ProbeLibrary::GroupRole).toString() == ProbeLibrary::filesGroup() ? index.data(ProbeLibrary::SourceRole).toString()
+                                                                                        : QString();
+}
+
+void ProbesPanel::removeFile()
+{
+    if (const QString file = removableFile(); !file.isEmpty())
+        m_workspace.library.removeFile(file);
 }
 
 QWidget* ProbesPanel::makeDetails()

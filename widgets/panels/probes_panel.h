@@ -54,6 +54,8 @@ private:
     QWidget* makeGroupRow();
     QWidget* makeDetails();
     void listGroups();
+    QString removableFile() const;
+    void removeFile();
     void choose(const QModelIndex& index);
     void markChosen();
     void showEmptiness();
