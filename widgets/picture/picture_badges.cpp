@@ -15,7 +15,7 @@ namespace {
 constexpr int fromCorner = 8; ///< pixels
 
 /// Text and explanation of a badge; without a text it is not there.
-void show(QPushButton& badge, const QString& text, const QString& help)
+void say(QPushButton& badge, const QString& text, const QString& help)
 {
     badge.setText(text);
     if (!text.isEmpty())
@@ -55,6 +55,7 @@ QPushButton* PictureBadges::add(const char* name, const QString& spoken, std::fu
     badge->setProperty("role", QStringLiteral("badge"));
     badge->setCursor(Qt::PointingHandCursor);
     badge->setAutoDefault(false);
+    badge->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the picture
     layout()->addWidget(badge);
     layout()->setAlignment(badge, Qt::AlignLeft);
     connect(badge, &QPushButton::clicked, this, std::move(act));
@@ -65,17 +66,16 @@ void PictureBadges::follow()
 {
     const Scene& scene = m_workspace.document.scene();
     if (!showsPaint(scene) || !scene.view.display.config.empty())
-        show(*m_paint, {}, {});
+        say(*m_paint, {}, {});
     else if (displayCurves(scene).object == ToneCurve::None)
-        show(*m_paint, tr("Colors as painted"),
+        say(*m_paint, tr("Colors as painted"),
              tr("The sphere map is shown in the colors that were painted. Click to see it through the filmic curve, as light."));
     else
-        show(*m_paint, tr("Colors through a tone curve"),
+        say(*m_paint, tr("Colors through a tone curve"),
              tr("The sphere map is shown as light, through the tone curve: its colors are not those that were painted. Click to see "
                 "those."));
-    show(*m_level, m_workspace.sphereMap.onlyLevelText(),
-         tr("Every lookup reads this level of the sphere map, however small it is on the screen, and strokes go to it alone. Click, or "
-            "press "
+    say(*m_level, m_workspace.sphereMap.onlyLevelText(),
+         tr("Every lookup reads this level of the sphere map, whatever its size on the screen, and strokes go to it alone. Click, or press "
             "Escape, to show all levels."));
     showKept();
     place();
@@ -89,9 +89,9 @@ void PictureBadges::showKept()
         for (const std::string& file : made->keptFiles)
             names << QFileInfo(toQString(file)).fileName();
     if (names.isEmpty())
-        show(*m_kept, {}, {});
+        say(*m_kept, {}, {});
     else
-        show(*m_kept, tr("As last read: %1").arg(names.join(QStringLiteral(", "))),
+        say(*m_kept, tr("As last read: %1").arg(names.join(QStringLiteral(", "))),
              tr("%1\nThe picture shows what was read before. It follows when the file is there again; click to look now.")
                  .arg(toQString(made->problem.empty() ? made->meshProblem : made->problem)));
 }
