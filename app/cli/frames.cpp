@@ -77,10 +77,15 @@ std::string withFrame(const std::string& text, int frame)
 void forFrames(const std::string& frames, std::initializer_list<std::string> outputs, int threads, FramesAtOnce atOnce,
                const std::function<void(int frame, const JobControl& job)>& body)
 {
-    const FrameRange range = parseFrames(frames);
+    forFrames("--frames", parseFrames(frames), outputs, threads, atOnce, body);
+}
+
+void forFrames(const std::string& option, const FrameRange& range, std::initializer_list<std::string> outputs, int threads,
+               FramesAtOnce atOnce, const std::function<void(int frame, const JobControl& job)>& body)
+{
     for (const std::string& output : outputs)
         if (range.count() > 1 && !output.empty() && output.find('#') == std::string::npos)
-            throw InvalidArgument("--frames: every frame would be written to '" + output +
+            throw InvalidArgument(option + ": every frame would be written to '" + output +
                                   "'; put #### in its name, for the frame's number");
     const JobControl whole = jobWithProgress("frames", threads);
     const int workers = atOnce == FramesAtOnce::One ? 1 : std::min(whole.threadCount(), range.count());

@@ -31,5 +31,8 @@ enum class FramesAtOnce {
 /// @throws InvalidArgument for an output without #; WorkError at the end when frames were left out, naming them
 void forFrames(const std::string& frames, std::initializer_list<std::string> outputs, int threads, FramesAtOnce atOnce,
                const std::function<void(int frame, const JobControl& job)>& body);
+/// The same for frames that another option asks for. @param option  for messages, "--turntable"
+void forFrames(const std::string& option, const FrameRange& range, std::initializer_list<std::string> outputs, int threads,
+               FramesAtOnce atOnce, const std::function<void(int frame, const JobControl& job)>& body);
 
 } // namespace mirrorball::cli

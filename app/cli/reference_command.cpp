@@ -1,6 +1,7 @@
 #include "reference_command.h"
 
 #include "command_words.h"
+#include "scene_file_page.h"
 
 #include "core/base/atomic_file.h"
 
@@ -33,6 +34,7 @@ void addReferenceCommand(CLI::App& program)
         writeText(whole / "completions/mirrorball", bashCompletion(program));
         writeText(whole / "completions/_mirrorball", zshCompletion(program));
         writeText(whole / "completions/mirrorball.fish", fishCompletion(program));
+        writeText(whole / "scene-file.md", sceneFilePage());
     });
 }
 

@@ -1,19 +1,24 @@
 #include "command.h"
 #include "frames.h"
 #include "reading_options.h"
+#include "variants.h"
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/image/image_format.h"
+#include "core/image/picture_grid.h"
 #include "core/preview/picture_file.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/scene_maps.h"
 #include "core/scene/scene_words.h"
+#include "core/shading/brdf_file.h"
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <map>
 #include <memory>
+#include <utility>
 
 namespace mirrorball::cli {
 
@@ -51,6 +56,8 @@ constexpr std::array fieldOptions{
     FieldOption{"--roughness", "material.specular.roughness", "material.specular.lobe", "ggx"},
     FieldOption{"--ior", "material.fresnel.index", "material.fresnel.kind", "dielectric"},
     FieldOption{"--metal", "material.fresnel.metal", "material.fresnel.kind", "conductor"},
+    FieldOption{"--brdf", "material.brdf.model"},
+    FieldOption{"--lookups", "material.brdf.lookups"},
     FieldOption{"--combine", "material.combine"},
     FieldOption{"--lambda", "material.lambda"},
     FieldOption{"--lambda-grazing", "material.lambda_grazing"},
@@ -67,9 +74,10 @@ constexpr std::array fieldOptions{
 };
 
 struct Options {
-    std::string scene, probe, material, geometry, size, camera, out, saved, stats, frames;
+    std::string scene, probe, material, geometry, size, camera, out, saved, stats, frames, turn;
     std::map<std::string, std::string> fields; ///< by flag, as typed
-    std::vector<std::string> set;
+    std::vector<std::string> set, grid;
+    int turntable = 0;
     int threads = 0;
     bool explain = false;
 };
@@ -140,8 +148,10 @@ Scene makeScene(const Options& o)
         setCamera(scene, o.camera);
     for (const FieldOption& option : fieldOptions)
         if (const auto given = o.fields.find(option.flag); given != o.fields.end() && !given->second.empty()) {
-            const bool isFile = std::string_view(option.flag) == "--sphere-map" && isSphereMapFile(given->second);
-            if (std::string_view(option.flag) == "--rotate") {
+            const std::string_view flag = option.flag;
+            const bool isFile =
+                (flag == "--sphere-map" && isSphereMapFile(given->second)) || (flag == "--brdf" && isBrdfFile(given->second));
+            if (flag == "--rotate") {
                 scene.probe.reading.rotateDeg = parseRotation(option.flag, given->second);
                 continue;
             }
@@ -158,17 +168,8 @@ Scene makeScene(const Options& o)
     return scene;
 }
 
-void runOne(const Options& o, const JobControl& job)
+void printAll(const Options& o, const Scene& scene, const std::vector<Stage>& plan, const WorkRecord& record, const JobControl& job)
 {
-    writableFormat(o.out);
-    checkTarget(o.out);
-    checkOutputsDiffer({{"--output", {o.out}}, {"--save-scene", filesOf(o.saved)}, {"--stats", filesOf(o.stats)}});
-    const Scene scene = makeScene(o);
-    PlannedScene planned = planScene(scene);
-    const std::vector<Stage> plan = planned.plan.stages;
-    if (o.explain)
-        printStages(plan);
-    const WorkRecord record = preview::savePicture(std::move(planned), o.out, job);
     printNotes(scene.probe.source, record.notes);
     sayUnpromised("render", record);
     if (!o.saved.empty())
@@ -177,10 +178,124 @@ void runOne(const Options& o, const JobControl& job)
         writeStats(o.stats, plan, record, job.threadCount());
 }
 
+void drawPicture(const Options& o, const Scene& scene, preview::PictureMaker& maker, const JobControl& job)
+{
+    PlannedScene planned = planScene(scene);
+    const std::vector<Stage> plan = planned.plan.stages;
+    if (o.explain)
+        printStages(plan);
+    const WorkRecord record = preview::savePicture(maker, std::move(planned), o.out, job);
+    printAll(o, scene, plan, record, job);
+}
+
+/// The scenes of a grid's cells, row by row, and the grid. @throws InvalidArgument before anything is read or drawn
+std::pair<std::vector<Scene>, PictureGrid> gridOf(const Options& o, const Scene& scene)
+{
+    const std::vector<GridAxis> axes = parseGrid(o.grid);
+    const GridAxis columns = axes[0], rows = axes.size() > 1 ? axes[1] : GridAxis{.values = {""}};
+    PictureGrid grid;
+    std::vector<Scene> cells;
+    for (size_t row = 0; row < rows.values.size(); ++row) {
+        if (!rows.field.empty())
+            grid.rows.push_back(rows.label(row));
+        for (size_t column = 0; column < columns.values.size(); ++column) {
+            if (row == 0)
+                grid.columns.push_back(columns.label(column));
+            cells.push_back(scene);
+            setByOption(cells.back(), "--grid " + columns.field, columns.field, columns.values[column]);
+            if (!rows.field.empty())
+                setByOption(cells.back(), "--grid " + rows.field, rows.field, rows.values[row]);
+            const ViewSettings &view = cells.back().view, &first = cells.front().view;
+            if (view.width != first.width || view.height != first.height)
+                throw InvalidArgument("--grid: its pictures are all of one size; give --size in place of view.width and view.height");
+        }
+    }
+    grid.cellWidth = cells.front().view.width;
+    grid.cellHeight = cells.front().view.height;
+    constexpr std::int64_t longest = 16384, most = std::int64_t{1} << 27;
+    if (const GridSize size = sizeOf(grid); size.width > longest || size.height > longest || size.width * size.height > most)
+        throw InvalidArgument("--grid: the picture would have " + std::to_string(size.width) + " x " + std::to_string(size.height) +
+                              " pixels, at most 16384 along a side and 134 million together; give a smaller --size or fewer values");
+    return {std::move(cells), std::move(grid)};
+}
+
+void drawGrid(const Options& o, const Scene& scene, preview::PictureMaker& maker, const JobControl& job)
+{
+    const auto [cells, grid] = gridOf(o, scene);
+    std::vector<Stage> plan;
+    for (const Scene& cell : cells) { // what is wrong with one is said before any is drawn
+        const PlannedScene planned = planScene(cell);
+        plan.insert(plan.end(), planned.plan.stages.begin(), planned.plan.stages.end());
+        if (o.explain)
+            printStages(planned.plan.stages);
+    }
+    WorkRecord record;
+    bool hasOpacity = false, isOnePicture = true;
+    Image before;
+    const size_t columns = grid.columns.size();
+    Image picture = layOut(grid, [&](int row, int column) {
+        const size_t index = static_cast<size_t>(row) * columns + static_cast<size_t>(column);
+        const float count = static_cast<float>(cells.size());
+        preview::Picture drawn = maker.draw(planScene(cells[index]), preview::lightOf(o.out),
+                                            partOf(job, static_cast<float>(index) / count, static_cast<float>(index + 1) / count));
+        record += std::move(drawn.record);
+        hasOpacity = hasOpacity || cells[index].view.background.kind == Backdrop::None;
+        isOnePicture = isOnePicture && (index == 0 || drawn.image == before);
+        before = drawn.image;
+        return std::move(drawn.image);
+    });
+    timedStage(record.stages, "save picture",
+               [&] { preview::writePicture(o.out, std::move(picture), hasOpacity ? Backdrop::None : Backdrop::Environment); });
+    for (std::vector<std::string>* lines : {&record.notes, &record.unpromised}) { // a note on the probe comes with every cell
+        std::sort(lines->begin(), lines->end());
+        lines->erase(std::unique(lines->begin(), lines->end()), lines->end());
+    }
+    printAll(o, scene, plan, record, job);
+    if (isOnePicture && cells.size() > 1)
+        std::fprintf(stderr,
+                     "mirrorball: render: --grid: all pictures are the same; a field may need another, as material.specular.roughness "
+                     "needs --set material.specular.lobe=ggx\n");
+}
+
+void runOne(const Options& o, const Scene& scene, preview::PictureMaker& maker, const JobControl& job)
+{
+    if (o.grid.empty())
+        drawPicture(o, scene, maker, job);
+    else
+        drawGrid(o, scene, maker, job);
+}
+
+void checkOutputs(const Options& o)
+{
+    writableFormat(o.out);
+    checkTarget(o.out);
+    checkOutputsDiffer({{"--output", {o.out}}, {"--save-scene", filesOf(o.saved)}, {"--stats", filesOf(o.stats)}});
+    if (!o.grid.empty() && !o.saved.empty())
+        throw InvalidArgument("--save-scene: a --grid draws a scene for every cell; leave out one of the two");
+}
+
 void run(const Options& o)
 {
+    preview::PictureMaker maker;
+    if (o.turntable == 0 && !o.turn.empty())
+        throw InvalidArgument("--turn: says what a turntable turns; give --turntable N, too");
+    if (o.turntable > 0) {
+        if (!o.frames.empty())
+            throw InvalidArgument("--turntable: its frames are those of one turn; leave out --frames");
+        forFrames("--turntable", {1, o.turntable}, {o.out, o.saved, o.stats}, o.threads, FramesAtOnce::One,
+                  [&](int frame, const JobControl& job) {
+                      Options one = o;
+                      for (std::string* name : {&one.out, &one.saved, &one.stats})
+                          *name = withFrame(*name, frame);
+                      checkOutputs(one);
+                      runOne(one, turned(makeScene(one), o.turn == "environment" ? Turns::Environment : Turns::Camera, frame, o.turntable),
+                             maker, job);
+                  });
+        return;
+    }
     if (o.frames.empty()) {
-        runOne(o, jobWithProgress("render", o.threads));
+        checkOutputs(o);
+        runOne(o, makeScene(o), maker, jobWithProgress("render", o.threads));
         return;
     }
     forFrames(o.frames, {o.out, o.saved, o.stats}, o.threads, FramesAtOnce::One, [&](int frame, const JobControl& job) {
@@ -189,9 +304,11 @@ void run(const Options& o)
             *name = withFrame(*name, frame);
         for (auto& [flag, value] : one.fields)
             value = withFrame(value, frame);
-        for (std::string& assignment : one.set)
-            assignment = withFrame(assignment, frame);
-        runOne(one, job);
+        for (std::vector<std::string>* texts : {&one.set, &one.grid})
+            for (std::string& assignment : *texts)
+                assignment = withFrame(assignment, frame);
+        checkOutputs(one);
+        runOne(one, makeScene(one), maker, job);
     });
 }
 
@@ -227,8 +344,23 @@ void addRenderCommand(CLI::App& program)
         const auto entry = std::find_if(entries.begin(), entries.end(), [&](const FieldEntry& e) { return e.path == option.field; });
         command->add_option(option.flag, o->fields[option.flag], valueHelp(*entry));
     }
-    command->add_option("--set", o->set, "FIELD=VALUE: any field of the scene file, such as view.background.blur=0.5")
+    command
+        ->add_option("--set", o->set,
+                     "FIELD=VALUE: any field of the scene file, such as view.background.blur=0.5; colors and points as "
+                     "[1,0.5,0.2], in quotes where the shell reads brackets")
         ->allow_extra_args(false);
+    command
+        ->add_option(
+            "--grid", o->grid,
+            "FIELD=VALUE,VALUE: a picture for each value, side by side in one; given twice, columns and rows. Values as --set takes "
+            "them, between semicolons where one has a comma: 'material.diffuse.color=[1,0,0];[0,0,1]'")
+        ->allow_extra_args(false);
+    command
+        ->add_option("--turntable", o->turntable,
+                     "make this many frames of a full turn, numbered from 1; #### in names stands for the frame's number")
+        ->check(within(1, 100000));
+    command->add_option("--turn", o->turn, "what a turntable turns: camera, as without it, or environment")
+        ->check(CLI::IsMember({"camera", "environment"}));
     command->add_option("--save-scene", o->saved, "write the scene that was drawn, options and all, to this .mirrorball file");
     command->add_option("--frames", o->frames, "make every frame of a sequence, FIRST-LAST; #### in names stands for the frame's number");
     command->add_option("--threads", o->threads, "threads; 0: one per core")->check(aThreadCount());

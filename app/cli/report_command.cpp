@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/shell_word.h"
 #include "core/preview/paraboloid_blur.h"
+#include "core/preview/sphere_drawer.h"
 #include "core/report/lobe_words.h"
 #include "core/report/make_report.h"
 #include "core/report/report_files.h"
@@ -21,7 +22,7 @@ namespace {
 struct Options {
     ReportOptions report{};
     ReadingOptions reading;
-    std::string folder, lobes = "phong:50,ggx:0.3,diffuse", methods, to = "cube";
+    std::string folder, lobes = "phong:50,ggx:0.3,diffuse", methods, parts, to = "cube";
     int size = 64, threads = 0;
     bool stability = false, quick = false;
 };
@@ -55,6 +56,19 @@ std::string deviceName(ParaboloidDevice& device)
     }
 }
 
+/// What measures on a graphics card, or on what stands in for one, where the report needs it.
+void useDevices(ReportOptions& options)
+{
+    const bool runsParaboloid = std::find(options.methods.begin(), options.methods.end(), Method::Paraboloid) != options.methods.end() &&
+                                (options.has(ReportPart::Methods) || options.has(ReportPart::Growth) || options.has(ReportPart::Stability));
+    if (runsParaboloid || options.has(ReportPart::Kernels) || options.has(ReportPart::Comparison)) {
+        options.device = std::make_shared<preview::ParaboloidBlur>();
+        options.deviceName = deviceName(*options.device);
+    }
+    if (options.has(ReportPart::Parameterizations) || options.has(ReportPart::Kernels))
+        options.drawer = preview::sphereDrawer();
+}
+
 /// The program's own words, as they would be typed again.
 std::string typed(int argc, const char* const* argv)
 {
@@ -73,9 +87,16 @@ void run(const Options& o, const CLI::App& command)
         throw InvalidArgument("--lobes: " + std::string(error.what()));
     }
     options.methods = parseMethods(o.methods);
+    if (!o.parts.empty())
+        try {
+            options.parts = reportPartsFromWords(o.parts);
+        } catch (const InvalidArgument& error) {
+            throw InvalidArgument("--parts: " + std::string(error.what()));
+        }
+    if (o.stability && !options.has(ReportPart::Stability))
+        options.parts.push_back(ReportPart::Stability);
     options.reading = o.reading.parse();
     options.target = {.kind = parseKind("--to", o.to), .size = o.size};
-    options.stability = o.stability;
     options.version = MIRRORBALL_VERSION;
     if (o.quick) { // a number that was given stays
         const ReportOptions given = options;
@@ -93,10 +114,10 @@ void run(const Options& o, const CLI::App& command)
     checkReportFolder(o.folder);
 
     const Interrupt interrupt; // before the device, whose driver starts threads
-    if (std::find(options.methods.begin(), options.methods.end(), Method::Paraboloid) != options.methods.end()) {
-        options.device = std::make_shared<preview::ParaboloidBlur>();
-        options.deviceName = deviceName(*options.device);
-    }
+    useDevices(options);
+    options.foretell = [](const ReportForecast& forecast) {
+        std::fprintf(stderr, "mirrorball: report: takes %s\n", describe(forecast).c_str());
+    };
     JobControl job = jobWithProgress("report", o.threads);
     job.stop = interrupt.token();
     const Report report = makeReport(options, job);
@@ -116,14 +137,18 @@ void addReportCommand(CLI::App& program, int argc, const char* const* argv)
     o->report.command = typed(argc, argv);
     CLI::App* command = program.add_subcommand(
         "report", "Measure every filtering method: error against run time, memory, stability; as HTML, JSON and CSV");
-    command->add_option("PROBE", o->report.probes, "files or builtin:NAME")->required();
+    command->add_option("PROBE", o->report.probes, "files or builtin:NAME; none where no part looks at one");
     command->add_option("-o,--output", o->folder, "folder for report.html, report.json and the .csv files; made when missing")->required();
     o->reading.addTo(*command);
     command->add_option("--lobes", o->lobes, "phong:EXPONENT, ggx:ALPHA and diffuse, with commas (" + o->lobes + ")");
     command->add_option("--methods", o->methods, "names with commas; without it all");
+    command->add_option(
+        "--parts", o->parts,
+        "what the report holds, with commas: methods, parameterizations, growth, stability, kernels, distortion, comparison; "
+        "without it the first three");
     command->add_option("--to", o->to, "parameterization of the filtered maps (KIND)");
     command->add_option("--size", o->size, "size of the filtered maps, as in filter")->check(anEdge());
-    command->add_flag("--stability", o->stability, "add the table of extreme cases");
+    command->add_flag("--stability", o->stability, "add the tables of extreme cases to the parts");
     command->add_flag("--quick", o->quick, "few settings and repeats, a coarse reference, no growth of cost: seconds instead of minutes");
     ReportOptions::visitFields(o->report, [&](const Field& field, auto& member) {
         std::string help(field.help);

@@ -38,7 +38,8 @@ py::object makeReportIn(const std::vector<std::string>& probes, const std::files
         }
     }
     options.target = toLayout(to, size, 0);
-    options.stability = stability;
+    if (stability)
+        options.parts.push_back(ReportPart::Stability);
     options.version = MIRRORBALL_VERSION;
     options.command = "mirrorball.report()";
     if (quick)

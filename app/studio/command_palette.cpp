@@ -3,39 +3,11 @@
 #include <QApplication>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QMainWindow>
-#include <QMenu>
-#include <QMenuBar>
 #include <QVBoxLayout>
 
 #include <algorithm>
 
 namespace mirrorball::studio {
-
-namespace {
-
-/// "Edit: Undo orbit".
-QString titleOf(const QAction* action, const QString& menu)
-{
-    QString text = action->text().remove(u'&');
-    if (text.endsWith(u'…'))
-        text.chop(1);
-    return menu.isEmpty() ? text : menu + QStringLiteral(": ") + text;
-}
-
-void collect(const QMenu& menu, const QString& path, QList<QAction*>& actions, QStringList& titles)
-{
-    for (QAction* action : menu.actions()) {
-        if (action->menu())
-            collect(*action->menu(), path + QStringLiteral(": ") + action->text().remove(u'&'), actions, titles);
-        else if (!action->isSeparator() && action->isEnabled() && !action->text().isEmpty()) {
-            actions << action;
-            titles << titleOf(action, path);
-        }
-    }
-}
-
-} // namespace
 
 int matchScore(const QString& typed, const QString& text)
 {
@@ -57,17 +29,17 @@ int matchScore(const QString& typed, const QString& text)
     return score;
 }
 
-CommandPalette::CommandPalette(QWidget& window)
+CommandPalette::CommandPalette(QMainWindow& window)
     : QDialog(&window, Qt::Popup | Qt::FramelessWindowHint), m_input(new QLineEdit(this)), m_list(new QListWidget(this))
 {
     setObjectName(QStringLiteral("commandPalette"));
     setAccessibleName(tr("Command palette"));
     setAttribute(Qt::WA_DeleteOnClose);
-    m_input->setPlaceholderText(tr("Type a command"));
+    m_input->setPlaceholderText(tr("Type a command, or the name of a control"));
     m_input->setAccessibleName(tr("Command"));
-    m_input->setToolTip(tr("Letters of the command, in their order"));
+    m_input->setToolTip(tr("Letters of it, in their order"));
     m_list->setAccessibleName(tr("Commands"));
-    m_list->setToolTip(tr("Enter or click runs the command"));
+    m_list->setToolTip(tr("Enter or click runs the command, or goes to the control"));
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setFocusPolicy(Qt::NoFocus);
     auto* column = new QVBoxLayout(this);
@@ -75,19 +47,14 @@ CommandPalette::CommandPalette(QWidget& window)
     column->addWidget(m_input);
     column->addWidget(m_list);
 
-    QStringList titles;
-    if (auto* main = qobject_cast<QMainWindow*>(&window))
-        for (const QAction* menu : main->menuBar()->actions())
-            if (menu->menu())
-                collect(*menu->menu(), menu->text().remove(u'&'), m_actions, titles);
-    for (int i = 0; i < m_actions.size(); ++i) {
-        auto* item = new QListWidgetItem(m_actions[i]->icon(), titles[i], m_list);
-        const QString shortcut = m_actions[i]->shortcut().toString(QKeySequence::NativeText);
+    m_entries = commandEntries(window) + controlEntries(window);
+    for (int i = 0; i < m_entries.size(); ++i) {
+        const PaletteEntry& entry = m_entries[i];
+        auto* item =
+            new QListWidgetItem(entry.icon, entry.keys.isEmpty() ? entry.title : entry.title + QStringLiteral("   ") + entry.keys, m_list);
         item->setData(Qt::UserRole, i);
-        item->setToolTip(m_actions[i]->toolTip());
-        if (!shortcut.isEmpty())
-            item->setText(titles[i] + QStringLiteral("   ") + shortcut);
-        item->setData(Qt::UserRole + 1, titles[i]);
+        item->setData(Qt::UserRole + 1, entry.title);
+        item->setToolTip(entry.help);
     }
     connect(m_input, &QLineEdit::textChanged, this, &CommandPalette::filter);
     connect(m_list, &QListWidget::itemClicked, this, &CommandPalette::run);
@@ -121,9 +88,9 @@ void CommandPalette::run()
     const QListWidgetItem* item = m_list->currentItem();
     if (!item || item->isHidden())
         return;
-    QAction* action = m_actions[item->data(Qt::UserRole).toInt()];
+    const std::function<void()> act = m_entries[item->data(Qt::UserRole).toInt()].run;
     close();
-    action->trigger();
+    act();
 }
 
 bool CommandPalette::eventFilter(QObject* watched, QEvent* event)

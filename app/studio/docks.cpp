@@ -1,5 +1,6 @@
 #include "docks.h"
 
+#include "widgets/controls/color_picker.h"
 #include "widgets/panels/map_panel.h"
 #include "widgets/panels/material_panel.h"
 #include "widgets/panels/plan_view.h"
@@ -23,20 +24,23 @@ QWidget* make(Workspace& workspace)
 const std::vector<DockEntry>& dockEntries()
 {
     static const std::vector<DockEntry> entries{
-        {"probes", QT_TRANSLATE_NOOP("Docks", "Probes"), "probes", Qt::LeftDockWidgetArea, make<ProbesPanel>},
-        {"material", QT_TRANSLATE_NOOP("Docks", "Material"), "material", Qt::RightDockWidgetArea, make<MaterialPanel>},
-        {"view", QT_TRANSLATE_NOOP("Docks", "View"), "view", Qt::RightDockWidgetArea, make<ViewPanel>},
-        {"map", QT_TRANSLATE_NOOP("Docks", "Map"), "map", Qt::LeftDockWidgetArea, make<MapPanel>},
-        {"sphere-map", QT_TRANSLATE_NOOP("Docks", "Sphere map"), "sphere-map", Qt::RightDockWidgetArea, make<SphereMapPanel>},
-        {"plan", QT_TRANSLATE_NOOP("Docks", "Plan"), "plan", Qt::BottomDockWidgetArea, make<PlanView>},
-        {"report", QT_TRANSLATE_NOOP("Docks", "Report"), "report", Qt::BottomDockWidgetArea, make<ReportPanel>},
+        {"probes", QT_TRANSLATE_NOOP("Docks", "Probes"), "probes", "files.md", Qt::LeftDockWidgetArea, make<ProbesPanel>},
+        {"material", QT_TRANSLATE_NOOP("Docks", "Material"), "material", "blur.md", Qt::RightDockWidgetArea, make<MaterialPanel>},
+        {"view", QT_TRANSLATE_NOOP("Docks", "View"), "view", "studio.md", Qt::RightDockWidgetArea, make<ViewPanel>},
+        {"map", QT_TRANSLATE_NOOP("Docks", "Map"), "map", "parameterizations.md", Qt::LeftDockWidgetArea, make<MapPanel>},
+        {"sphere-map", QT_TRANSLATE_NOOP("Docks", "Sphere map"), "sphere-map", "sphere-maps.md", Qt::RightDockWidgetArea,
+         make<SphereMapPanel>},
+        {"color", QT_TRANSLATE_NOOP("Docks", "Color"), "eyedropper", "studio.md", Qt::LeftDockWidgetArea,
+         [](Workspace&) -> QWidget* { return new ColorPicker; }},
+        {"plan", QT_TRANSLATE_NOOP("Docks", "Plan"), "plan", "blur.md", Qt::BottomDockWidgetArea, make<PlanView>},
+        {"report", QT_TRANSLATE_NOOP("Docks", "Report"), "report", "reports.md", Qt::BottomDockWidgetArea, make<ReportPanel>},
     };
     return entries;
 }
 
 const std::vector<DockTabs>& dockTabs()
 {
-    static const std::vector<DockTabs> tabs{{"material", "view"}, {"material", "sphere-map"}, {"plan", "report"}};
+    static const std::vector<DockTabs> tabs{{"material", "view"}, {"material", "sphere-map"}, {"map", "color"}, {"plan", "report"}};
     return tabs;
 }
 

@@ -14,6 +14,7 @@ struct DockEntry {
     const char* id;          ///< names the dock in the saved layout; never changes
     const char* title;       ///< source text, translated in the context "Docks"
     const char* icon;        ///< of resources/icons
+    const char* page;        ///< of the guide, for F1
     Qt::DockWidgetArea area; ///< where it stands at first
     QWidget* (*make)(Workspace& workspace);
 };

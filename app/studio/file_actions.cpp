@@ -1,26 +1,27 @@
 #include "file_actions.h"
 
+#include "samples.h"
 #include "theme.h"
 
-#include "core/base/error.h"
+#include "widgets/controls/file_dialogs.h"
+#include "widgets/controls/text.h"
+#include "widgets/files/recent_files.h"
+#include "widgets/files/use_file.h"
 
-#include <QFileDialog>
+#include "core/base/error.h"
+#include "core/scene/scene_file.h"
+
+#include <QDir>
 #include <QFileInfo>
 #include <QMessageBox>
-#include <QSettings>
 
 namespace mirrorball::studio {
 
-namespace {
-
-constexpr int recentCount = 10;
-const QString recentKey = QStringLiteral("recentFiles");
-
-} // namespace
-
-FileActions::FileActions(QWidget& window, Workspace& workspace) : QObject(&window), m_window(window), m_workspace(workspace) {}
-
-bool FileActions::isSceneFile(const QString& path) { return path.endsWith(QStringLiteral(".mirrorball"), Qt::CaseInsensitive); }
+FileActions::FileActions(QWidget& window, Workspace& workspace)
+    : QObject(&window), m_window(window), m_workspace(workspace), m_opener(workspace)
+{
+    m_opener.setSceneOpener([this](const QString& path) { return openScene(path); });
+}
 
 void FileActions::addTo(QMenu& menu)
 {
@@ -34,10 +35,17 @@ void FileActions::addTo(QMenu& menu)
         return action;
     };
     add("file.new", "new", tr("&New scene"), tr("Start a new scene"), QKeySequence::New, &FileActions::newScene);
-    add("file.open", "open", tr("&Open…"), tr("Open a scene file"), QKeySequence::Open, &FileActions::open);
+    add("file.open", "open", tr("&Open…"), tr("Open a scene, a light probe or another picture, a mesh, a sphere map or a material"),
+        QKeySequence::Open, &FileActions::askAndOpen);
     QMenu* recent = menu.addMenu(tr("Open &recent"));
+    recent->setObjectName(QStringLiteral("file.recent"));
+    recent->setToolTipsVisible(true);
     connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecent(*recent); });
     fillRecent(*recent);
+    QMenu* sampleMenu = menu.addMenu(tr("Open a sa&mple"));
+    sampleMenu->setObjectName(QStringLiteral("file.samples"));
+    sampleMenu->setToolTipsVisible(true);
+    fillSamples(*sampleMenu);
     menu.addSeparator();
     add("file.save", "save", tr("&Save"), tr("Save the scene"), QKeySequence::Save, &FileActions::save);
     add("file.saveAs", "save", tr("Save &as…"), tr("Save the scene under another name"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
@@ -50,12 +58,9 @@ void FileActions::newScene()
         m_workspace.document.reset();
 }
 
-void FileActions::open()
+void FileActions::askAndOpen()
 {
-    const QString path = QFileDialog::getOpenFileName(&m_window, tr("Open scene"), QFileInfo(m_workspace.document.filePath()).path(),
-                                                      tr("Mirrorball scenes (*.mirrorball);;All files (*)"));
-    if (!path.isEmpty())
-        openScene(path);
+    m_opener.open(askForFiles(&m_window, {.purpose = QStringLiteral("open"), .title = tr("Open"), .filter = openFilter()}));
 }
 
 bool FileActions::openScene(const QString& path)
@@ -65,13 +70,13 @@ bool FileActions::openScene(const QString& path)
     try {
         m_workspace.document.load(path);
         m_workspace.notices.clear(QStringLiteral("file"));
-        remember(m_workspace.document.filePath());
+        rememberRecent(m_workspace.document.filePath(), FileKind::Scene);
         return true;
     } catch (const Error& error) {
         m_workspace.notices.set({.subject = QStringLiteral("file"),
                                  .text = QString::fromUtf8(error.what()),
                                  .actionText = tr("Open another…"),
-                                 .action = [this] { open(); }});
+                                 .action = [this] { askAndOpen(); }});
         return false;
     }
 }
@@ -81,14 +86,15 @@ bool FileActions::save() { return m_workspace.document.filePath().isEmpty() ? as
 bool FileActions::askAndSave()
 {
     const QString now = m_workspace.document.filePath();
-    QString path =
-        QFileDialog::getSaveFileName(&m_window, tr("Save scene"), now.isEmpty() ? tr("untitled") + QStringLiteral(".mirrorball") : now,
-                                     tr("Mirrorball scenes (*.mirrorball)"));
-    if (path.isEmpty())
-        return false;
-    if (QFileInfo(path).suffix().isEmpty())
-        path += QStringLiteral(".mirrorball");
-    return saveAs(path);
+    const QString ending = QStringLiteral(".mirrorball");
+    const QString path = askWhereToSave(&m_window,
+                                        {.purpose = QStringLiteral("save"),
+                                         .title = tr("Save scene"),
+                                         .filter = tr("Mirrorball scenes (*.mirrorball)"),
+                                         .start = now.isEmpty() ? tr("untitled") + ending : now},
+                                        ending)
+                             .path;
+    return !path.isEmpty() && saveAs(path);
 }
 
 bool FileActions::saveAs(const QString& path)
@@ -96,7 +102,7 @@ bool FileActions::saveAs(const QString& path)
     try {
         m_workspace.document.save(path);
         m_workspace.notices.clear(QStringLiteral("save"));
-        remember(m_workspace.document.filePath());
+        rememberRecent(m_workspace.document.filePath(), FileKind::Scene);
         return true;
     } catch (const Error& error) {
         m_workspace.notices.set({.subject = QStringLiteral("save"),
@@ -125,23 +131,42 @@ bool FileActions::mayGoOn()
     }
 }
 
-QStringList FileActions::recentFiles() const { return QSettings().value(recentKey).toStringList(); }
-
-void FileActions::remember(const QString& path)
+void FileActions::fillSamples(QMenu& menu)
 {
-    QStringList files = recentFiles();
-    files.removeAll(path);
-    files.prepend(path);
-    QSettings().setValue(recentKey, files.mid(0, recentCount));
+    for (const Sample& sample : samples()) {
+        const bool isScene = sample.file.endsWith(QStringLiteral(".mirrorball"));
+        QAction* action = menu.addAction(tr("%1  (%2)").arg(sample.title, kindText(isScene ? FileKind::Scene : FileKind::SphereMap)), this,
+                                         [this, file = sample.file] { openSample(file); });
+        action->setToolTip(isScene ? tr("A scene to begin from; it has no file until it is saved")
+                                   : tr("A sphere map to begin from: it becomes the scene's own"));
+    }
+}
+
+// A sample belongs to no file of the user's: saving asks where.
+void FileActions::openSample(const QString& file)
+{
+    const QString path = samplePath(file);
+    if (fileKind(path) != FileKind::Scene) {
+        useSphereMap(m_workspace, path);
+        return;
+    }
+    if (!mayGoOn())
+        return;
+    try {
+        m_workspace.document.reset(loadScene(toPath(path)));
+    } catch (const Error& error) {
+        m_workspace.notices.set({.subject = QStringLiteral("file"), .text = QString::fromUtf8(error.what())});
+    }
 }
 
 void FileActions::fillRecent(QMenu& menu)
 {
     menu.clear();
-    for (const QString& path : recentFiles()) {
-        QAction* action = menu.addAction(QFileInfo(path).fileName(), this, [this, path] { openScene(path); });
-        action->setToolTip(path);
-        action->setStatusTip(path);
+    for (const RecentFile& file : recentFiles()) {
+        QAction* action = menu.addAction(tr("%1  (%2)").arg(QFileInfo(file.path).fileName(), kindText(file.kind)), this,
+                                         [this, path = file.path] { m_opener.open({path}); });
+        action->setToolTip(QDir::toNativeSeparators(file.path));
+        action->setStatusTip(QDir::toNativeSeparators(file.path));
     }
     if (menu.isEmpty())
         menu.addAction(tr("No files yet"))->setEnabled(false);

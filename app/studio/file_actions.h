@@ -1,20 +1,22 @@
 #pragma once
 
+#include "widgets/files/file_opener.h"
 #include "widgets/workspace/workspace.h"
 
 #include <QMenu>
 #include <QObject>
-#include <QStringList>
 
 namespace mirrorball::studio {
 
-/// Opening and saving the document: the guard of unsaved changes, recent files, and what is wrong with a file as a notice.
+/// Opening files of every kind and saving the document: the guard of unsaved changes, recent files, and what is wrong as a notice.
 class FileActions : public QObject {
     Q_OBJECT
 
 public:
     /// @param window parent of the dialogs
     FileActions(QWidget& window, Workspace& workspace);
+
+    FileOpener& opener() { return m_opener; }
 
     /// New, Open, Recent, Save, Save as.
     void addTo(QMenu& menu);
@@ -24,19 +26,18 @@ public:
     bool saveAs(const QString& path);
     /// Saves, discards or stops, as the user says. @return whether to go on
     bool mayGoOn();
-    QStringList recentFiles() const;
-
-    static bool isSceneFile(const QString& path);
 
 private:
     void newScene();
-    void open();
+    void askAndOpen();
     bool askAndSave();
-    void remember(const QString& path);
     void fillRecent(QMenu& menu);
+    void fillSamples(QMenu& menu);
+    void openSample(const QString& file);
 
     QWidget& m_window;
     Workspace& m_workspace;
+    FileOpener m_opener;
 };
 
 } // namespace mirrorball::studio

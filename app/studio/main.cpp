@@ -45,13 +45,17 @@ int main(int count, char** arguments)
     parser.addVersionOption();
     parser.addPositionalArgument(
         QStringLiteral("FILE"),
-        QCoreApplication::translate("main", "A scene (.mirrorball), a light probe (.hdr, .exr, ...) or a mesh to open."),
+        QCoreApplication::translate(
+            "main", "What to open: a scene, a light probe or another picture, a folder of them, a mesh, a sphere map, a material."),
         QStringLiteral("[FILE...]"));
     parser.process(*application);
 
     applyTheme(static_cast<QApplication&>(*application));
     MainWindow window;
     window.show();
-    window.openFiles(parser.positionalArguments());
+    const QStringList files = parser.positionalArguments();
+    window.openFiles(files);
+    if (files.isEmpty()) // who opens a file knows the way
+        window.greet();
     return QCoreApplication::exec();
 }

@@ -1,25 +1,32 @@
 #include "main_window.h"
 
 #include "command_palette.h"
+#include "dock_scroll.h"
 #include "docks.h"
+#include "palette_entries.h"
 #include "panel_rest.h"
 #include "theme.h"
+#include "work_status.h"
 
+#include "help/guide.h"
+
+#include "widgets/controls/file_dialogs.h"
 #include "widgets/controls/image_patterns.h"
 #include "widgets/controls/notice_panel.h"
 #include "widgets/controls/text.h"
 #include "widgets/exports/export_dialog.h"
+#include "widgets/files/doctor_dialog.h"
+#include "widgets/files/picture_question.h"
 #include "widgets/panels/plan_view.h"
 #include "widgets/panels/view_panel.h"
 #include "widgets/picture/model_painter.h"
+#include "widgets/spheremap/sphere_map_panel.h"
 
-#include "core/preview/mesh_file.h"
 #include "core/preview/picture_file.h"
 
 #include <QApplication>
 #include <QCloseEvent>
 #include <QCoreApplication>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -40,21 +47,10 @@ constexpr int layoutVersion = 2; ///< counts up when docks change so much that a
 MainWindow::MainWindow(const QString& recoveryFolder, QWidget* parent)
     : QMainWindow(parent), m_workspace(std::make_unique<Workspace>()), m_preview(new PreviewWidget(*m_workspace)),
       m_files(new FileActions(*this, *m_workspace)), m_views(new ViewActions(*m_preview, *m_workspace, this)),
-      m_recovery(new Recovery(m_workspace->document, recoveryFolder, this)), m_dropTarget(new DropTarget(*this, *m_workspace))
+      m_recovery(new Recovery(m_workspace->document, recoveryFolder, this)), m_dropTarget(new DropTarget(*this, m_files->opener())),
+      m_edits(new EditActions(*this, *m_workspace, m_files->opener(), *m_preview)), m_tour(new Tour(*m_workspace)),
+      m_help(new HelpActions(*this, *m_tour))
 {
-    m_dropTarget->addOpener([this](const QString& path) {
-        if (!FileActions::isSceneFile(path))
-            return false;
-        m_files->openScene(path);
-        return true;
-    });
-    m_dropTarget->addOpener([this](const QString& path) {
-        if (!preview::isMeshFile(toPath(path)))
-            return false;
-        useMesh(m_workspace->document, path);
-        return true;
-    });
-
     auto* middle = new QWidget(this);
     auto* column = new QVBoxLayout(middle);
     column->setContentsMargins(0, 0, 0, 0);
@@ -63,22 +59,29 @@ MainWindow::MainWindow(const QString& recoveryFolder, QWidget* parent)
     bar->setObjectName(QStringLiteral("pictureBar"));
     bar->setIconSize({20, 20});
     m_views->addTo(*bar);
+    m_views->addKeysTo(*middle);
     column->addWidget(bar);
     column->addWidget(new NoticePanel(m_workspace->notices, middle));
+    column->addWidget(m_tour);
     column->addWidget(m_preview, 1);
     setCentralWidget(middle);
     new ModelPainter(*m_preview, *m_workspace); // the preview's child
+    setHelpPage(*middle, QStringLiteral("studio.md"));
+    m_preview->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_preview, &QWidget::customContextMenuRequested, this, &MainWindow::showPictureMenu);
 
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks | GroupedDragging);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea); // the docks at the sides have the window's whole height
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     addDocks();
+    addOpening();
     addMenus();
-    addStatus();
+    new WorkStatus(*statusBar(), *m_workspace, *m_preview, m_pictures); // the bar's child
     watch();
     showTitle();
     arrange();
+    m_preview->setFocus(); // its keys are the ones that the guide begins with
     offerRecovery();
 }
 
@@ -97,7 +100,8 @@ void MainWindow::addDocks()
         auto* dock = new QDockWidget(QCoreApplication::translate("Docks", entry.title), this);
         dock->setObjectName(QString::fromLatin1(entry.id));
         dock->setAccessibleName(dock->windowTitle());
-        dock->setWidget(entry.make(*m_workspace));
+        dock->setWidget(new DockScroll(*entry.make(*m_workspace)));
+        setHelpPage(*dock, QLatin1String(entry.page));
         dock->toggleViewAction()->setIcon(icon(entry.icon));
         addDockWidget(entry.area, dock);
         new PanelRest(*dock);
@@ -110,6 +114,75 @@ void MainWindow::addDocks()
         connect(m_preview, &PreviewWidget::painted, plan, [plan](auto, double seconds) { plan->setDrawTime(seconds); });
 }
 
+/// What becomes of files: where drops land, what is asked, what comes to the front.
+void MainWindow::addOpening()
+{
+    FileOpener& opener = m_files->opener();
+    opener.setQuestion([this](const QString& path) {
+        auto* question = new PictureQuestion(*m_workspace, path, this);
+        connect(question, &PictureQuestion::chosen, this,
+                [this, path](PictureUse use, const ProbeReading& reading) { m_files->opener().usePicture(path, use, reading); });
+        m_help->serve(*question, QStringLiteral("files.md"));
+        question->open();
+    });
+    connect(&opener, &FileOpener::opened, this, [this](const QString& path, FileKind kind) {
+        if (kind == FileKind::SphereMap) // its layers are what it was opened for
+            dock(QStringLiteral("sphere-map"))->raise();
+        if (kind == FileKind::Picture)
+            offerDoctor(path);
+    });
+    auto* panel = findChild<SphereMapPanel*>();
+    m_dropTarget->addPlace(*m_preview, [panel] { return panel->isVisible() ? DropPlace::BesideSphereMap : DropPlace::Elsewhere; });
+    m_dropTarget->addPlace(*panel, [] { return DropPlace::SphereMap; });
+    m_dropTarget->addPlace(panel->canvas(), [] { return DropPlace::SphereMap; });
+    m_dropTarget->addPlace(panel->layers(), [] { return DropPlace::Layers; });
+    m_dropTarget->setPictureKeeper([this](const QImage& picture) { return m_edits->keep(picture); });
+}
+
+/// A file of several levels may be a map that someone filtered.
+void MainWindow::offerDoctor(const QString& path)
+{
+    const std::optional<PictureFacts> facts = pictureFacts(path);
+    const bool hasLevels = facts && facts->levels > 1;
+    m_workspace->notices.set(
+        {.subject = QStringLiteral("doctor"),
+         .text =
+             hasLevels
+                 ? tr("%1 holds %2 levels: it may be a map that was filtered already.").arg(QFileInfo(path).fileName()).arg(facts->levels)
+                 : QString(),
+         .actionText = tr("What is this map?"),
+         .action = [this, path] {
+             m_workspace->notices.clear(QStringLiteral("doctor"));
+             askDoctor(path);
+         }});
+}
+
+void MainWindow::askDoctor(const QString& path)
+{
+    auto* doctor = new DoctorDialog(*m_workspace, path, this);
+    m_help->serve(*doctor, QStringLiteral("doctor.md"));
+    doctor->open();
+}
+
+/// Brings a dock to the front where it is closed or behind a tab, and closes it where it is seen.
+QAction* MainWindow::makeDockAction(QDockWidget& dock)
+{
+    auto* action = new QAction(dock.toggleViewAction()->icon(), dock.windowTitle(), this);
+    action->setObjectName(QStringLiteral("window.") + dock.objectName());
+    action->setToolTip(tr("Brings the dock to the front, or closes it where it is there"));
+    action->setCheckable(true);
+    action->setChecked(!dock.isHidden());
+    connect(dock.toggleViewAction(), &QAction::toggled, action, &QAction::setChecked);
+    connect(action, &QAction::triggered, this, [&dock, action] {
+        const bool isSeen = !dock.isHidden() && dock.widget()->isVisible();
+        dock.setVisible(!isSeen);
+        if (!isSeen)
+            dock.raise();
+        action->setChecked(!isSeen);
+    });
+    return action;
+}
+
 void MainWindow::addMenus()
 {
     QMenu* file = menuBar()->addMenu(tr("&File"));
@@ -119,6 +192,14 @@ void MainWindow::addMenus()
     exportMaps->setObjectName(QStringLiteral("file.export"));
     exportMaps->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_E));
     exportMaps->setToolTip(tr("Write the maps of the scene, or copy the command line that does"));
+    QAction* doctor = file->addAction(icon("report"), tr("&What is this map?…"), this, [this] {
+        const QString path =
+            askForFile(this, {.purpose = QStringLiteral("open"), .title = tr("What is this map?"), .filter = filterOf(FileKind::Picture)});
+        if (!path.isEmpty())
+            askDoctor(path);
+    });
+    doctor->setObjectName(QStringLiteral("file.doctor"));
+    doctor->setToolTip(tr("Tell what a prefiltered map of anyone is: orientation, roughness law, lobe, scale, errors and faults"));
     QAction* picture = file->addAction(icon("picture"), tr("Save &picture…"), this, &MainWindow::askAndSavePicture);
     picture->setObjectName(QStringLiteral("file.picture"));
     picture->setShortcut(QKeySequence(Qt::Key_F12));
@@ -129,13 +210,7 @@ void MainWindow::addMenus()
     quit->setMenuRole(QAction::QuitRole);
 
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-    QAction* undo = m_workspace->document.undoStack().createUndoAction(this, tr("Undo"));
-    undo->setIcon(icon("undo"));
-    undo->setShortcut(QKeySequence::Undo);
-    QAction* redo = m_workspace->document.undoStack().createRedoAction(this, tr("Redo"));
-    redo->setIcon(icon("redo"));
-    redo->setShortcuts({QKeySequence::Redo, QKeySequence(Qt::CTRL | Qt::Key_Y)});
-    edit->addActions({undo, redo});
+    m_edits->addTo(*edit);
     edit->addSeparator();
     QAction* palette = edit->addAction(icon("palette"), tr("Command &palette…"), this, &MainWindow::openPalette);
     palette->setObjectName(QStringLiteral("edit.palette"));
@@ -147,10 +222,10 @@ void MainWindow::addMenus()
     m_dockMenu = menuBar()->addMenu(tr("&Window"));
     int number = 1;
     for (const DockEntry& entry : dockEntries()) {
-        QAction* toggle = dock(QLatin1String(entry.id))->toggleViewAction();
+        QAction* raise = makeDockAction(*dock(QLatin1String(entry.id)));
         if (number <= 9)
-            toggle->setShortcut(QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_0 + number++)));
-        m_dockMenu->addAction(toggle);
+            raise->setShortcut(QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_0 + number++)));
+        m_dockMenu->addAction(raise);
     }
     m_dockMenu->addSeparator();
     QAction* hide = m_dockMenu->addAction(icon("docks"), tr("&Hide or show all docks"), this, &MainWindow::hideOrShowDocks);
@@ -171,69 +246,14 @@ void MainWindow::addMenus()
     m_preview->addAction(onPicture);
 
     QMenu* help = menuBar()->addMenu(tr("&Help"));
-    help->addAction(tr("&About Mirrorball Studio"), this,
-                    [this] {
-                        QMessageBox::about(this, tr("Mirrorball Studio"),
-                                           tr("<b>Mirrorball Studio %1</b><p>Materials with environment maps.<p>GPL-3.0-or-later")
-                                               .arg(QApplication::applicationVersion()));
-                    })
-        ->setMenuRole(QAction::AboutRole);
-}
-
-void MainWindow::addStatus()
-{
-    m_state = new QLabel(this);
-    m_state->setAccessibleName(tr("State of the work"));
-    m_state->setProperty("role", QStringLiteral("footnote"));
-    m_progress = new QProgressBar(this);
-    m_progress->setRange(0, 1000);
-    m_progress->setTextVisible(false);
-    m_progress->setFixedSize(160, 10);
-    m_progress->setAccessibleName(tr("Progress"));
-    m_progress->setToolTip(tr("Progress of the work in the background"));
-    m_stop = new QToolButton(this);
-    m_stop->setIcon(icon("stop"));
-    m_stop->setAutoRaise(true);
-    m_stop->setAccessibleName(tr("Stop"));
-    m_stop->setToolTip(tr("Stop the work in the background (Esc)"));
-    m_stop->setShortcut(QKeySequence(Qt::Key_Escape));
-    statusBar()->addWidget(m_state, 1);
-    statusBar()->addPermanentWidget(m_progress);
-    statusBar()->addPermanentWidget(m_stop);
-    statusBar()->setSizeGripEnabled(false);
-    m_progress->hide();
-    m_stop->hide();
-    m_showProgress.setSingleShot(true);
-    m_showProgress.setInterval(400);
-    connect(&m_showProgress, &QTimer::timeout, this, [this] {
-        m_progress->setValue(0);
-        m_progress->show();
-        m_stop->show();
-    });
-    // Each change of a widget composes the whole window anew: not once a frame.
-    m_showState.setSingleShot(true);
-    m_showState.setInterval(300);
-    connect(&m_showState, &QTimer::timeout, this, [this] {
-        if (!m_workspace->document.isDragging())
-            showWork();
-    });
-    connect(m_stop, &QToolButton::clicked, this, [this] {
-        m_workspace->live.stop();
-        m_pictures.stop();
-        m_state->setText(tr("Stopped"));
-    });
-    for (JobRunner* runner : {&m_workspace->live.runner(), &m_pictures}) {
-        connect(runner, &JobRunner::busyChanged, this, &MainWindow::showWork);
-        connect(runner, &JobRunner::progressed, this, [this](double fraction) {
-            if (!m_progress->isHidden())
-                m_progress->setValue(static_cast<int>(1000 * fraction));
-        });
-    }
+    m_help->addTo(*help);
 }
 
 void MainWindow::watch()
 {
     Document& document = m_workspace->document;
+    connect(m_views, &ViewActions::said, this, [this](const QString& text) { statusBar()->showMessage(text, 4000); });
+    connect(m_tour, &Tour::showRequested, this, &MainWindow::showPlace);
     connect(&document, &Document::fileChanged, this, &MainWindow::showTitle);
     connect(&document, &Document::modifiedChanged, this, &MainWindow::setWindowModified);
     connect(&document, &Document::refused, this,
@@ -244,11 +264,6 @@ void MainWindow::watch()
             [this](const QString& message) { m_workspace->notices.set({.subject = QStringLiteral("scene"), .text = message}); });
     connect(&m_pictures, &JobRunner::failed, this,
             [this](const QString& message) { m_workspace->notices.set({.subject = QStringLiteral("picture"), .text = message}); });
-    connect(m_preview, &PreviewWidget::painted, this, [this](auto, double seconds) {
-        m_drawSeconds = seconds;
-        if (!m_showState.isActive())
-            m_showState.start();
-    });
 }
 
 void MainWindow::showProblems()
@@ -258,38 +273,14 @@ void MainWindow::showProblems()
     notices.clear(QStringLiteral("scene"));
     notices.set(
         {.subject = QStringLiteral("probe"), .text = toQString(made->problem), .actionText = tr("Choose another…"), .action = [this] {
-             const QString path = QFileDialog::getOpenFileName(this, tr("Open probe"));
-             if (!path.isEmpty())
-                 openFiles({path});
+             openFiles(
+                 askForFiles(this, {.purpose = QStringLiteral("open"), .title = tr("Open probe"), .filter = filterOf(FileKind::Picture)}));
          }});
     notices.set({.subject = QStringLiteral("display"), .text = toQString(made->displayProblem)});
     notices.set(
         {.subject = QStringLiteral("mesh"), .text = toQString(made->meshProblem), .actionText = tr("Show the teapot"), .action = [this] {
              m_workspace->document.edit(tr("Change geometry"), {}, [](Scene& scene) { scene.view.geometry = "teapot"; });
          }});
-}
-
-void MainWindow::showWork()
-{
-    const bool busy = m_workspace->live.runner().isBusy() || m_pictures.isBusy();
-    if (!busy) {
-        m_showProgress.stop();
-        m_progress->hide();
-        m_stop->hide();
-    } else if (!m_showProgress.isActive() && m_progress->isHidden()) {
-        m_showProgress.start();
-    }
-    if (m_workspace->document.isDragging())
-        return;
-    if (m_pictures.isBusy())
-        m_state->setText(tr("Saving the picture…"));
-    else if (m_workspace->live.runner().isBusy() && !m_progress->isHidden())
-        m_state->setText(tr("Making maps…"));
-    else if (!busy && m_workspace->live.isUpToDate() && m_drawSeconds >= 0.0)
-        m_state->setText(tr("Up to date. Drawn in %1 ms at %2 × %3")
-                             .arg(m_drawSeconds * 1e3, 0, 'f', 0)
-                             .arg(std::lround(m_preview->width() * m_preview->devicePixelRatioF()))
-                             .arg(std::lround(m_preview->height() * m_preview->devicePixelRatioF())));
 }
 
 void MainWindow::arrange()
@@ -334,26 +325,53 @@ void MainWindow::openPalette()
     palette->show();
 }
 
-void MainWindow::openFiles(const QStringList& paths) { m_dropTarget->open(paths); }
+void MainWindow::openFiles(const QStringList& paths) { m_files->opener().open(paths); }
 
 void MainWindow::openExport()
 {
     auto* dialog = new ExportDialog(*m_workspace, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &ExportDialog::saveRequested, m_files, &FileActions::save);
+    connect(dialog, &ExportDialog::exported, m_tour, &Tour::noteExport);
+    m_help->serve(*dialog, QStringLiteral("engines.md"));
     dialog->open();
+}
+
+void MainWindow::greet() { m_tour->greet(); }
+
+// A right drag may turn the light, or change the brush.
+void MainWindow::showPictureMenu(const QPoint& position)
+{
+    if (QApplication::keyboardModifiers() != Qt::NoModifier || m_workspace->sphereMap.paintsOnModel())
+        return;
+    QList<QAction*> others;
+    for (const char* name : {"edit.copy", "file.picture", "file.export"})
+        others << findChild<QAction*>(QLatin1String(name));
+    m_views->popUp(m_preview->mapToGlobal(position), others);
+}
+
+void MainWindow::showPlace(const QString& id, const QString& control)
+{
+    QDockWidget* place = dock(id);
+    auto* wanted = place ? place->findChild<QWidget*>(control) : nullptr;
+    if (wanted)
+        showControl(*wanted);
+    else
+        openExport();
 }
 
 void MainWindow::askAndSavePicture()
 {
     const QString filters = tr("Display picture (%1);;Linear radiance (%2)")
                                 .arg(imagePatterns(Holding::Display).join(u' '), imagePatterns(Holding::Light).join(u' '));
-    QString path = QFileDialog::getSaveFileName(this, tr("Save picture"), QStringLiteral("picture.png"), filters);
-    if (path.isEmpty())
-        return;
-    if (QFileInfo(path).suffix().isEmpty())
-        path += QStringLiteral(".png");
-    savePicture(path);
+    const QString ending = QStringLiteral(".png");
+    const QString path =
+        askWhereToSave(
+            this, {.purpose = QStringLiteral("picture"), .title = tr("Save picture"), .filter = filters, .start = tr("picture") + ending},
+            ending)
+            .path;
+    if (!path.isEmpty())
+        savePicture(path);
 }
 
 void MainWindow::savePicture(const QString& path)

@@ -1,18 +1,17 @@
 #pragma once
 
+#include "edit_actions.h"
 #include "file_actions.h"
+#include "help/help_actions.h"
 #include "recovery.h"
 #include "view_actions.h"
 
-#include "widgets/controls/drop_target.h"
+#include "widgets/files/drop_target.h"
 #include "widgets/picture/preview_widget.h"
 #include "widgets/workspace/workspace.h"
 
 #include <QDockWidget>
-#include <QLabel>
 #include <QMainWindow>
-#include <QProgressBar>
-#include <QToolButton>
 
 #include <memory>
 
@@ -30,13 +29,18 @@ public:
     Workspace& workspace() { return *m_workspace; }
     PreviewWidget& preview() { return *m_preview; }
     FileActions& files() { return *m_files; }
+    HelpActions& help() { return *m_help; }
+    Tour& tour() { return *m_tour; }
     Recovery& recovery() { return *m_recovery; }
-    DropTarget& dropTarget() { return *m_dropTarget; }
     /// The dock of that id (docks.h), or null.
     QDockWidget* dock(const QString& id) const;
 
     /// Opens files as if they were dropped: a scene, a mesh, a probe, a folder of probes.
     void openFiles(const QStringList& paths);
+    /// Offers the tour to who has never seen it.
+    void greet();
+    /// Shows what a prefiltered map is, in the doctor's words.
+    void askDoctor(const QString& path);
     /// Draws the picture at its own size into a file, in the background.
     void savePicture(const QString& path);
 
@@ -51,15 +55,18 @@ protected:
 
 private:
     void addDocks();
+    void addOpening();
+    void offerDoctor(const QString& path);
+    QAction* makeDockAction(QDockWidget& dock);
     void addMenus();
-    void addStatus();
     void arrange();
     void watch();
     void offerRecovery();
     void askAndSavePicture();
     void showTitle();
     void showProblems();
-    void showWork();
+    void showPictureMenu(const QPoint& position);
+    void showPlace(const QString& id, const QString& control);
 
     std::unique_ptr<Workspace> m_workspace; ///< goes after the widgets that look at it
     JobRunner m_pictures;                   ///< draws pictures into files
@@ -68,15 +75,12 @@ private:
     ViewActions* m_views;
     Recovery* m_recovery;
     DropTarget* m_dropTarget;
+    EditActions* m_edits;
+    Tour* m_tour;
+    HelpActions* m_help;
     QMenu* m_dockMenu = nullptr;
-    QLabel* m_state = nullptr;
-    QProgressBar* m_progress = nullptr;
-    QToolButton* m_stop = nullptr;
-    QTimer m_showProgress; ///< work that is done at once shows none
-    QTimer m_showState;
     QList<QDockWidget*> m_hiddenDocks;
     QByteArray m_firstLayout;
-    double m_drawSeconds = -1.0;
 };
 
 } // namespace mirrorball::studio

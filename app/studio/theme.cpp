@@ -18,9 +18,13 @@ QMainWindow::separator { background: #1c1c1c; width: 4px; height: 4px; }
 QMainWindow::separator:hover { background: #6b6b6b; }
 QLabel[role="heading"] { color: #f0f0f0; font-weight: bold; padding-top: 10px; padding-bottom: 2px; border-bottom: 1px solid #484848; }
 QLabel[role="footnote"] { color: #a8a8a8; }
+QPushButton[role="badge"] { background: rgba(20, 20, 20, 200); color: #f0f0f0; border: 1px solid #606060; border-radius: 4px; padding: 3px 8px; }
+QPushButton[role="badge"]:hover, QPushButton[role="badge"]:focus { border-color: #b0b0b0; }
 QFrame[role="notice"] { background: #4a3a1e; }
+QFrame[role="tour"] { background: #2f3a2c; }
 QFrame[role="notice"] QLabel { color: #f5e3bd; }
 QToolBar { background: #2b2b2b; border: none; spacing: 3px; padding: 3px; }
+QToolButton#qt_toolbar_ext_button { background: #5a5a5a; border: 1px solid #7a7a7a; border-radius: 3px; min-width: 18px; qproperty-icon: url(:/icons/more.svg); }
 QToolBar::separator { background: #484848; width: 1px; margin: 4px; }
 QToolButton:checked { background: #5a5a5a; border: 1px solid #7a7a7a; border-radius: 3px; }
 QStatusBar { background: #2b2b2b; }

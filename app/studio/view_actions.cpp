@@ -10,6 +10,17 @@
 
 namespace mirrorball::studio {
 
+namespace {
+
+/// Whether a key is one that is typed in texts, too.
+bool isPlainKey(const QKeySequence& key)
+{
+    return key.count() == 1 && !(key[0].keyboardModifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) &&
+           key[0].key() < Qt::Key_Escape; // letters, digits and signs; what has no letter comes after
+}
+
+} // namespace
+
 ViewActions::ViewActions(PreviewWidget& preview, Workspace& workspace, QObject* parent)
     : QObject(parent), m_preview(preview), m_workspace(workspace), m_geometry(this), m_shading(this), m_projection(this),
       m_background(this), m_compare(this), m_turn(this)
@@ -33,15 +44,56 @@ QAction* ViewActions::add(const char* id, const char* iconName, const QString& t
     const QString keys = key.toString(QKeySequence::NativeText);
     action->setToolTip(keys.isEmpty() ? help : QStringLiteral("%1 (%2)").arg(help, keys));
     action->setStatusTip(help);
-    connect(action, &QAction::triggered, this, [act = std::move(act)] { act(); });
+    if (isPlainKey(key)) {
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        m_plainKeys << action;
+    }
+    connect(action, &QAction::triggered, this, [this, act = std::move(act)] {
+        const int before = m_workspace.document.undoStack().index();
+        const Scene scene = m_workspace.document.scene();
+        act();
+        if (m_workspace.document.undoStack().index() != before || m_workspace.document.scene() != scene)
+            say();
+    });
     return action;
+}
+
+void ViewActions::popUp(const QPoint& global, const QList<QAction*>& others)
+{
+    auto* menu = new QMenu(&m_preview);
+    menu->setObjectName(QStringLiteral("pictureMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addActions(m_camera);
+    menu->addActions(m_exposure);
+    menu->addSeparator();
+    for (const auto& [title, group] :
+         {std::pair{tr("&Geometry"), &m_geometry}, std::pair{tr("&Shading"), &m_shading}, std::pair{tr("&Background"), &m_background}})
+        menu->addMenu(title)->addActions(group->actions());
+    menu->addSeparator();
+    menu->addAction(m_snapshot);
+    menu->addActions(m_compare.actions());
+    menu->addSeparator();
+    menu->addActions(others);
+    menu->popup(global);
+}
+
+void ViewActions::addKeysTo(QWidget& widget) { widget.addActions(m_plainKeys); }
+
+/// What was done, and that it can be taken back: a key may have been pressed by mistake.
+void ViewActions::say()
+{
+    const QString done = m_workspace.document.undoStack().undoText();
+    const double exposure = m_workspace.document.scene().view.exposure;
+    const bool isExposure = done == tr("Change exposure") || done == tr("Reset exposure");
+    emit said(tr("%1. Ctrl+Z takes it back").arg(isExposure ? tr("Exposure %1 EV").arg(exposure, 0, 'g', 4) : done));
 }
 
 QAction* ViewActions::addChoice(QActionGroup& group, const char* id, const char* iconName, const QString& text, const QKeySequence& key,
                                 const QString& undoLabel, std::function<void(Scene&)> choose, std::function<bool(const Scene&)> isOn)
 {
-    QAction* action = add(id, iconName, text, text, key,
-                          [this, undoLabel, choose = std::move(choose)] { m_workspace.document.edit(undoLabel, {}, choose); });
+    QAction* action = add(id, iconName, text, text, key, [this, undoLabel, text, choose = std::move(choose)] {
+        m_workspace.document.edit(QStringLiteral("%1: %2").arg(undoLabel, text), {}, choose);
+    });
     action->setCheckable(true);
     group.addAction(action);
     m_choices.push_back({action, std::move(isOn)});
@@ -76,6 +128,8 @@ void ViewActions::makeShading()
     view(Shading::TexCoords, "texcoords", tr("Texture coordinates"));
     view(Shading::Seams, "seams", tr("Seams of the map"));
     view(Shading::Mips, "mips", tr("Mip levels"));
+    view(Shading::NormalLines, "normal-lines", tr("Normals as lines"));
+    view(Shading::Bounds, "bounds", tr("Bounding box"));
     m_lookup = add("view.lookup", "lookup-vertex", tr("&Interpolate texture coordinates at vertices, as in 1999"),
                    tr("Looks sphere maps up between the vertices of the mesh, as the hardware of the papers did; otherwise at every pixel"),
                    {}, [this] {
@@ -105,7 +159,9 @@ void ViewActions::makeCamera()
     m_exposure << add("view.brighter", "brighter", tr("&Brighter"), tr("Exposure half a stop up"), QKeySequence(Qt::Key_E),
                       [this] { m_preview.changeExposure(0.5); })
                << add("view.darker", "darker", tr("&Darker"), tr("Exposure half a stop down"), QKeySequence(Qt::SHIFT | Qt::Key_E),
-                      [this] { m_preview.changeExposure(-0.5); });
+                      [this] { m_preview.changeExposure(-0.5); })
+               << add("view.exposureReset", "reset", tr("Reset e&xposure"), tr("Exposure back to 0 EV"), QKeySequence(Qt::Key_0),
+                      [this] { m_preview.resetExposure(); });
 }
 
 void ViewActions::makeBackground()
@@ -118,7 +174,7 @@ void ViewActions::makeBackground()
     };
     stand(Backdrop::Environment, "background-environment", tr("Environment"));
     stand(Backdrop::Blurred, "background-blurred", tr("Environment, blurred"));
-    stand(Backdrop::Color, "background-color", tr("One colour"));
+    stand(Backdrop::Color, "background-color", tr("One color"));
     stand(Backdrop::None, "background-none", tr("None"));
 }
 

@@ -21,6 +21,14 @@ public:
 
     void addTo(QMenu& menu);
     void addTo(QToolBar& bar);
+    /// What can be done with the picture, where the mouse is. @param others  commands of elsewhere that belong there, too
+    void popUp(const QPoint& global, const QList<QAction*>& others);
+    /// Keys without Ctrl or Alt work while this widget or one inside it has the keys: typed elsewhere they change nothing.
+    void addKeysTo(QWidget& widget);
+
+signals:
+    /// A command has changed the scene, in words for the status line.
+    void said(const QString& text);
 
 private:
     QAction* add(const char* id, const char* iconName, const QString& text, const QString& help, const QKeySequence& key,
@@ -35,11 +43,12 @@ private:
     void makeComparison();
     void makeTurn();
     void refresh();
+    void say();
 
     PreviewWidget& m_preview;
     Workspace& m_workspace;
     QActionGroup m_geometry, m_shading, m_projection, m_background, m_compare, m_turn;
-    QList<QAction*> m_camera, m_exposure;
+    QList<QAction*> m_camera, m_exposure, m_plainKeys;
     QAction* m_lookup = nullptr;
     QAction* m_snapshot = nullptr;
     QVector<std::pair<QAction*, std::function<bool(const Scene&)>>> m_choices;

@@ -9,6 +9,8 @@ namespace mirrorball {
 
 namespace {
 
+double viewAt(int column, int columns) { return std::acos((column + 0.5) / columns); }
+
 void put(Image& table, int column, const LookupFit& fit)
 {
     for (size_t k = 0; k < fit.lookups.size(); ++k) {
@@ -26,23 +28,34 @@ void put(Image& table, int column, const LookupFit& fit)
 Image makeLookupTable(const Brdf& brdf, int count, int size, const JobControl& job)
 {
     const int columns = size > 0 ? size : 32;
-    const auto viewAt = [columns](int i) { return std::acos((i + 0.5) / columns); };
     Image table(columns, 2 * count);
     // From a middling view outwards; one way and the other.
     const int middle = columns / 2;
-    const LookupFit first = fitLookups(brdf, viewAt(middle), count);
+    const LookupFit first = fitLookups(brdf, viewAt(middle, columns), count);
     put(table, middle, first);
-    int done = 1;
-    for (const int step : {1, -1}) {
-        LookupFit fit = first;
-        for (int i = middle + step; i >= 0 && i < columns; i += step) {
-            job.checkStop();
-            fit = fitLookups(brdf, viewAt(i), fit);
-            put(table, i, fit);
-            if (job.progress)
-                job.progress(static_cast<float>(++done) / static_cast<float>(columns));
-        }
-    }
+    parallelRows(
+        2, job,
+        [&](int firstWay, int lastWay) {
+            for (int way = firstWay; way < lastWay; ++way) {
+                const int step = way == 0 ? 1 : -1;
+                LookupFit fit = first;
+                for (int i = middle + step; i >= 0 && i < columns; i += step) {
+                    job.checkStop();
+                    fit = fitLookups(brdf, viewAt(i, columns), fit);
+                    put(table, i, fit);
+                }
+            }
+        },
+        1);
+    return table;
+}
+
+Image makeSplitSumTable(const Brdf& brdf, int size)
+{
+    const int columns = size > 0 ? size : 32;
+    Image table(columns, 2);
+    for (int i = 0; i < columns; ++i)
+        put(table, i, splitSum(brdf, viewAt(i, columns)));
     return table;
 }
 

@@ -18,6 +18,9 @@ namespace mirrorball {
 /// @throws InvalidArgument; Cancelled
 Image makeLookupTable(const Brdf& brdf, int count, int size, const JobControl& job = {});
 
+/// The same of what engines do, one lookup (splitSum()): K = 1, offsets 0.
+Image makeSplitSumTable(const Brdf& brdf, int size);
+
 /// The table read at a view, as the shader reads it. @param view  radians in [0, pi/2)
 LookupFit lookupsAt(const Image& table, double view);
 

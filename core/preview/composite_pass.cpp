@@ -11,11 +11,11 @@ glm::mat3 yawToMap(float yaw)
     return {glm::vec3(yawed({1, 0, 0}, -yaw)), glm::vec3(yawed({0, 1, 0}, -yaw)), glm::vec3(yawed({0, 0, 1}, -yaw))};
 }
 
-void addOutputDefines(std::vector<ShaderDefine>& defines, const RenderSettings& settings, Output output)
+void addOutputDefines(std::vector<ShaderDefine>& defines, const RenderSettings& settings, Output output, ToneCurve curve)
 {
     defines.emplace_back("OUTPUT_RADIANCE", output == Output::Radiance ? "1" : "0");
     defines.emplace_back("DISPLAY_OCIO", output == Output::Display && settings.display ? "1" : "0");
-    defines.emplace_back("TONE_CURVE", output == Output::Radiance ? "0" : std::to_string(static_cast<int>(settings.toneCurve)));
+    defines.emplace_back("TONE_CURVE", output == Output::Radiance ? "0" : std::to_string(static_cast<int>(curve)));
 }
 
 std::string_view outputPrelude(const RenderSettings& settings, Output output)
@@ -29,7 +29,7 @@ void Renderer::Resources::drawComposite(const RenderSettings& settings, const Re
     if (part.width <= 0 || part.height <= 0)
         return;
     std::vector<ShaderDefine> defines = {{"OBJECT_SAMPLES", object ? std::to_string(settings.samples) : "0"}};
-    addOutputDefines(defines, settings, output);
+    addOutputDefines(defines, settings, output, settings.toneCurve);
     const EnvironmentTexture* texture = nullptr;
     switch (settings.background.kind) {
     case BackgroundKind::None:

@@ -17,7 +17,7 @@ GlObject upload(const std::vector<Element>& elements)
 MeshBuffer::MeshBuffer(const Mesh& mesh)
     : m_vertexArray(makeVertexArray()), m_attributes{upload(mesh.positions), upload(mesh.normals), upload(mesh.texCoords)},
       m_indices(upload(mesh.indices)), m_count(static_cast<GLsizei>(mesh.indices.size())), m_openFrom(static_cast<GLsizei>(mesh.openFrom)),
-      m_bounds(boundingBox(mesh))
+      m_vertexCount(static_cast<GLsizei>(mesh.positions.size())), m_bounds(boundingBox(mesh))
 {
     const GLint components[3] = {3, 3, 2};
     for (GLuint i = 0; i < 3; ++i) {
@@ -41,6 +41,13 @@ void MeshBuffer::draw() const
     }
     glCullFace(GL_BACK);
     glDisable(GL_CULL_FACE);
+    glBindVertexArray(0);
+}
+
+void MeshBuffer::drawVertices() const
+{
+    glBindVertexArray(m_vertexArray);
+    glDrawArrays(GL_POINTS, 0, m_vertexCount);
     glBindVertexArray(0);
 }
 

@@ -7,7 +7,7 @@ namespace mirrorball::preview {
 
 namespace {
 
-// Where a box can show on the screen, with a pixel to spare. A box that reaches behind the eye can show anywhere.
+// Where a box can show on the screen, with pixels to spare for lines along it. A box that reaches behind the eye can show anywhere.
 PixelRectangle screenBounds(const BoundingBox& box, const glm::mat4& worldToClip, int width, int height)
 {
     glm::vec2 low(1.0f), high(-1.0f);
@@ -22,14 +22,8 @@ PixelRectangle screenBounds(const BoundingBox& box, const glm::mat4& worldToClip
     const auto pixel = [](float ndc, int size, int margin) {
         return std::clamp(static_cast<int>(std::floor((0.5 + 0.5 * glm::clamp(ndc, -1.5f, 1.5f)) * size)) + margin, 0, size);
     };
-    const int x0 = pixel(low.x, width, -1), y0 = pixel(low.y, height, -1);
-    return {x0, y0, pixel(high.x, width, 2) - x0, pixel(high.y, height, 2) - y0};
-}
-
-glm::mat4 worldToClip(const RenderSettings& settings, const BoundingBox& box)
-{
-    const glm::vec3 farthest = glm::max(glm::abs(box.low - settings.camera.target), glm::abs(box.high - settings.camera.target));
-    return settings.camera.worldToClip(float(settings.width) / float(settings.height), 1.01f * glm::length(farthest));
+    const int x0 = pixel(low.x, width, -3), y0 = pixel(low.y, height, -3);
+    return {x0, y0, pixel(high.x, width, 4) - x0, pixel(high.y, height, 4) - y0};
 }
 
 // The turn of the material's lookups.
@@ -63,9 +57,21 @@ std::string number(int value) { return std::to_string(value); }
 
 } // namespace
 
+BoundingBox drawnBounds(const RenderSettings& settings, const BoundingBox& mesh)
+{
+    const float more = settings.shading == Shading::NormalLines ? normalLineLength : 0.0f;
+    return {mesh.low - more, mesh.high + more};
+}
+
+glm::mat4 worldToClip(const RenderSettings& settings, const BoundingBox& drawn)
+{
+    const glm::vec3 farthest = glm::max(glm::abs(drawn.low - settings.camera.target), glm::abs(drawn.high - settings.camera.target));
+    return settings.camera.worldToClip(float(settings.width) / float(settings.height), 1.01f * glm::length(farthest));
+}
+
 PixelRectangle Renderer::Resources::beginObject(const RenderSettings& settings, const RenderTarget& target)
 {
-    const BoundingBox& box = mesh(settings.geometry).bounds();
+    const BoundingBox box = drawnBounds(settings, mesh(settings.geometry).bounds());
     const PixelRectangle part = screenBounds(box, worldToClip(settings, box), settings.width, settings.height);
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
     glViewport(0, 0, target.width, target.height);
@@ -78,13 +84,21 @@ PixelRectangle Renderer::Resources::beginObject(const RenderSettings& settings, 
 void Renderer::Resources::drawMesh(const RenderSettings& settings, const ShaderProgram& shader)
 {
     const MeshBuffer& buffer = mesh(settings.geometry);
-    shader.set("worldToClip", worldToClip(settings, buffer.bounds()));
+    shader.set("worldToClip", worldToClip(settings, drawnBounds(settings, buffer.bounds())));
     shader.set("viewer", settings.camera.viewer());
     shader.use();
     if (settings.material.faceEdges == FaceEdges::Clamped)
         glDisable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
     buffer.draw();
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+}
+
+void Renderer::Resources::drawMaterial(const RenderSettings& settings, const RenderMaps& maps, Output output)
+{
+    if (settings.geometry.kind == GeometryKind::Window && !settings.geometry.mesh)
+        drawWindow(settings, maps, output);
+    else
+        drawObject(settings, maps, output);
 }
 
 void Renderer::Resources::drawObject(const RenderSettings& settings, const RenderMaps& maps, Output output)
@@ -111,11 +125,12 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
         defines.emplace_back("SPHERE_LEVELS", texels.hasAuthoredLevels ? "1" : "0");
         defines.emplace_back("FLECKS", hasFlecks ? "1" : "0");
     }
-    addOutputDefines(defines, settings, output);
+    addOutputDefines(defines, settings, output, settings.objectCurve.value_or(settings.toneCurve));
     if (needed.specular) {
         addMapDefines(defines, "SPECULAR", specular.update(maps.specular, format, "specular"));
         defines.emplace_back("SPECULAR_ANISOTROPY", number(material.anisotropy));
     }
+    defines.emplace_back("BRDF_LOOKUPS", needed.specular ? number(material.brdfLookups) : "0");
     if (needed.diffuse)
         addMapDefines(defines, "DIFFUSE", diffuse.update(maps.diffuse, format, "diffuse"));
 
@@ -124,6 +139,11 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
     if (needed.specular) {
         bindMap(shader, "specular", 0, *specular.texture(), mapRotation(settings), material.lodBias);
         shader.set("specularColor", material.specular);
+        if (material.brdfLookups > 0) {
+            brdfLookups.update(maps.brdfLookups);
+            brdfLookups.bind(7);
+            shader.set("brdfTable", 7);
+        }
         shader.set("lambda", material.lambda);
         shader.set("lambdaGrazing", material.lambdaGrazing);
     }
@@ -133,7 +153,7 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
     }
     if (needed.sphereMap) {
         const bool isShifted = hasFlecks || sphereMaps[0].source()->hasAuthoredLevels;
-        sphereMaps[0].bind(4, isShifted ? 1 : paint.anisotropy);
+        sphereMaps[0].bind(4, isShifted ? 1 : paint.anisotropy, paint.onlyLevel);
         shader.set("paintedMap", 4);
         shader.set("sphereOpacity", paint.opacity);
         shader.set("sphereColor", paint.color);
@@ -179,6 +199,8 @@ void Renderer::Resources::drawDebug(const RenderSettings& settings, const Render
     shader.set("pixelRatio", settings.pixelRatio);
     shader.set("viewport", glm::vec4(settings.width, settings.height, 0.0f, 0.0f));
     drawMesh(settings, shader);
+    if (settings.shading == Shading::NormalLines || settings.shading == Shading::Bounds)
+        drawLines(settings, output);
 }
 
 // A viewport that begins left of and below the target moves one pixel of the picture to its (0, 0), on the same grid of samples.

@@ -9,8 +9,10 @@
 #include "core/base/atomic_file.h"
 #include "core/image/image_format.h"
 #include "core/image/opacity.h"
+#include "core/scene/scene_dependencies.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mirrorball::preview {
 
@@ -26,7 +28,19 @@ void divideByOpacity(Image& rgba)
 
 } // namespace
 
-Picture drawPicture(PlannedScene planned, PictureLight light, const JobControl& job)
+struct PictureMaker::Kept {
+    OffscreenContext context{};
+    Renderer renderer{};
+    std::optional<Scene> mapsOf{}; ///< of which the maps are
+    SceneMaps maps{};
+    std::optional<std::filesystem::path> meshFile{};
+    std::shared_ptr<const Mesh> mesh{};
+};
+
+PictureMaker::PictureMaker() = default;
+PictureMaker::~PictureMaker() = default;
+
+Picture PictureMaker::draw(PlannedScene planned, PictureLight light, const JobControl& job)
 {
     const Scene& scene = planned.scene;
     WorkRecord record = std::move(planned.record);
@@ -34,38 +48,69 @@ Picture drawPicture(PlannedScene planned, PictureLight light, const JobControl& 
     std::shared_ptr<const DisplayTransform> display;
     if (const auto choice = displayChoice(scene); choice && !radiance)
         display = timedStage(record.stages, "read display configuration", [&] { return displayTransform(*choice); });
-    std::shared_ptr<const Mesh> mesh;
-    if (const auto file = meshFile(scene))
-        mesh = timedStage(record.stages, "read mesh", [&] { return std::make_shared<const Mesh>(readMesh(*file, job)); });
-    const RenderSettings settings = renderSettings(scene, planned.plan, std::move(mesh), std::move(display));
-    SceneProbe probe = openProbe(std::move(planned.probe), planned.plan, partOf(job, 0.0f, 0.3f));
-    SceneMaps made = buildMaps(scene, planned.plan, probe, partOf(job, 0.3f, 0.9f));
-    record += std::move(made.record);
-    const RenderMaps maps = renderMaps(made);
+    std::shared_ptr<const Mesh> mesh = m_kept ? m_kept->mesh : nullptr;
+    const auto file = meshFile(scene);
+    if (!mesh || file != m_kept->meshFile)
+        mesh = file ? timedStage(record.stages, "read mesh", [&] { return std::make_shared<const Mesh>(readMesh(*file, job)); }) : nullptr;
+    const RenderSettings settings = renderSettings(scene, planned.plan, mesh, std::move(display));
+    const Scene wanted = mapsOf(scene);
+    if (m_kept && m_kept->mapsOf == wanted) {
+        record.stages.push_back({.name = "maps", .leftOut = true, .why = "kept: nothing that they depend on has changed"});
+    } else {
+        m_kept.reset(); // the old maps go before the new ones come
+        SceneProbe probe = openProbe(std::move(planned.probe), planned.plan, partOf(job, 0.0f, 0.3f));
+        SceneMaps maps = buildMaps(scene, planned.plan, probe, partOf(job, 0.3f, 0.9f));
+        record += std::exchange(maps.record, {});
+        job.checkStop();
+        timedStage(record.stages, "make OpenGL context", [&] { m_kept = std::make_unique<Kept>(); });
+        m_kept->mapsOf = wanted;
+        m_kept->maps = std::move(maps);
+    }
+    m_kept->meshFile = file;
+    m_kept->mesh = std::move(mesh);
     job.checkStop();
     Image picture = timedStage(record.stages, "draw", [&] {
-        OffscreenContext context;
-        Renderer renderer;
-        return radiance ? renderer.renderRadiance(settings, maps) : renderer.renderDisplay(settings, maps);
+        const RenderMaps maps = renderMaps(m_kept->maps);
+        return radiance ? m_kept->renderer.renderRadiance(settings, maps) : m_kept->renderer.renderDisplay(settings, maps);
     });
     return {.image = std::move(picture), .record = std::move(record)};
 }
 
+Picture drawPicture(PlannedScene planned, PictureLight light, const JobControl& job)
+{
+    return PictureMaker().draw(std::move(planned), light, job);
+}
+
+PictureLight lightOf(const std::filesystem::path& path)
+{
+    return writableFormat(path).samples == StoredSamples::Byte ? PictureLight::Display : PictureLight::Radiance;
+}
+
+void writePicture(const std::filesystem::path& path, Image picture, Backdrop background)
+{
+    const bool radiance = lightOf(path) == PictureLight::Radiance;
+    if (background != Backdrop::None || !writableFormat(path).alpha)
+        picture = withoutOpacity(picture);
+    else if (!radiance)
+        divideByOpacity(picture);
+    writeImage(path, picture, {.encoding = radiance ? Encoding::Linear : Encoding::Display});
+}
+
+WorkRecord savePicture(PictureMaker& maker, PlannedScene planned, const std::filesystem::path& path, const JobControl& job)
+{
+    const PictureLight light = lightOf(path);
+    checkTarget(path);
+    const Backdrop background = planned.scene.view.background.kind;
+    Picture drawn = maker.draw(std::move(planned), light, job);
+    job.checkStop();
+    timedStage(drawn.record.stages, "save picture", [&] { writePicture(path, std::move(drawn.image), background); });
+    return std::move(drawn.record);
+}
+
 WorkRecord savePicture(PlannedScene planned, const std::filesystem::path& path, const JobControl& job)
 {
-    const ImageFormat& format = writableFormat(path);
-    const bool radiance = format.samples != StoredSamples::Byte;
-    checkTarget(path);
-    const bool keepsOpacity = planned.scene.view.background.kind == Backdrop::None && format.alpha;
-    Picture drawn = drawPicture(std::move(planned), radiance ? PictureLight::Radiance : PictureLight::Display, job);
-    if (!keepsOpacity)
-        drawn.image = withoutOpacity(drawn.image);
-    else if (!radiance)
-        divideByOpacity(drawn.image);
-    job.checkStop();
-    timedStage(drawn.record.stages, "save picture",
-               [&] { writeImage(path, drawn.image, {.encoding = radiance ? Encoding::Linear : Encoding::Display}); });
-    return std::move(drawn.record);
+    PictureMaker maker;
+    return savePicture(maker, std::move(planned), path, job);
 }
 
 } // namespace mirrorball::preview

@@ -2,6 +2,7 @@
 
 #include "bound_map.h"
 #include "display_tables.h"
+#include "lookup_texture.h"
 #include "mesh_buffer.h"
 #include "render_target.h"
 #include "renderer.h"
@@ -18,7 +19,9 @@ struct Renderer::Resources {
 
     TexelFormat format;
     GlObject emptyVertexArray;
+    GlObject edgeFramebuffer{};
     BoundMap specular{}, diffuse{}, background{};
+    LookupTexture brdfLookups{};
     SphereMapTexture sphereMaps[3]{};
     ProgramCache programs{};
     DisplayTables displayTables{};
@@ -39,6 +42,11 @@ struct Renderer::Resources {
     void drawObject(const RenderSettings& settings, const RenderMaps& maps, Output output);
     void drawWindow(const RenderSettings& settings, const RenderMaps& maps, Output output);
     void drawDebug(const RenderSettings& settings, const RenderMaps& maps, Output output);
+    /// The object, or the window, as the material shows it.
+    void drawMaterial(const RenderSettings& settings, const RenderMaps& maps, Output output);
+    void drawLines(const RenderSettings& settings, Output output); ///< line_pass.cpp: those of Shading::NormalLines and Shading::Bounds
+    /// edge_pass.cpp: shades the edges inside of the object, which has been drawn, sample by sample.
+    void smoothEdges(const RenderSettings& settings, const RenderMaps& maps, Output output, const RenderTarget& object);
     /// Position, normal, direction and, with five, what else a SurfaceHit holds. @param corner pixel of the picture at (0, 0)
     void drawBuffers(const RenderSettings& settings, const RenderTarget& target, glm::ivec2 corner);
     /// Places in the painted sphere map, to a target of two channels.
@@ -52,14 +60,20 @@ struct Renderer::Resources {
                        const PixelRectangle& part, const GlObject* object);
 };
 
+inline constexpr float normalLineLength = 0.08f; ///< of Shading::NormalLines; the object's radius is 1
+/// What a picture of a mesh can touch: its bounds, and the lines that stand out of them.
+BoundingBox drawnBounds(const RenderSettings& settings, const BoundingBox& mesh);
+glm::mat4 worldToClip(const RenderSettings& settings, const BoundingBox& drawn);
+
 /// The turn from world directions to the environment's: L'(d) = L(yawed(d, -yaw)).
 glm::mat3 yawToMap(float yaw);
 
 /// What lib/output.glsl needs to know when it is compiled, and the display transform that stands before it.
-void addOutputDefines(std::vector<ShaderDefine>& defines, const RenderSettings& settings, Output output);
+void addOutputDefines(std::vector<ShaderDefine>& defines, const RenderSettings& settings, Output output, ToneCurve curve);
 std::string_view outputPrelude(const RenderSettings& settings, Output output);
 
-/// Texture units: 0 specular, 1 diffuse, 2 background, 3 the object's samples, 4 to 6 painted maps, from here on tables of the display.
+/// Texture units: 0 specular, 1 diffuse, 2 background, 3 the object's samples, 4 to 6 painted maps, 7 the table of a BRDF's lookups, from
+/// here on tables of the display.
 inline constexpr GLuint displayUnit = 8;
 
 } // namespace mirrorball::preview

@@ -57,6 +57,7 @@ struct PaintSettings {
     PlaceAt place = PlaceAt::Pixel;
     int anisotropy = 16; ///< most lookups along the longer side of a pixel's footprint, where the map's levels are averages; 1 to 16
     Flecks flecks{};
+    std::optional<int> onlyLevel{}; ///< of the map's levels this one alone is read, wherever; beyond the last: the last
 
     bool operator==(const PaintSettings&) const = default;
 };
@@ -69,7 +70,10 @@ enum class FaceEdges { Seamless, Clamped };
 struct MaterialSettings {
     glm::vec3 specular{1.0f};
     glm::vec3 diffuse{0.0f};
-    Fresnel fresnel{};              ///< F; None: F = 1
+    /// Lookups into the specular map, a ggx chain (chainRoughness()), at each pixel, as the table of the maps says: they stand for F L_m,
+    /// and their weights' sum for F. 0: one lookup by the mirror direction.
+    int brdfLookups = 0;
+    Fresnel fresnel{};              ///< F; None: F = 1. Not with BRDF lookups
     Combine combine = Combine::Add; ///< Add: F L_m + L_d; Coat: F L_m + (1 - F) L_d
     float lambda = 0.0f;            ///< least mip level of the specular lookup: max(lod + lodBias, lambda). Source: 002 section 2
     float lambdaGrazing = 0.0f;     ///< how much sharper at grazing angles: lambdaAt() of core/shading/lambda.h
@@ -93,11 +97,13 @@ struct Background {
 /// The material, or a debug view of what it is computed from. Debug colours are meant for the display: neither exposed nor tone-mapped.
 enum class Shading {
     Material,
-    Wireframe, ///< the triangles
-    Normals,   ///< world space, [-1, 1] to [0, 1]: x red, y green, z blue
-    TexCoords, ///< u red, v green, under a chequer of 1/16
-    Seams,     ///< of the specular map's parameterization: its charts in colours, lines where they meet
-    Mips,      ///< the level that the specular lookup reads, in the colours of levelColor()
+    Wireframe,   ///< the triangles
+    Normals,     ///< world space, [-1, 1] to [0, 1]: x red, y green, z blue
+    TexCoords,   ///< u red, v green, under a chequer of 1/16
+    Seams,       ///< of the specular map's parameterization: its charts in colours, lines where they meet
+    Mips,        ///< the level that the specular lookup reads, in the colours of levelColor()
+    NormalLines, ///< a line along the normal of every vertex, or of some where there are many
+    Bounds,      ///< the box along the axes that holds the object
 };
 
 /// Colour of a mip level in the debug view: blue 0, cyan 1, green 2, yellow 3, orange 4, red 5, magenta 6, white from 7 on; linear RGB,
@@ -120,6 +126,7 @@ struct RenderSettings {
     float yaw = 0.0f;                        ///< radians, turns the environment about +Y as direction.h says
     float exposure = 0.0f;                   ///< EV: display pictures are multiplied by 2^exposure; radiance pictures are not
     ToneCurve toneCurve = ToneCurve::Filmic; ///< display pictures only
+    std::optional<ToneCurve> objectCurve{};  ///< of the object, where it is not toneCurve: paint is shown as it was painted
     /// In place of tone curve and sRGB, display pictures only; a new pointer means a new transform.
     std::shared_ptr<const DisplayTransform> display = nullptr;
 
@@ -135,9 +142,10 @@ using MapLevels = std::shared_ptr<const std::vector<EnvironmentMap>>;
 /// The maps of a picture, by pointer: the renderer keeps a texture as long as it is handed the same pointer. Maps that the settings
 /// do not need may be null and are never looked at.
 struct RenderMaps {
-    MapLevels specular{};   ///< the environment for a mirror, a filtered map for a glossy material
-    MapLevels diffuse{};    ///< filtered with the diffuse lobe
-    MapLevels background{}; ///< the environment, drawn behind the object
+    MapLevels specular{};                       ///< the environment for a mirror, a filtered map for a glossy material
+    MapLevels diffuse{};                        ///< filtered with the diffuse lobe
+    MapLevels background{};                     ///< the environment, drawn behind the object
+    std::shared_ptr<const Image> brdfLookups{}; ///< core/filter/lookup_table.h
     /// The painted sphere map; for a window the layers outside, one to three, nearest first.
     std::vector<SphereMapChain> sphereMaps{};
 };

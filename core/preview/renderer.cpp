@@ -72,6 +72,8 @@ void Renderer::Resources::drawScene(const RenderSettings& settings, const Render
     const NeededMaps needed = neededMaps(settings);
     if (!needed.specular)
         specular.release();
+    if (!needed.specular || settings.material.brdfLookups == 0)
+        brdfLookups.release();
     if (!needed.diffuse)
         diffuse.release();
     if (!needed.background)
@@ -87,12 +89,12 @@ void Renderer::Resources::drawScene(const RenderSettings& settings, const Render
     const RenderTarget& object =
         target(objectTarget, settings.width, settings.height, settings.samples, colorFormat, 1, GL_DEPTH_COMPONENT32F);
     const PixelRectangle inside = beginObject(settings, object);
-    if (settings.shading == Shading::Material && settings.geometry.kind == GeometryKind::Window && !settings.geometry.mesh)
-        drawWindow(settings, maps, output);
-    else if (settings.shading == Shading::Material)
-        drawObject(settings, maps, output);
+    if (settings.shading == Shading::Material)
+        drawMaterial(settings, maps, output);
     else
         drawDebug(settings, maps, output);
+    if (settings.shading == Shading::Material && output == Output::Display && settings.samples > 1)
+        smoothEdges(settings, maps, output, object);
 
     glDisable(GL_DEPTH_TEST);
     glBindFramebuffer(GL_FRAMEBUFFER, destination.framebuffer);

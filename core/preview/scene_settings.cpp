@@ -1,6 +1,7 @@
 #include "scene_settings.h"
 
 #include "core/base/error.h"
+#include "core/scene/display_curves.h"
 
 #include <algorithm>
 
@@ -81,6 +82,7 @@ RenderSettings renderSettings(const Scene& scene, const Plan& plan, std::shared_
                                                                                                     : Projection::Perspective};
     settings.material = {.specular = plan.material.specular,
                          .diffuse = plan.material.diffuse,
+                         .brdfLookups = plan.brdf ? std::max(plan.brdf->lookups, 1) : 0,
                          .fresnel = plan.material.fresnel,
                          .combine = plan.material.combine,
                          .lambda = static_cast<float>(scene.material.lambda),
@@ -100,14 +102,21 @@ RenderSettings renderSettings(const Scene& scene, const Plan& plan, std::shared_
     settings.yaw = toRadians(scene.probe.yawDeg);
     settings.exposure = static_cast<float>(view.exposure);
     settings.display = std::move(display);
-    settings.toneCurve = static_cast<ToneCurve>(view.toneCurve);
+    const DisplayCurves curves = displayCurves(scene);
+    settings.toneCurve = curves.behind;
+    if (curves.object != curves.behind)
+        settings.objectCurve = curves.object;
     validate(settings);
     return settings;
 }
 
 RenderMaps renderMaps(const SceneMaps& maps)
 {
-    return {.specular = maps.specular, .diffuse = maps.diffuse, .background = maps.background, .sphereMaps = maps.sphereMaps};
+    return {.specular = maps.specular,
+            .diffuse = maps.diffuse,
+            .background = maps.background,
+            .brdfLookups = maps.brdfLookups,
+            .sphereMaps = maps.sphereMaps};
 }
 
 } // namespace mirrorball::preview

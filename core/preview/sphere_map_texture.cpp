@@ -48,8 +48,12 @@ void SphereMapTexture::update(const SphereMapChain& map, const char* role)
     m_source = map;
 }
 
-void SphereMapTexture::bind(GLuint unit, int anisotropy) const
+void SphereMapTexture::bind(GLuint unit, int anisotropy, std::optional<int> onlyLevel) const
 {
+    // Of a texture whose first level is its last, lookups find no other, and textureSize() is that level's.
+    const int last = static_cast<int>(m_source->levels.size()) - 1, only = std::clamp(onlyLevel.value_or(0), 0, last);
+    glTextureParameteri(m_texture, GL_TEXTURE_BASE_LEVEL, only);
+    glTextureParameteri(m_texture, GL_TEXTURE_MAX_LEVEL, onlyLevel ? only : last);
     if (epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic") || epoxy_has_gl_extension("GL_ARB_texture_filter_anisotropic"))
         glTextureParameterf(m_texture, GL_TEXTURE_MAX_ANISOTROPY_EXT, static_cast<float>(anisotropy));
     glBindTextureUnit(unit, m_texture);

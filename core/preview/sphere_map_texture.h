@@ -15,7 +15,8 @@ public:
     void release();
     /// @param anisotropy most lookups along the longer side of a footprint that the hardware measures itself, where it can; 1: filtered
     /// evenly
-    void bind(GLuint unit, int anisotropy) const;
+    /// @param onlyLevel  the one level that lookups read, at most the last; empty: the one that fits the footprint
+    void bind(GLuint unit, int anisotropy, std::optional<int> onlyLevel = {}) const;
     const SphereMapChain& source() const { return m_source; }
 
     /// Puts texels into one level of the map that is there, their upper left one at (x, y).

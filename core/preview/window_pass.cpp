@@ -18,13 +18,13 @@ void Renderer::Resources::drawWindow(const RenderSettings& settings, const Rende
                                          {"SPHERE_VERTEX", "0"},
                                          {"WINDOW_LAYERS", std::to_string(layers)},
                                          {"WINDOW_SPACE", std::to_string(static_cast<int>(settings.material.paint.space))}};
-    addOutputDefines(defines, settings, output);
+    addOutputDefines(defines, settings, output, settings.objectCurve.value_or(settings.toneCurve));
     const ShaderProgram& shader = programs.get({"preview/object.vert", "preview/window.frag"}, defines, outputPrelude(settings, output));
     displayTables.bind(shader, displayUnit);
     for (size_t i = 0; i < layers; ++i) {
         const auto unit = static_cast<GLuint>(4 + i);
         sphereMaps[i].update(maps.sphereMaps[i], "sphere map");
-        sphereMaps[i].bind(unit, settings.material.paint.anisotropy);
+        sphereMaps[i].bind(unit, settings.material.paint.anisotropy, i == 0 ? settings.material.paint.onlyLevel : std::nullopt);
         shader.set(("windowLayer" + std::to_string(i)).c_str(), static_cast<int>(unit));
     }
     setWindowView(settings, shader);

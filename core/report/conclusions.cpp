@@ -23,6 +23,8 @@ std::string times(double ratio)
 
 std::string milliseconds(double seconds) { return seconds >= 1.0 ? shortNumber(seconds, 3) + " s" : shortNumber(1e3 * seconds, 3) + " ms"; }
 
+std::string nanoseconds(double seconds) { return shortNumber(1e9 * seconds, 2) + " ns"; }
+
 std::string megabytes(double bytes) { return std::to_string(std::lround(bytes / 1e6)) + " MB"; }
 
 std::string list(const std::vector<std::string>& items)
@@ -197,18 +199,36 @@ void parameterizations(const Report& report, std::vector<std::string>& sentences
     for (const ParameterizationStudy& study : report.parameterizations) {
         if (study.rows.empty())
             continue;
-        const auto lowest = [&](auto member) {
-            return *std::min_element(study.rows.begin(), study.rows.end(),
-                                     [&](const auto& a, const auto& b) { return a.*member < b.*member; });
+        const auto ordered = [&](auto member) {
+            std::vector<const ParameterizationRow*> rows;
+            for (const ParameterizationRow& row : study.rows)
+                rows.push_back(&row);
+            std::stable_sort(rows.begin(), rows.end(), [&](auto a, auto b) { return a->*member < b->*member; });
+            return rows;
         };
-        const ParameterizationRow mirror = lowest(&ParameterizationRow::mirrorError),
-                                  filtered = lowest(&ParameterizationRow::filteredError), even = lowest(&ParameterizationRow::densityRatio);
+        const auto kind = [](const ParameterizationRow* row) { return std::string(name(row->layout.kind)); };
+        const auto mirror = ordered(&ParameterizationRow::mirrorError), filtered = ordered(&ParameterizationRow::filteredError),
+                   lookup = ordered(&ParameterizationRow::lookupSeconds), draw = ordered(&ParameterizationRow::drawSeconds);
+        const ParameterizationRow *least = filtered.front(), *most = filtered.back(),
+                                  *even = ordered(&ParameterizationRow::densityRatio).front();
         sentences.push_back("At about " + std::to_string(study.rows.front().texels) + " texels, mirror lookups lose least in the " +
-                            std::string(name(mirror.layout.kind)) + " map (rel_rms " + shortNumber(mirror.mirrorError, 2) +
-                            "), lookups of the filtered map (" + describe(study.lobe) + ") least in the " +
-                            std::string(name(filtered.layout.kind)) + " map (" + shortNumber(filtered.filteredError, 2) +
-                            "); texels are most even in the " + std::string(name(even.layout.kind)) + " map (" +
-                            shortNumber(even.densityRatio, 3) + " to 1).");
+                            kind(mirror.front()) + " map (rel_rms " + shortNumber(mirror.front()->mirrorError, 2) +
+                            "), lookups of the filtered map (" + describe(study.lobe) + ") least in the " + kind(least) + " map (" +
+                            shortNumber(least->filteredError, 2) + ") and most in the " + kind(most) + " map (" +
+                            shortNumber(most->filteredError, 2) + ").");
+        std::string costs = "A lookup takes " + nanoseconds(lookup.front()->lookupSeconds) + " in the " + kind(lookup.front()) +
+                            " map to " + nanoseconds(lookup.back()->lookupSeconds) + " in the " + kind(lookup.back()) + " map";
+        if (draw.front()->drawSeconds)
+            costs += ", a picture with one a pixel " + milliseconds(*draw.front()->drawSeconds) + " (" + kind(draw.front()) + ") to " +
+                     milliseconds(*draw.back()->drawSeconds) + " (" + kind(draw.back()) + ")";
+        sentences.push_back(costs + ".");
+        std::string evenness = "Texels are most even in area in the " + kind(even) + " map (" + shortNumber(even->densityRatio, 3) +
+                               " to 1), where on a hundredth of the sphere they are stretched by " + shortNumber(even->anisotropyP99, 2) +
+                               " to 1 and more";
+        evenness += even == least ? "; its filtered lookups lose least, too."
+                                  : ", and its filtered lookups lose " + times(even->filteredError / least->filteredError) +
+                                        " what those of the " + kind(least) + " map do: evenness of area alone is no reason to choose it.";
+        sentences.push_back(evenness);
     }
 }
 

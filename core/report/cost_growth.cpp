@@ -2,12 +2,14 @@
 
 #include "error_time.h"
 #include "peak_memory.h"
+#include "resized_rows.h"
 
 #include "core/base/error.h"
 #include "core/filter/source_file.h"
 #include "core/image/reproject.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <new>
 #include <set>
@@ -17,22 +19,10 @@ namespace mirrorball {
 namespace {
 
 constexpr int blockRows = 64;
+constexpr int narrowest = 256; ///< columns
+constexpr std::array exponents{1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
 
-/// Rows of the probe at another width, read bilinearly: what a file of that size would hold.
-void makeRows(const EnvironmentMap& probe, const MapLayout& layout, int firstRow, int rows, std::vector<float>& rgb, const JobControl& job)
-{
-    parallelRows(
-        rows, job,
-        [&](int first, int last) {
-            for (int y = first; y < last; ++y)
-                for (int x = 0; x < layout.width(); ++x) {
-                    const glm::vec3 value = probe.radiance(texelDirection(layout, x, firstRow + y));
-                    std::copy_n(&value.x, 3,
-                                &rgb[3 * (static_cast<size_t>(y) * static_cast<size_t>(layout.width()) + static_cast<size_t>(x))]);
-                }
-        },
-        1);
-}
+bool isStreamed(int width) { return std::int64_t{width} * width / 2 > streamedFrom; }
 
 class Grower {
 public:
@@ -47,9 +37,8 @@ public:
     std::vector<GrowthPoint> run(const FilterSource& probe)
     {
         std::vector<int> widths;
-        for (int width = 256; width <= m_options.largestWidth; width *= 2)
+        for (int width = narrowest; width <= m_options.largestWidth; width *= 2)
             widths.push_back(width);
-        constexpr std::array exponents{1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
         const double steps = static_cast<double>(widths.size() + exponents.size());
         double done = 0.0;
         const auto step = [&] {
@@ -65,7 +54,7 @@ public:
             m_tooDear.clear();
             for (const int width : widths) {
                 const MapLayout layout{Parameterization::Latlong, width / 2, 0};
-                if (std::int64_t{layout.width()} * layout.height() > streamedFrom) {
+                if (isStreamed(width)) {
                     stream(*probe.latlong(), layout);
                 } else {
                     FilterSource resized(reproject(*probe.latlong(), {.target = layout}, m_job));
@@ -135,41 +124,40 @@ private:
     {
         for (const Method method : m_methods) {
             GrowthPoint point{.axis = GrowthAxis::ProbeWidth, .at = static_cast<double>(layout.width()), .method = method, .ran = method};
-            const PrefilterOptions options = usual(m_options.lobe, method);
-            const ProbeTraits streamed{.width = layout.width(), .streamed = true};
-            point.why = refusal(method, options, streamed);
-            if (!point.why.empty()) {
+            try {
+                streamOnce(probe, layout, point);
+            } catch (const InvalidArgument& error) {
                 point.state = MeasurementState::Refused;
-                m_points.push_back(std::move(point));
-                continue;
+                point.why = error.what();
             }
-            const PrefilterPlan plan = planPrefilter(options, streamed);
-            if (!plan.filtered) {
-                point.state = MeasurementState::Refused;
-                point.why = plan.why;
-                m_points.push_back(std::move(point));
-                continue;
-            }
-            const PeakMemory memory;
-            std::vector<float> rows(3 * static_cast<size_t>(blockRows) * static_cast<size_t>(layout.width()));
-            SpectrumBuilder builder(layout.width(), layout.height(), plan.bandLimit);
-            double seconds = 0.0;
-            for (int y = 0; y < layout.height(); y += blockRows) {
-                const int count = std::min(blockRows, layout.height() - y);
-                makeRows(probe, layout, y, count, rows, m_job);
-                seconds += secondsOf([&] { builder.addRows(y, count, rows.data(), m_job); });
-            }
-            PrefilterOutcome outcome;
-            seconds += secondsOf([&] {
-                FilterSource source(builder.finish(m_job));
-                outcome = prefilter(source, options, m_job);
-            });
-            point.peakBytes = memory.bytes();
-            point.times.seconds.push_back(seconds);
-            point.streamed = true;
-            point.ran = outcome.method;
             m_points.push_back(std::move(point));
         }
+    }
+
+    /// @throws InvalidArgument where the method cannot do it
+    void streamOnce(const EnvironmentMap& probe, const MapLayout& layout, GrowthPoint& point)
+    {
+        const PrefilterOptions options = usual(m_options.lobe, point.method);
+        const PrefilterPlan plan = planPrefilter(options, {.width = layout.width(), .streamed = true});
+        if (!plan.filtered)
+            throw InvalidArgument(plan.why);
+        const PeakMemory memory;
+        SpectrumBuilder builder(layout.width(), layout.height(), plan.bandLimit);
+        double seconds = 0.0;
+        for (int y = 0; y < layout.height(); y += blockRows) {
+            const int count = std::min(blockRows, layout.height() - y);
+            const std::vector<float> rows = resizedRows(probe, layout.width(), y, count, m_job);
+            seconds += secondsOf([&] { builder.addRows(y, count, rows.data(), m_job); });
+        }
+        PrefilterOutcome outcome;
+        seconds += secondsOf([&] {
+            FilterSource source(builder.finish(m_job));
+            outcome = prefilter(source, options, m_job);
+        });
+        point.peakBytes = memory.bytes();
+        point.times.seconds.push_back(seconds);
+        point.streamed = true;
+        point.ran = outcome.method;
     }
 
     const CostGrowthOptions& m_options;
@@ -185,6 +173,28 @@ private:
 std::vector<GrowthPoint> measureGrowth(const FilterSource& probe, const CostGrowthOptions& options, const JobControl& job)
 {
     return Grower(options, job).run(probe);
+}
+
+double expectedGrowthSeconds(const ProbeTraits& probe, const CostGrowthOptions& options, const Pace& pace)
+{
+    double sum = 0.0;
+    const auto add = [&](const ProbeTraits& traits, const Lobe& lobe, Method method) {
+        const PrefilterOptions filter = MethodSetting{.method = method, .tolerance = options.tolerance}.options(lobe, options.target);
+        if (method == Method::Reference || !refusal(method, filter, traits).empty())
+            return;
+        const double first = pace.seconds(predictedSeconds(method, filter, traits));
+        if (first <= options.longest)
+            sum += first * (1 + repeats(traits.streamed ? 0 : options.repeats - 1, options.longest - first, first));
+    };
+    for (const Method method : options.methods) {
+        for (const double exponent : exponents)
+            add(probe, phongLobe(exponent), method);
+        for (int width = narrowest; width <= options.largestWidth; width *= 2)
+            add({.width = width, .streamed = isStreamed(width), .hasParaboloidDevice = probe.hasParaboloidDevice}, options.lobe, method);
+    }
+    for (int width = narrowest; width <= options.largestWidth; width *= 2)
+        sum += pace.seconds(1e-7 * 0.5 * width * width);
+    return sum;
 }
 
 } // namespace mirrorball

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pace.h"
 #include "report.h"
 
 #include "core/base/job.h"
@@ -26,5 +27,8 @@ struct CostGrowthOptions {
 /// held: its rows are made on the fly and go through a SpectrumBuilder; making them is not counted in the time.
 /// When the job is stopped, the points measured so far come back.
 std::vector<GrowthPoint> measureGrowth(const FilterSource& probe, const CostGrowthOptions& options, const JobControl& job = {});
+
+/// What measureGrowth() is expected to take.
+double expectedGrowthSeconds(const ProbeTraits& probe, const CostGrowthOptions& options, const Pace& pace);
 
 } // namespace mirrorball

@@ -7,8 +7,10 @@
 #include "verdicts.h"
 
 #include "core/base/error.h"
+#include "core/filter/band_limit.h"
 #include "core/image/mip_pyramid.h"
 
+#include <algorithm>
 #include <map>
 #include <new>
 
@@ -25,6 +27,45 @@ constexpr double longRun = 0.5;
 constexpr double cheapRun = 1.0;
 
 double sum(const glm::dvec3& rgb) { return rgb.r + rgb.g + rgb.b; }
+
+/// How long runs of a setting may take together, by its first run, which warms up where it was short and else counts.
+struct RunLimits {
+    bool countsFirst;
+    int times;        ///< at most, after the first
+    double limit;     ///< seconds, after the first
+    double nextLimit; ///< of further lobes, which are run `repeats` times at most
+    bool smallerMaps; ///< are filtered, too, for their seams
+};
+RunLimits runLimits(double first, const ErrorTimeOptions& options)
+{
+    const bool isLong = first > longRun;
+    const int after = 2.0 * first <= options.longest ? options.repeats - 1 : 0;
+    return {.countsFirst = isLong,
+            .times = isLong ? after : options.repeats,
+            .limit = isLong ? options.longest - first : options.longest,
+            .nextLimit = isLong ? 0.0 : options.longest,
+            .smallerMaps = first <= cheapRun};
+}
+
+/// Every setting but the reference, which is not run setting by setting.
+std::vector<MethodSetting> settingsOf(const ErrorTimeOptions& options)
+{
+    std::vector<MethodSetting> settings;
+    for (const Method method : options.methods)
+        if (method != Method::Reference)
+            for (MethodSetting& setting : methodSettings(method, options.sweep, options.tolerance))
+                settings.push_back(std::move(setting));
+    return settings;
+}
+
+/// Maps of half the size, a quarter, ...
+std::vector<MapLayout> smallerMaps(const MapLayout& target)
+{
+    std::vector<MapLayout> layouts;
+    for (int level = 1; target.size >> level >= 4; ++level)
+        layouts.push_back(levelLayout(target, level));
+    return layouts;
+}
 
 /// One setting after the other, with what they share.
 class Bench {
@@ -99,22 +140,10 @@ public:
         return result;
     }
 
-    EnvironmentMap standIn(std::string& how) const
+    ExactMap standIn() const
     {
         FilterSource source = m_probe;
-        PrefilterOptions options;
-        options.lobe = m_lobe;
-        options.target = m_options.target;
-        options.method = Method::Spectral;
-        for (options.tolerance = 1e-6;; options.tolerance *= 10.0) // its error is measured and shown
-            try {
-                PrefilterOutcome outcome = prefilter(source, options, m_job);
-                how = outcome.filtered ? "spectral at tolerance " + shortNumber(options.tolerance) : "the bilinear lookup";
-                return std::move(outcome.map);
-            } catch (const InvalidArgument&) { // the promise cannot be kept so tightly
-                if (options.tolerance > 1e-3)
-                    throw;
-            }
+        return mostExactMap(source, m_lobe, m_options.target, m_job);
     }
 
 private:
@@ -129,26 +158,26 @@ private:
             source = m_probe;
             return secondsOf([&] { outcome = prefilter(source, options, m_job); });
         };
-        m.times = first > longRun ? repeated(m_options.repeats - 1, m_options.longest - first, fromNothing)
-                                  : repeated(m_options.repeats, m_options.longest, fromNothing);
-        if (first > longRun)
+        const RunLimits limits = runLimits(first, m_options);
+        m.times = repeated(limits.times, limits.limit, fromNothing);
+        if (limits.countsFirst)
             m.times.seconds.insert(m.times.seconds.begin(), first);
         const auto again = [&] { return secondsOf([&] { prefilter(source, options, m_job); }); };
-        m.nextLobe = repeated(m_options.repeats, first > longRun ? 0.0 : m_options.longest, again);
+        m.nextLobe = repeated(m_options.repeats, limits.nextLimit, again);
         m.ran = outcome.method;
         m.filtered = outcome.filtered;
         m.bandLimit = outcome.bandLimit;
-        m.predictedError = informedErrors(outcome, options, source, m_job).relRms;
+        m.predictedError = informedErrors(outcome, options, m_informed, m_job).relRms;
         if (options.method == Method::Auto || !outcome.filtered)
             m.why = outcome.why;
         map = std::move(outcome.map);
 
         m.seamRatios.push_back(seamSteps(map).ratio());
-        if (first > cheapRun)
+        if (!limits.smallerMaps)
             return;
         PrefilterOptions smaller = options;
-        for (int level = 1; options.target.size >> level >= 4; ++level) {
-            smaller.target = levelLayout(options.target, level);
+        for (const MapLayout& layout : smallerMaps(options.target)) {
+            smaller.target = layout;
             m.seamRatios.push_back(seamSteps(prefilter(source, smaller, m_job).map).ratio());
         }
     }
@@ -160,6 +189,7 @@ private:
     }
 
     const FilterSource& m_probe;
+    FilterSource m_informed = m_probe; ///< keeps the spectrum that predictions look at, which no method is to find made
     const Lobe& m_lobe;
     const ErrorTimeOptions& m_options;
     JobControl m_job;
@@ -178,17 +208,51 @@ std::string tooLong(double seconds, double longest)
            " s that a report gives it";
 }
 
+namespace {
+
+/// What Bench::measure() is expected to take.
+double expectedSettingSeconds(const MethodSetting& setting, const ProbeTraits& probe, const Lobe& lobe, const ErrorTimeOptions& options,
+                              const Pace& pace)
+{
+    const PrefilterOptions filter = setting.options(lobe, options.target);
+    if (!refusal(setting.method, filter, probe).empty())
+        return 0.0;
+    const auto seconds = [&](const MapLayout& target, const ProbeTraits& traits) {
+        PrefilterOptions sized = filter;
+        sized.target = target;
+        return pace.seconds(predictedSeconds(setting.method, sized, traits));
+    };
+    const double first = seconds(options.target, probe);
+    if (first > options.longest)
+        return 0.0;
+    ProbeTraits known = probe; // a further lobe finds what the first has made
+    known.knownBandLimit = largestBandLimit;
+    const double next = seconds(options.target, known);
+    const RunLimits limits = runLimits(first, options);
+    double sum = first + repeats(limits.times, limits.limit, first) * first + repeats(options.repeats, limits.nextLimit, next) * next;
+    if (limits.smallerMaps)
+        for (const MapLayout& smaller : smallerMaps(options.target))
+            sum += seconds(smaller, known);
+    return sum;
+}
+
+} // namespace
+
+double expectedCaseSeconds(const ProbeTraits& probe, const Lobe& lobe, const ErrorTimeOptions& options, const Pace& pace)
+{
+    const double texels = static_cast<double>(options.target.width()) * options.target.height();
+    const PrefilterOptions reference = MethodSetting{.method = Method::Reference}.options(lobe, options.target);
+    double sum = pace.seconds(predictedSeconds(Method::Reference, reference, probe)) * std::min(1.0, options.directions / texels);
+    for (const MethodSetting& setting : settingsOf(options))
+        sum += expectedSettingSeconds(setting, probe, lobe, options, pace);
+    return sum;
+}
+
 ReportCase measureCase(const FilterSource& probe, const std::string& name, const Lobe& lobe, const ErrorTimeOptions& options,
                        const JobControl& job)
 {
-    std::vector<MethodSetting> settings;
-    bool withReference = false;
-    for (const Method method : options.methods) {
-        withReference = withReference || method == Method::Reference;
-        if (method != Method::Reference)
-            for (MethodSetting& setting : methodSettings(method, options.sweep, options.tolerance))
-                settings.push_back(std::move(setting));
-    }
+    const std::vector<MethodSetting> settings = settingsOf(options);
+    const bool withReference = std::find(options.methods.begin(), options.methods.end(), Method::Reference) != options.methods.end();
     const double steps = static_cast<double>(settings.size()) + 2.0;
     double done = 0.0;
     const auto step = [&] {
@@ -225,15 +289,16 @@ ReportCase measureCase(const FilterSource& probe, const std::string& name, const
         return result;
 
     try {
-        const EnvironmentMap standIn = bench.standIn(result.standIn);
-        result.standInError = errorAt(bench.reference(), standIn).relRms;
-        result.picture = mapPicture(standIn, pictureHeight);
+        ExactMap standIn = bench.standIn(); // its error is measured and shown
+        result.standIn = std::move(standIn.how);
+        result.standInError = errorAt(bench.reference(), standIn.map).relRms;
+        result.picture = mapPicture(standIn.map, pictureHeight);
         for (const Method method : options.methods) {
             const Measurement* shown = workingSetting(result.measurements, method, options.tolerance);
             if (!shown || method == Method::Reference || method == Method::Auto)
                 continue;
             const auto index = static_cast<size_t>(shown - result.measurements.data());
-            ErrorPicture picture = errorPicture(maps[index], standIn, pictureHeight);
+            ErrorPicture picture = errorPicture(maps[index], standIn.map, {Parameterization::Latlong, pictureHeight, 0});
             result.measurements[index].errorPicture = std::move(picture.png);
             result.measurements[index].errorPictureLimit = picture.limit;
         }

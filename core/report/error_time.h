@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pace.h"
 #include "report.h"
 
 #include "core/base/job.h"
@@ -29,6 +30,9 @@ struct ErrorTimeOptions {
 /// @throws Cancelled
 ReportCase measureCase(const FilterSource& probe, const std::string& name, const Lobe& lobe, const ErrorTimeOptions& options,
                        const JobControl& job = {});
+
+/// What measureCase() is expected to take, in predicted seconds (pace.h). @param probe  as a plan knows it before it is opened
+double expectedCaseSeconds(const ProbeTraits& probe, const Lobe& lobe, const ErrorTimeOptions& options, const Pace& pace);
 
 /// Left out for its time: the reason, in words.
 std::string tooLong(double seconds, double longest);

@@ -1,10 +1,8 @@
 #include "make_report.h"
 
 #include "conclusions.h"
-#include "cost_growth.h"
-#include "error_time.h"
-#include "parameterization_study.h"
-#include "stability.h"
+#include "method_comparison.h"
+#include "part_options.h"
 #include "thumbnails.h"
 #include "verdicts.h"
 
@@ -12,6 +10,7 @@
 #include "core/image/probe_file.h"
 #include "core/image/probe_statistics.h"
 
+#include <chrono>
 #include <cmath>
 
 namespace mirrorball {
@@ -20,28 +19,39 @@ namespace {
 
 constexpr int probePictureHeight = 128;
 
-/// Progress of a list of parts of known weight.
-class Progress {
+/// Progress of parts that are expected to take so long, and the times that they took.
+class PartTimes {
 public:
-    Progress(const JobControl& job, double total) : m_job(job), m_total(total) {}
-
-    /// The job of the next part.
-    JobControl part(double weight)
+    PartTimes(const JobControl& job, const ReportForecast& forecast, std::vector<PartTime>& times)
+        : m_job(job), m_total(std::max(forecast.seconds(), 1e-9)), m_times(times)
     {
-        const double from = m_done;
-        m_done += weight;
-        JobControl inner = m_job;
-        if (m_job.progress)
-            inner.progress = [this, from, weight](float fraction) {
-                m_job.progress(static_cast<float>((from + weight * static_cast<double>(fraction)) / m_total));
-            };
-        return inner;
+        for (const ReportForecast::Part& part : forecast.parts)
+            m_times.push_back({part.part, part.seconds, 0.0});
+    }
+
+    /// Does one of `pieces` equal pieces of a part. @param work  called with its job
+    template <typename Work>
+    void run(ReportPart part, size_t pieces, Work&& work)
+    {
+        m_job.checkStop();
+        PartTime& time = *std::find_if(m_times.begin(), m_times.end(), [&](const PartTime& t) { return t.part == part; });
+        const double from = m_done / m_total;
+        m_done += time.foretold / static_cast<double>(pieces);
+        const JobControl inner = partOf(m_job, static_cast<float>(from), static_cast<float>(std::min(1.0, m_done / m_total)));
+        struct Clock {
+            explicit Clock(double& sum_) : sum(sum_) {}
+            ~Clock() { sum += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); }
+            double& sum;
+            const std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+        } const clock(time.seconds); // of work that was stopped, too
+        work(inner);
     }
 
 private:
     const JobControl& m_job;
     double m_total;
     double m_done = 0.0;
+    std::vector<PartTime>& m_times;
 };
 
 struct OpenProbe {
@@ -51,17 +61,8 @@ struct OpenProbe {
 
 OpenProbe openProbe(const ReportOptions& options, const std::string& name, const JobControl& job)
 {
-    JobControl inner = job;
-    inner.progress = nullptr;
-    ProbeFile file(name, {.reading = options.reading});
-    if (!file.isBuiltin()) {
-        const ImageFileInfo& info = file.rows().info();
-        if (std::int64_t{info.width} * info.height > largestReportProbe)
-            throw InvalidArgument(
-                name + ": has " + std::to_string(info.width) + " x " + std::to_string(info.height) +
-                " texels, more than a report holds; give a smaller one, and --growth-to 16384 to see how large ones stream");
-    }
-    Probe probe = file.read(inner);
+    const JobControl inner{.stop = job.stop, .threads = job.threads};
+    Probe probe = readProbe(name, {.reading = options.reading}, inner);
     const ProbeStatistics s = statistics(probe.map);
     ReportProbe record{.name = name,
                        .origin = probe.origin,
@@ -80,9 +81,8 @@ OpenProbe openProbe(const ReportOptions& options, const std::string& name, const
 
 void measureStability(const ReportOptions& options, const JobControl& job, Report& report)
 {
-    JobControl inner = job;
-    inner.progress = nullptr;
-    const std::vector<StabilityCase> cases = stabilityCases(options.sweep == Sweep::Few ? StabilityScale::Small : StabilityScale::Large);
+    const JobControl inner{.stop = job.stop, .threads = job.threads};
+    const std::vector<StabilityCase> cases = stabilityCases(stabilityScale(options));
     size_t done = 0;
     for (const StabilityCase& test : cases) {
         for (const Method method : options.methods)
@@ -92,6 +92,50 @@ void measureStability(const ReportOptions& options, const JobControl& job, Repor
     }
     for (const ShadingCase& test : shadingCases())
         report.shading.push_back(runShading(test, inner));
+}
+
+/// The parts that look at one probe, the first.
+void measureFirstProbe(const ReportOptions& options, const FilterSource& probe, PartTimes& times, Report& report)
+{
+    if (options.has(ReportPart::Parameterizations))
+        times.run(ReportPart::Parameterizations, 1, [&](const JobControl& job) {
+            report.parameterizations.push_back(studyParameterizations(probe, studyOptions(options), job));
+        });
+    if (options.has(ReportPart::Growth))
+        times.run(ReportPart::Growth, 1, [&](const JobControl& job) { report.growth = measureGrowth(probe, growthOptions(options), job); });
+    if (options.has(ReportPart::Kernels))
+        times.run(ReportPart::Kernels, 1,
+                  [&](const JobControl& job) { report.kernelTable = measureKernelTable(probe, kernelTableOptions(options), job); });
+    if (options.has(ReportPart::Comparison))
+        times.run(ReportPart::Comparison, 1,
+                  [&](const JobControl& job) { report.comparison = compareMethods(*probe.latlong(), options.device, job); });
+}
+
+void measure(const ReportOptions& options, PartTimes& times, const JobControl& job, Report& report)
+{
+    const size_t cases = options.probes.size() * options.lobes.size();
+    const bool looksAtProbes = std::any_of(options.parts.begin(), options.parts.end(), needsProbe);
+    for (const std::string& name : options.probes) {
+        const bool first = report.probes.empty();
+        if (!looksAtProbes || (!first && !options.has(ReportPart::Methods)))
+            break;
+        job.checkStop();
+        const OpenProbe probe = openProbe(options, name, job);
+        report.probes.push_back(probe.record);
+        if (options.has(ReportPart::Methods))
+            for (const Lobe& lobe : options.lobes)
+                times.run(ReportPart::Methods, cases, [&](const JobControl& part) {
+                    report.cases.push_back(measureCase(probe.source, name, lobe, errorTimeOptions(options), part));
+                    report.cases.back().probe = report.probes.size() - 1;
+                });
+        if (first)
+            measureFirstProbe(options, probe.source, times, report);
+    }
+    if (options.has(ReportPart::Distortion))
+        times.run(ReportPart::Distortion, 1, [&](const JobControl&) { report.distortion = distortionCurves(); });
+    if (options.has(ReportPart::Stability))
+        times.run(ReportPart::Stability, 1, [&](const JobControl& part) { measureStability(options, part, report); });
+    job.checkStop();
 }
 
 } // namespace
@@ -108,7 +152,9 @@ ReportOptions quickReport(ReportOptions options)
 
 void validate(const ReportOptions& options)
 {
-    if (options.probes.empty())
+    if (options.parts.empty())
+        throw InvalidArgument("parts: at least one is needed, such as methods");
+    if (options.probes.empty() && std::any_of(options.parts.begin(), options.parts.end(), needsProbe))
         throw InvalidArgument("PROBE: is missing; give a file or builtin:NAME");
     if (options.lobes.empty())
         throw InvalidArgument("lobes: at least one is needed, such as phong:50");
@@ -138,48 +184,13 @@ Report makeReport(const ReportOptions& options, const JobControl& job)
                   .repeats = options.repeats,
                   .longest = options.longest,
                   .growthLobe = options.lobes.front()};
-    const auto cases = static_cast<double>(options.probes.size() * options.lobes.size());
-    const double growthWeight = options.growthTo == 0 ? 0.0 : 1.5 * std::exp2(std::max(0.0, std::log2(options.growthTo / 2048.0)));
-    Progress progress(job, cases + (options.parameterizations ? 0.3 : 0.0) + growthWeight + (options.stability ? 1.0 : 0.0));
-    const ErrorTimeOptions errorTime{.target = options.target,
-                                     .methods = options.methods,
-                                     .sweep = options.sweep,
-                                     .tolerance = options.tolerance,
-                                     .repeats = options.repeats,
-                                     .longest = options.longest,
-                                     .directions = options.directions};
     report.seconds = secondsOf([&] {
         try {
-            for (const std::string& name : options.probes) {
-                job.checkStop();
-                const OpenProbe probe = openProbe(options, name, job);
-                report.probes.push_back(probe.record);
-                for (const Lobe& lobe : options.lobes) {
-                    job.checkStop();
-                    report.cases.push_back(measureCase(probe.source, name, lobe, errorTime, progress.part(1.0)));
-                    report.cases.back().probe = report.probes.size() - 1;
-                }
-                if (report.probes.size() > 1)
-                    continue;
-                if (options.parameterizations)
-                    report.parameterizations.push_back(studyParameterizations(probe.source, options.lobes.front(),
-                                                                              options.target.width() * options.target.height(),
-                                                                              options.directions, progress.part(0.3)));
-                if (options.growthTo > 0)
-                    report.growth = measureGrowth(probe.source,
-                                                  {.methods = options.methods,
-                                                   .lobe = options.lobes.front(),
-                                                   .target = options.target,
-                                                   .tolerance = options.tolerance,
-                                                   .largestWidth = options.growthTo,
-                                                   .repeats = std::min(options.repeats, 3),
-                                                   .device = options.device,
-                                                   .longest = options.longest},
-                                                  progress.part(growthWeight));
-            }
-            if (options.stability)
-                measureStability(options, progress.part(1.0), report);
-            job.checkStop();
+            const ReportForecast forecast = forecastReport(options, measurePace(job));
+            if (options.foretell)
+                options.foretell(forecast);
+            PartTimes times(job, forecast, report.parts);
+            measure(options, times, job, report);
         } catch (const Cancelled&) {
             report.complete = false;
         }

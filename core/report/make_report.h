@@ -1,12 +1,17 @@
 #pragma once
 
+#include "map_drawer.h"
 #include "report.h"
+#include "report_forecast.h"
+#include "report_parts.h"
 
 #include "core/base/fields.h"
 #include "core/base/job.h"
 #include "core/filter/paraboloid.h"
 #include "core/image/probe_reading.h"
 
+#include <algorithm>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,23 +19,30 @@
 namespace mirrorball {
 
 struct ReportOptions {
-    std::vector<std::string> probes{}; ///< paths or builtin:NAME, at least one
+    std::vector<std::string> probes{}; ///< paths or builtin:NAME, at least one where a part needs one
     ProbeReading reading{};            ///< how each is to be read
     std::vector<Lobe> lobes{};
     std::vector<Method> methods{allMethods.begin(), allMethods.end()};
+    std::vector<ReportPart> parts{ReportPart::Methods, ReportPart::Parameterizations, ReportPart::Growth};
     MapLayout target{.kind = Parameterization::Cube, .size = 64};
     Sweep sweep = Sweep::Usual;
     double tolerance = 1e-3;
     int repeats = 5;
     double longest = 3.0;
     int directions = 512;
-    int growthTo = 16384; ///< columns; 0 leaves the growth of cost out
-    bool parameterizations = true;
-    bool stability = false;
+    int growthTo = 16384;                       ///< columns; 0 leaves the growth of cost out
     std::shared_ptr<ParaboloidDevice> device{}; ///< of the paraboloid method; null: the CPU
     std::string deviceName{};
-    std::string command{}; ///< as typed, for the record
+    std::shared_ptr<MapDrawer> drawer{}; ///< for the time of a picture; null: it is not measured
+    std::string command{};               ///< as typed, for the record
     std::string version{};
+    /// Told what the report is expected to take, once, before anything is measured.
+    std::function<void(const ReportForecast&)> foretell{};
+
+    bool has(ReportPart part) const
+    {
+        return std::find(parts.begin(), parts.end(), part) != parts.end() && (part != ReportPart::Growth || growthTo > 0);
+    }
 
     /// The numbers that the command line offers, each under its name.
     template <typename Self, typename Visit>

@@ -89,8 +89,7 @@ RacePoint MethodRace::measure(const MethodSetting& setting, const JobControl& jo
 
 EnvironmentMap signedError(FilterSource probe, const Lobe& lobe, const EnvironmentMap& map, const JobControl& job)
 {
-    const PrefilterOptions options{.lobe = lobe, .target = map.layout, .method = Method::Spectral, .tolerance = 1e-6};
-    return difference(map, prefilter(probe, options, job).map, job);
+    return difference(map, mostExactMap(probe, lobe, map.layout, job).map, job);
 }
 
 std::vector<bool> onFront(const std::vector<RacePoint>& points)

@@ -57,7 +57,7 @@ private:
     std::vector<MethodSetting> m_settings{};
 };
 
-/// A map minus the best that is known of it: what the spectral method makes of the probe at 1e-6, in the map's layout. @throws Cancelled
+/// A map minus the best that is known of it: mostExactMap() in the map's layout. @throws as that
 EnvironmentMap signedError(FilterSource probe, const Lobe& lobe, const EnvironmentMap& map, const JobControl& job = {});
 
 /// Whether each point is on the front: measured, and no other is both faster and more accurate.

@@ -2,10 +2,12 @@
 
 #include "reference_samples.h"
 
-#include "core/filter/reference.h"
+#include "core/base/weighted_quantiles.h"
 #include "core/image/reproject.h"
+#include "core/sphere/distortion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -21,10 +23,10 @@ struct MirrorLookups {
     std::vector<glm::dvec3> directions{}, truth{};
     std::vector<double> solidAngles{};
 
-    explicit MirrorLookups(const EnvironmentMap& probe)
+    MirrorLookups(const EnvironmentMap& probe, int enough)
     {
-        constexpr double enough = 1 << 19;
-        const int step = std::max(1, static_cast<int>(std::lround(std::sqrt(probe.image.width * probe.image.height / enough))));
+        const double texels = static_cast<double>(probe.image.width) * probe.image.height;
+        const int step = std::max(1, static_cast<int>(std::lround(std::sqrt(texels / enough))));
         for (int y = 0; y < probe.image.height; y += step)
             for (int x = 0; x < probe.image.width; x += step) {
                 const float* rgb = probe.image.texel(x, y);
@@ -57,6 +59,53 @@ std::vector<double> solidAngleByAngle(const MapLayout& layout, int used)
     return values;
 }
 
+/// Counts and shapes of the texels whose centres lie on the map.
+void measureTexels(ParameterizationRow& row)
+{
+    const MapLayout& layout = row.layout;
+    double largest = 0.0, smallest = 4.0 * pi;
+    std::vector<WeightedValue> anisotropy;
+    for (int y = 0; y < layout.height(); ++y)
+        for (int x = 0; x < layout.width(); ++x)
+            if (acrossSeam(layout, {x, y}, x, y) == Texel{x, y}) {
+                const glm::dvec2 centre(x + 0.5, y + 0.5);
+                const double at = density(layout, centre);
+                ++row.used;
+                largest = std::max(largest, at);
+                smallest = std::min(smallest, at);
+                anisotropy.push_back({distortion(layout, centre).anisotropy(), at});
+            }
+    row.densityRatio = largest / smallest;
+    const auto [middle, high] = weightedQuantiles(std::move(anisotropy), std::array{0.5, 0.99});
+    row.anisotropyMedian = middle;
+    row.anisotropyP99 = high;
+    row.solidAngle = solidAngleByAngle(layout, row.used);
+}
+
+/// Seconds of one lookup: the median of some rounds through directions that lie far apart one after the other, as those of a picture of a
+/// curved thing do.
+double lookupSeconds(const EnvironmentMap& map, int rounds)
+{
+    constexpr int lookups = 1 << 14, stride = 6421; // odd, so that every direction comes once
+    const std::vector<glm::dvec3> directions = evenDirections(lookups);
+    glm::vec3 sum(0.0f);
+    const auto round = [&] {
+        return secondsOf([&] {
+            for (int i = 0, at = 0; i < lookups; ++i, at = (at + stride) % lookups)
+                sum += map.radiance(directions[static_cast<size_t>(at)]);
+        });
+    };
+    const double seconds = repeated(rounds + 1, 1.0, round).median() / lookups;
+    return std::isnan(sum.x) ? 0.0 : seconds; // the sum is looked at, so that no compiler leaves it out
+}
+
+double drawSeconds(MapDrawer& drawer, EnvironmentMap map, int pictures)
+{
+    const auto levels = std::make_shared<const std::vector<EnvironmentMap>>(std::vector<EnvironmentMap>{std::move(map)});
+    drawer.draw(levels); // compiles the shader, hands the map over
+    return repeated(pictures, 1.0, [&] { return secondsOf([&] { drawer.draw(levels); }); }).median();
+}
+
 } // namespace
 
 MapLayout layoutOfTexels(Parameterization kind, int texels)
@@ -66,51 +115,47 @@ MapLayout layoutOfTexels(Parameterization kind, int texels)
     return {kind, std::max(1, static_cast<int>(std::lround(std::sqrt(texels / perSquare)))), 0};
 }
 
-ParameterizationStudy studyParameterizations(const FilterSource& probe, const Lobe& lobe, int texels, int referenceDirections,
-                                             const JobControl& job)
+ParameterizationStudy studyParameterizations(const FilterSource& probe, const ParameterizationStudyOptions& options, const JobControl& job)
 {
-    JobControl inner = job;
-    inner.progress = nullptr;
+    const JobControl inner{.stop = job.stop, .threads = job.threads};
     const EnvironmentMap& whole = *probe.latlong();
-    const MirrorLookups mirror(whole);
-    const std::vector<glm::dvec3> fewer = evenDirections(referenceDirections);
-    ParameterizationStudy study{
-        .lobe = lobe, .directions = static_cast<int>(mirror.directions.size()), .referenceDirections = referenceDirections};
-    const bool looksUp = lobe.isMirror() || isUnresolved(lobe, whole.image.width);
-    std::vector<glm::dvec3> filteredTruth;
-    if (looksUp)
-        for (const glm::dvec3& d : fewer)
-            filteredTruth.emplace_back(whole.radiance(d));
-    else
-        filteredTruth = referenceSum(whole, lobe, fewer, inner);
+    const MirrorLookups mirror(whole, options.mirrorLookups);
+    const std::vector<glm::dvec3> fewer = evenDirections(options.referenceDirections);
+    const std::vector<glm::dvec3> truth = referenceAt(whole, options.lobe, fewer, inner);
+    ParameterizationStudy study{.lobe = options.lobe,
+                                .directions = static_cast<int>(mirror.directions.size()),
+                                .referenceDirections = options.referenceDirections,
+                                .drawnBy = options.drawer ? options.drawer->description() : ""};
 
     FilterSource source = probe;
     for (const Parameterization kind : allParameterizations) {
         job.checkStop();
-        const MapLayout layout = layoutOfTexels(kind, texels);
+        const MapLayout layout = layoutOfTexels(kind, options.texels);
         ParameterizationRow row{.layout = layout, .texels = layout.width() * layout.height()};
-        double largest = 0.0, smallest = 4.0 * pi;
-        for (int y = 0; y < layout.height(); ++y)
-            for (int x = 0; x < layout.width(); ++x)
-                if (acrossSeam(layout, {x, y}, x, y) == Texel{x, y}) { // the centre lies on the map
-                    const double at = density(layout, {x + 0.5, y + 0.5});
-                    ++row.used;
-                    largest = std::max(largest, at);
-                    smallest = std::min(smallest, at);
-                }
-        row.densityRatio = largest / smallest;
-        row.solidAngle = solidAngleByAngle(layout, row.used);
+        measureTexels(row);
         const ErrorMetrics mirrorError =
             lookupError(reproject(whole, {.target = layout}, inner), mirror.directions, mirror.truth, mirror.solidAngles);
         row.mirrorError = mirrorError.relRms;
         row.mirrorP99 = mirrorError.p99Rel;
-        const PrefilterOptions exact{.lobe = lobe, .target = layout, .method = Method::Spectral, .tolerance = 1e-6};
-        row.filteredError = lookupError(prefilter(source, exact, inner).map, fewer, filteredTruth).relRms;
+        EnvironmentMap filtered = mostExactMap(source, options.lobe, layout, inner).map;
+        row.filteredError = lookupError(filtered, fewer, truth).relRms;
+        row.lookupSeconds = lookupSeconds(filtered, options.repeats);
+        if (options.drawer)
+            row.drawSeconds = drawSeconds(*options.drawer, std::move(filtered), options.repeats);
         study.rows.push_back(std::move(row));
         if (job.progress)
             job.progress(static_cast<float>(study.rows.size()) / static_cast<float>(allParameterizations.size()));
     }
     return study;
+}
+
+double expectedStudySeconds(const ProbeTraits& probe, const ParameterizationStudyOptions& options, const Pace& pace)
+{
+    const double sources = 0.5 * probe.width * probe.width, kinds = allParameterizations.size();
+    const MapLayout target = layoutOfTexels(Parameterization::Cube, options.texels);
+    const PrefilterOptions exact{.lobe = options.lobe, .target = target, .method = Method::Spectral, .tolerance = 1e-6};
+    const double reference = predictedSeconds(Method::Reference, exact, probe) * options.referenceDirections / options.texels;
+    return pace.seconds(reference + kinds * (predictedSeconds(Method::Spectral, exact, probe) + 1e-7 * sources));
 }
 
 } // namespace mirrorball

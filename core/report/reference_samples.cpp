@@ -1,11 +1,14 @@
 #include "reference_samples.h"
 
+#include "method_settings.h"
+#include "run_times.h"
+
 #include "core/base/error.h"
+#include "core/filter/prefilter.h"
 #include "core/filter/reference.h"
 #include "core/image/probe_statistics.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <set>
 
@@ -55,6 +58,17 @@ std::vector<glm::dvec3> evenDirections(int count)
     return directions;
 }
 
+std::vector<glm::dvec3> referenceAt(const EnvironmentMap& latlong, const Lobe& lobe, std::span<const glm::dvec3> directions,
+                                    const JobControl& job)
+{
+    if (!lobe.isMirror() && !isUnresolved(lobe, latlong.image.width))
+        return referenceSum(latlong, lobe, directions, job);
+    std::vector<glm::dvec3> values;
+    for (const glm::dvec3& d : directions)
+        values.emplace_back(latlong.radiance(d));
+    return values;
+}
+
 int ReferenceSamples::weighted() const
 {
     return static_cast<int>(std::count_if(weights.begin(), weights.end(), [](double w) { return w > 0.0; }));
@@ -93,13 +107,7 @@ ReferenceSamples referenceSamples(const FilterSource& source, const Lobe& lobe, 
     std::vector<glm::dvec3> directions;
     for (const Texel& t : samples.texels)
         directions.push_back(texelDirection(target, t.x, t.y));
-    const auto start = std::chrono::steady_clock::now();
-    if (lobe.isMirror() || isUnresolved(lobe, probe->image.width))
-        for (const glm::dvec3& d : directions)
-            samples.values.emplace_back(probe->radiance(d));
-    else
-        samples.values = referenceSum(*probe, lobe, directions, job);
-    samples.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    samples.seconds = secondsOf([&] { samples.values = referenceAt(*probe, lobe, directions, job); });
     return samples;
 }
 
@@ -121,6 +129,21 @@ ErrorMetrics errorAt(const ReferenceSamples& reference, const EnvironmentMap& ma
     if (power > 0.0)
         metrics.maxAbs = largest / std::sqrt(power / total);
     return metrics;
+}
+
+ExactMap mostExactMap(FilterSource& source, const Lobe& lobe, const MapLayout& target, const JobControl& job)
+{
+    constexpr double loosest = 1e-3;
+    for (const double tolerance : {1e-6, 1e-5, 1e-4, loosest})
+        try {
+            PrefilterOutcome outcome =
+                prefilter(source, {.lobe = lobe, .target = target, .method = Method::Spectral, .tolerance = tolerance}, job);
+            return {std::move(outcome.map), outcome.filtered ? "spectral at tolerance " + shortNumber(tolerance) : "the bilinear lookup"};
+        } catch (const InvalidArgument&) { // the promise cannot be kept so tightly
+            if (tolerance == loosest)
+                throw;
+        }
+    return {};
 }
 
 } // namespace mirrorball

@@ -8,6 +8,8 @@
 
 #include <glm/glm.hpp>
 
+#include <span>
+#include <string>
 #include <vector>
 
 namespace mirrorball {
@@ -15,6 +17,11 @@ namespace mirrorball {
 /// Directions that lie evenly on the sphere, each for the same solid angle: the Fibonacci lattice. Source: R. Swinbank and R. Purser,
 /// Fibonacci grids, Q. J. R. Meteorol. Soc. 132 (2006), eq. 1.
 std::vector<glm::dvec3> evenDirections(int count);
+
+/// The reference sum (reference.h); of a lobe that is unresolved by the probe (lobe.h), or of a mirror, the bilinear lookup. @throws
+/// Cancelled
+std::vector<glm::dvec3> referenceAt(const EnvironmentMap& latlong, const Lobe& lobe, std::span<const glm::dvec3> directions,
+                                    const JobControl& job = {});
 
 /// The reference at some texels of a map, for the error of maps whose whole reference sum would take minutes.
 struct ReferenceSamples {
@@ -28,12 +35,21 @@ struct ReferenceSamples {
     int weighted() const; ///< texels with a weight
 };
 
-/// The reference sum (reference.h) at those texels of `target` that hold `count` even directions, each once, or at all of them when
-/// there are no more. A lobe that is unresolved by the probe (lobe.h) has the bilinear lookup for its reference.
+/// referenceAt() those texels of `target` that hold `count` even directions, each once, or at all of them when there are no more.
 /// @throws InvalidArgument for a streamed probe; Cancelled
 ReferenceSamples referenceSamples(const FilterSource& source, const Lobe& lobe, const MapLayout& target, int count, const JobControl& job);
 
 /// Error of a map of that layout at the samples. maxAbs counts the unweighted ones too.
 ErrorMetrics errorAt(const ReferenceSamples& reference, const EnvironmentMap& map);
+
+/// A map that stands in for the reference where all of its texels are looked at.
+struct ExactMap {
+    EnvironmentMap map{};
+    std::string how{}; ///< "spectral at tolerance 1e-6"
+};
+
+/// What the spectral method makes of the probe at the tightest tolerance from 1e-6 that it can promise, by tens.
+/// @throws InvalidArgument where that is none up to 1e-3; Cancelled
+ExactMap mostExactMap(FilterSource& source, const Lobe& lobe, const MapLayout& target, const JobControl& job = {});
 
 } // namespace mirrorball

@@ -3,10 +3,12 @@
 #include "error_metrics.h"
 #include "machine.h"
 #include "method_settings.h"
+#include "report_parts.h"
 #include "run_times.h"
 #include "shading_stability.h"
 #include "stability.h"
 
+#include "core/filter/paraboloid.h"
 #include "core/image/repair.h"
 
 #include <cstdint>
@@ -78,11 +80,15 @@ struct ParameterizationRow {
     MapLayout layout{};
     int texels = 0; ///< of the image; `used` of them lie on the map
     int used = 0;
-    double mirrorError = 0.0;         ///< rel_rms of bilinear lookups of the probe resampled to it
-    double mirrorP99 = 0.0;           ///< p99_rel of them, in which a sun does not drown the rest
-    double filteredError = 0.0;       ///< rel_rms of bilinear lookups of the filtered map
-    double densityRatio = 0.0;        ///< largest solid angle of a texel over the smallest
-    std::vector<double> solidAngle{}; ///< of a texel over its mean, at angles 0 .. 180 degrees from +Z towards +Y, equally spaced
+    double mirrorError = 0.0;            ///< rel_rms of bilinear lookups of the probe resampled to it
+    double mirrorP99 = 0.0;              ///< p99_rel of them, in which a sun does not drown the rest
+    double filteredError = 0.0;          ///< rel_rms of bilinear lookups of the filtered map
+    double densityRatio = 0.0;           ///< largest solid angle of a texel over the smallest
+    double anisotropyMedian = 1.0;       ///< longer over shorter axis of what a texel stands for (distortion.h), by solid angle
+    double anisotropyP99 = 1.0;          ///< no more than 1 % of the sphere is stretched by more
+    double lookupSeconds = 0.0;          ///< one bilinear lookup on one thread
+    std::optional<double> drawSeconds{}; ///< a picture of a sphere that mirrors the map; empty without something to draw with
+    std::vector<double> solidAngle{};    ///< of a texel over its mean, at angles 0 .. 180 degrees from +Z towards +Y, equally spaced
 };
 
 struct ParameterizationStudy {
@@ -90,7 +96,52 @@ struct ParameterizationStudy {
     Lobe lobe{};
     int directions = 0;
     int referenceDirections = 0;
+    std::string drawnBy{}; ///< empty: drawing was not timed
     std::vector<ParameterizationRow> rows{};
+};
+
+/// One exponent of the table of kernel sizes in 000 section 3.2.5. A frame is: the probe filtered anew, and a sphere drawn that mirrors it.
+struct KernelTableRow {
+    double exponent = 0.0;
+    KernelSizes sizes{};           ///< of the two kernels, and how far the map shrinks for each
+    KernelSizes publishedSizes{};  ///< as the paper prints them
+    double publishedFrames = 0.0;  ///< frames a second on an SGI O2, of 1996
+    double blendedSeconds = 0.0;   ///< a frame by the paper's two kernels
+    double exactSeconds = 0.0;     ///< by kernels that are exact at every place
+    double autoSeconds = 0.0;      ///< by what `auto` chooses at the report's tolerance
+    Method autoRan = Method::Auto; ///< what that is
+};
+
+struct KernelTable {
+    std::vector<KernelTableRow> rows{};
+    ParaboloidKnobs knobs{}; ///< of the paper's method
+    MapLayout target{};
+    std::string drawnBy{}; ///< empty: nothing was drawn, a frame is the filter alone
+};
+
+/// 000 figure 12 for one radius: what happens to a circle of the paraboloid map on the sphere, at equally spaced distances 0 .. 1 of its
+/// middle from the map's.
+struct DistortionCurve {
+    double radius = 0.0;              ///< 1: from the map's middle to its rim
+    std::vector<double> distortion{}; ///< circleDistortion()
+};
+
+/// One picture of 000 figure 13.
+struct ComparedMap {
+    std::string label{};        ///< "unfiltered", "classic", "hierarchical", "hardware"
+    std::string how{};          ///< method and knobs, in words
+    double seconds = 0.0;       ///< wall time; 0: nothing was filtered
+    ErrorMetrics error{};       ///< against the classic method
+    std::string picture{};      ///< both halves, front on the left
+    std::string errorPicture{}; ///< signed; empty for the first two
+    double errorPictureLimit = 0.0;
+};
+
+struct MethodComparison {
+    size_t probe = 0;
+    Lobe lobe{};
+    MapLayout target{};
+    std::vector<ComparedMap> maps{};
 };
 
 /// How the cost of one method grows.
@@ -129,6 +180,13 @@ struct Verdict {
     double autoOverFastest() const { return fastest ? autoSeconds / fastestSeconds : 0.0; }
 };
 
+/// What a part of the report was expected to take, and took.
+struct PartTime {
+    ReportPart part = ReportPart::Methods;
+    double foretold = 0.0;
+    double seconds = 0.0;
+};
+
 struct Report {
     std::string version{};
     std::string command{}; ///< as typed
@@ -138,6 +196,7 @@ struct Report {
     std::string device{}; ///< of the paraboloid method; empty: none
     bool complete = true; ///< false: it was stopped
     double seconds = 0.0; ///< the whole report
+    std::vector<PartTime> parts{};
     MapLayout target{};
     double tolerance = 1e-3;
     int repeats = 0;
@@ -149,6 +208,9 @@ struct Report {
     Lobe growthLobe{};
     std::vector<StabilityRow> stability{};
     std::vector<ShadingRow> shading{}; ///< with the table of extreme cases
+    std::optional<KernelTable> kernelTable{};
+    std::vector<DistortionCurve> distortion{};
+    std::optional<MethodComparison> comparison{};
     std::vector<Verdict> verdicts{};
     std::vector<std::string> conclusions{};
 };

@@ -158,7 +158,7 @@ std::string growthCsv(const Report& report)
 std::string parameterizationsCsv(const Report& report)
 {
     Csv csv({"probe", "lobe", "parameterization", "width", "height", "texels_used", "mirror_rel_rms", "mirror_p99_rel", "filtered_rel_rms",
-             "largest_over_smallest_texel"});
+             "largest_over_smallest_texel", "anisotropy_median", "anisotropy_p99", "lookup_seconds", "draw_seconds"});
     for (const ParameterizationStudy& study : report.parameterizations)
         for (const ParameterizationRow& r : study.rows) {
             csv.cell(report.probes[study.probe].name)
@@ -166,7 +166,8 @@ std::string parameterizationsCsv(const Report& report)
                 .cell(name(r.layout.kind))
                 .cell(r.layout.width())
                 .cell(r.layout.height());
-            csv.cell(r.used).cell(r.mirrorError).cell(r.mirrorP99).cell(r.filteredError).cell(r.densityRatio).endRow();
+            csv.cell(r.used).cell(r.mirrorError).cell(r.mirrorP99).cell(r.filteredError).cell(r.densityRatio);
+            csv.cell(r.anisotropyMedian).cell(r.anisotropyP99).cell(r.lookupSeconds).cell(r.drawSeconds.value_or(absent)).endRow();
         }
     return std::move(csv).text();
 }
@@ -204,6 +205,37 @@ std::string shadingCsv(const Report& report)
     for (const ShadingRow& r : report.shading) {
         csv.cell(r.family).cell(r.name).cell(r.holds() ? "holds" : "fails").cell(static_cast<double>(r.places));
         csv.cell(r.largestError).cell(r.bound).cell(r.holds() ? "" : r.failures.front()).endRow();
+    }
+    return std::move(csv).text();
+}
+
+std::string kernelsCsv(const KernelTable& table)
+{
+    Csv csv({"exponent", "small", "large", "small_shrink", "large_shrink", "published_small", "published_large", "published_small_shrink",
+             "published_large_shrink", "published_frames_a_second", "blended_frames_a_second", "exact_frames_a_second",
+             "auto_frames_a_second", "auto_ran"});
+    for (const KernelTableRow& r : table.rows) {
+        csv.cell(r.exponent);
+        for (const KernelSizes& sizes : {r.sizes, r.publishedSizes})
+            csv.cell(sizes.small).cell(sizes.large).cell(sizes.smallShrink).cell(sizes.largeShrink);
+        csv.cell(r.publishedFrames).cell(1.0 / r.blendedSeconds).cell(1.0 / r.exactSeconds).cell(1.0 / r.autoSeconds);
+        csv.cell(name(r.autoRan)).endRow();
+    }
+    return std::move(csv).text();
+}
+
+std::string distortionCsv(const std::vector<DistortionCurve>& curves)
+{
+    std::vector<std::string> titles{"distance"};
+    for (const DistortionCurve& curve : curves)
+        titles.push_back("radius_" + shortNumber(curve.radius));
+    Csv csv({titles.begin(), titles.end()});
+    const size_t steps = curves.front().distortion.size();
+    for (size_t i = 0; i < steps; ++i) {
+        csv.cell(static_cast<double>(i) / static_cast<double>(steps - 1));
+        for (const DistortionCurve& curve : curves)
+            csv.cell(curve.distortion[i]);
+        csv.endRow();
     }
     return std::move(csv).text();
 }

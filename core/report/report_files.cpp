@@ -121,14 +121,16 @@ Json studyJson(const ParameterizationStudy& study)
                     {"mirror_p99", r.mirrorP99},
                     {"filtered_error", r.filteredError},
                     {"density_ratio", r.densityRatio},
+                    {"anisotropy_median", r.anisotropyMedian},
+                    {"anisotropy_p99", r.anisotropyP99},
+                    {"lookup_seconds", r.lookupSeconds},
+                    {"draw_seconds", optionalNumber(r.drawSeconds)},
                     {"solid_angle", r.solidAngle}});
         rows.push_back(std::move(row));
     }
-    return {{"probe", study.probe},
-            {"lobe", describe(study.lobe)},
-            {"directions", study.directions},
-            {"reference_directions", study.referenceDirections},
-            {"rows", rows}};
+    return {{"probe", study.probe},           {"lobe", describe(study.lobe)},
+            {"directions", study.directions}, {"reference_directions", study.referenceDirections},
+            {"drawn_by", study.drawnBy},      {"rows", rows}};
 }
 
 Json growthJson(const GrowthPoint& p)
@@ -144,6 +146,48 @@ Json growthJson(const GrowthPoint& p)
             {"seconds", timesJson(p.times)},
             {"peak_bytes", optionalNumber(p.peakBytes)},
             {"probe_bytes", p.probeBytes}};
+}
+
+Json sizesJson(const KernelSizes& sizes)
+{
+    return {{"small", sizes.small}, {"large", sizes.large}, {"small_shrink", sizes.smallShrink}, {"large_shrink", sizes.largeShrink}};
+}
+
+Json kernelTableJson(const KernelTable& table)
+{
+    Json rows = Json::array();
+    for (const KernelTableRow& r : table.rows)
+        rows.push_back({{"exponent", r.exponent},
+                        {"sizes", sizesJson(r.sizes)},
+                        {"published_sizes", sizesJson(r.publishedSizes)},
+                        {"published_frames", r.publishedFrames},
+                        {"blended_seconds", r.blendedSeconds},
+                        {"exact_seconds", r.exactSeconds},
+                        {"auto_seconds", r.autoSeconds},
+                        {"auto_ran", name(r.autoRan)}});
+    return {{"half", table.knobs.half},
+            {"border", table.knobs.border},
+            {"clamp", table.knobs.clamp},
+            {"largest_kernel", table.knobs.largestKernel},
+            {"target", layoutJson(table.target)},
+            {"drawn_by", table.drawnBy},
+            {"rows", rows}};
+}
+
+Json comparisonJson(const MethodComparison& comparison, Pictures pictures)
+{
+    Json maps = Json::array();
+    for (const ComparedMap& m : comparison.maps)
+        maps.push_back({{"label", m.label},
+                        {"how", m.how},
+                        {"seconds", m.seconds},
+                        {"rel_rms", m.error.relRms},
+                        {"max_abs", m.error.maxAbs},
+                        {"p99_rel", m.error.p99Rel},
+                        {"picture", pictureJson(m.picture, pictures)},
+                        {"error_picture", pictureJson(m.errorPicture, pictures)},
+                        {"error_picture_limit", m.errorPictureLimit}});
+    return {{"probe", comparison.probe}, {"lobe", describe(comparison.lobe)}, {"target", layoutJson(comparison.target)}, {"maps", maps}};
 }
 
 Json stabilityJson(const StabilityRow& r)
@@ -215,6 +259,10 @@ std::string reportJson(const Report& report, Pictures pictures)
                     {"command", report.command},
                     {"complete", report.complete},
                     {"seconds", report.seconds},
+                    {"parts", listJson(report.parts,
+                                       [](const PartTime& t) {
+                                           return Json{{"part", word(t.part)}, {"foretold_seconds", t.foretold}, {"seconds", t.seconds}};
+                                       })},
                     {"machine", machineJson(report.machine)},
                     {"load_at_end", report.loadAtEnd},
                     {"threads", report.threads},
@@ -231,7 +279,13 @@ std::string reportJson(const Report& report, Pictures pictures)
                     {"growth_lobe", describe(report.growthLobe)},
                     {"growth", listJson(report.growth, growthJson)},
                     {"stability", listJson(report.stability, stabilityJson)},
-                    {"shading", listJson(report.shading, shadingJson)}};
+                    {"shading", listJson(report.shading, shadingJson)},
+                    {"kernels", report.kernelTable ? kernelTableJson(*report.kernelTable) : Json(nullptr)},
+                    {"distortion", listJson(report.distortion,
+                                            [](const DistortionCurve& c) {
+                                                return Json{{"radius", c.radius}, {"distortion", c.distortion}};
+                                            })},
+                    {"comparison", report.comparison ? comparisonJson(*report.comparison, pictures) : Json(nullptr)}};
     return json.dump(pictures == Pictures::Embedded ? -1 : 1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -260,7 +314,8 @@ std::vector<std::filesystem::path> writeReport(const Report& report, const std::
     };
     add("report.html", htmlPage(reportJson(report, Pictures::Embedded)));
     add("report.json", reportJson(report, Pictures::LeftOut));
-    add("measurements.csv", measurementsCsv(report));
+    if (!report.cases.empty() || !report.complete)
+        add("measurements.csv", measurementsCsv(report));
     if (!report.growth.empty())
         add("growth.csv", growthCsv(report));
     if (!report.parameterizations.empty())
@@ -269,6 +324,13 @@ std::vector<std::filesystem::path> writeReport(const Report& report, const std::
         add("stability.csv", stabilityCsv(report));
     if (!report.shading.empty())
         add("shading.csv", shadingCsv(report));
+    if (report.kernelTable)
+        add("kernels.csv", kernelsCsv(*report.kernelTable));
+    if (!report.distortion.empty())
+        add("distortion.csv", distortionCsv(report.distortion));
+    if (report.comparison)
+        for (const ComparedMap& map : report.comparison->maps)
+            add(("comparison_" + map.label + ".png").c_str(), map.picture);
     return files;
 }
 

@@ -1,6 +1,7 @@
 #include "run_times.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mirrorball {
 
@@ -27,6 +28,13 @@ RunTimes repeated(int times, double limit, const std::function<double()>& run)
         spent += result.seconds.back();
     }
     return result;
+}
+
+int repeats(int times, double limit, double seconds)
+{
+    if (times < 1)
+        return 0;
+    return static_cast<int>(std::clamp(std::ceil(limit / std::max(seconds, 1e-9)), 1.0, static_cast<double>(times)));
 }
 
 } // namespace mirrorball

@@ -29,4 +29,7 @@ double secondsOf(Work&& work)
 /// Calls `run`, which returns its own seconds, up to `times` times, but not again once `limit` seconds are spent.
 RunTimes repeated(int times, double limit, const std::function<double()>& run);
 
+/// How often that calls a run of so many seconds.
+int repeats(int times, double limit, double seconds);
+
 } // namespace mirrorball

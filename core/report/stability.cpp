@@ -309,4 +309,9 @@ StabilityRow runStability(const StabilityCase& test, Method method, const JobCon
     return row;
 }
 
+double expectedStabilitySeconds(std::span<const Method> methods, StabilityScale scale, const Pace& pace)
+{
+    return pace.seconds(1.0 * static_cast<double>(methods.size()) + (scale == StabilityScale::Large ? 10.0 : 0.0));
+}
+
 } // namespace mirrorball

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "error_metrics.h"
+#include "pace.h"
 
 #include "core/base/job.h"
 #include "core/filter/prefilter.h"
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -71,5 +73,8 @@ StabilityRow judgeStability(const StabilityCase& test, const PrefilterOutcome& o
 /// @throws Cancelled
 StabilityRow runStability(const StabilityCase& test, Method method, const JobControl& job = {},
                           std::shared_ptr<ParaboloidDevice> device = nullptr);
+
+/// What every case takes by each of these methods.
+double expectedStabilitySeconds(std::span<const Method> methods, StabilityScale scale, const Pace& pace);
 
 } // namespace mirrorball

@@ -13,9 +13,9 @@ namespace mirrorball {
 
 namespace {
 
-Image latlongImage(const EnvironmentMap& map, int height)
+Image imageIn(const MapLayout& layout, const EnvironmentMap& map)
 {
-    return reproject(map, {.target = {.kind = Parameterization::Latlong, .size = height}}).image;
+    return layout == map.layout ? map.image : reproject(map, {.target = layout}).image;
 }
 
 /// Blue over white to red for -1 over 0 to 1: the ends and the middle of ColorBrewer's RdBu. In 33 steps, which a .png packs well.
@@ -44,12 +44,22 @@ double roundedUp(double value)
 
 std::string mapPicture(const EnvironmentMap& map, int height)
 {
-    const double mean = luminance(meanRadiance(map));
-    const double exposure = mean > 0.0 && std::isfinite(mean) ? std::log2(0.25 / mean) : 0.0;
-    return encodePng(toDisplay(latlongImage(map, height), exposure, ToneCurve::Filmic));
+    const MapLayout latlong{.kind = Parameterization::Latlong, .size = height};
+    return encodePng(toDisplay(imageIn(latlong, map), pictureExposure(map), ToneCurve::Filmic));
 }
 
-ErrorPicture errorPicture(const EnvironmentMap& map, const EnvironmentMap& reference, int height)
+double pictureExposure(const EnvironmentMap& map)
+{
+    const double mean = luminance(meanRadiance(map));
+    return mean > 0.0 && std::isfinite(mean) ? std::log2(0.25 / mean) : 0.0;
+}
+
+std::string texelPicture(const EnvironmentMap& map, double exposure)
+{
+    return encodePng(toDisplay(map.image, exposure, ToneCurve::Filmic));
+}
+
+ErrorPicture errorPicture(const EnvironmentMap& map, const EnvironmentMap& reference, const MapLayout& shown)
 {
     if (map.layout != reference.layout)
         throw InvalidArgument("error picture: the two maps must have the same parameterization and size");
@@ -66,7 +76,7 @@ ErrorPicture errorPicture(const EnvironmentMap& map, const EnvironmentMap& refer
         }
     const double rms = power > 0.0 ? std::sqrt(power) : 1.0;
 
-    Image picture = latlongImage(difference, height);
+    Image picture = imageIn(shown, difference);
     std::vector<double> signedError, sizes;
     for (size_t i = 0; i < picture.texels.size(); i += 3) {
         signedError.push_back(luminance({picture.texels[i], picture.texels[i + 1], picture.texels[i + 2]}) / rms);

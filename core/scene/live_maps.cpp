@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/field_checks.h"
 #include "core/filter/source_file.h"
+#include "core/shading/brdf_file.h"
 #include "core/sphere/direction.h"
 
 #include <algorithm>
@@ -63,53 +64,68 @@ LiveMaps::ProbeKey LiveMaps::probeKey(const Scene& scene)
     return key;
 }
 
-void LiveMaps::forgetMaps() { m_specular = m_diffuse = m_background = {}; }
+// What the same file held before is better than a placeholder that nobody asked for.
+void LiveMaps::giveUp(const std::string& problem)
+{
+    m_problem = problem;
+    m_file.reset();
+    m_isKept = m_before.has_value();
+    if (m_isKept) {
+        m_now = std::move(*m_before);
+        m_before.reset();
+        return;
+    }
+    m_now = {};
+    keepProbe(placeholderProbe());
+    m_now.layout = m_now.environment->layout;
+}
 
 void LiveMaps::openHeader(const Scene& scene)
 {
     ProbeKey key = probeKey(scene);
     if (m_key == key)
         return;
+    const bool isSameFile = m_key && m_key->path == key.path;
+    if (!isSameFile)
+        m_before.reset();
+    else if ((m_problem.empty() || m_isKept) && m_now.holdsLight())
+        m_before = std::move(m_now);
     m_key.reset();
     m_file.reset();
-    m_probe = {};
-    m_environment.reset();
-    m_itself.reset();
-    forgetMaps();
-    m_certain = true;
+    m_now = {};
     m_problem.clear();
+    m_isKept = false;
     try {
         m_file = openProbeFile(scene);
-        m_layout = m_file->layout();
+        m_now.layout = m_file->layout();
+        m_now.isStreamed = std::int64_t{m_now.layout.width()} * m_now.layout.height() > streamedFrom;
     } catch (const Cancelled&) {
         throw;
     } catch (const Error& error) {
-        m_problem = error.what();
-        keepProbe(placeholderProbe());
-        m_layout = m_environment->layout;
+        giveUp(error.what());
     }
-    m_isStreamed = std::int64_t{m_layout.width()} * m_layout.height() > streamedFrom;
     m_key = std::move(key);
 }
 
 void LiveMaps::readWhole(const Scene& scene, const JobControl& job, WorkRecord& record)
 {
-    if (m_environment)
+    if (m_now.environment)
         return;
     try {
         Probe probe = probeFile(scene).read(job);
         record += {.stages = std::move(probe.stages), .notes = std::move(probe.notes)};
         keepProbe(std::move(probe.map));
-        m_probe.repaired = probe.repaired;
-        m_probe.origin = std::move(probe.origin);
-        m_certain = probe.certain;
+        m_now.probe.repaired = probe.repaired;
+        m_now.probe.origin = std::move(probe.origin);
+        m_now.certain = probe.certain;
     } catch (const Cancelled&) {
         throw;
     } catch (const Error& error) {
-        m_problem = error.what();
-        keepProbe(placeholderProbe());
+        if (m_before && m_before->isStreamed) // only a header could be told from here
+            m_before.reset();
+        giveUp(error.what());
     }
-    m_layout = m_environment->layout;
+    m_now.layout = m_now.environment->layout;
 }
 
 /// The file whose header told the layout; after it was used up, opened anew.
@@ -126,41 +142,41 @@ void LiveMaps::keepProbe(EnvironmentMap probe)
 {
     std::vector<EnvironmentMap> levels;
     levels.push_back(std::move(probe));
-    m_itself = std::make_shared<const std::vector<EnvironmentMap>>(std::move(levels));
-    m_environment = std::shared_ptr<const EnvironmentMap>(m_itself, &m_itself->front());
+    m_now.itself = std::make_shared<const std::vector<EnvironmentMap>>(std::move(levels));
+    m_now.environment = std::shared_ptr<const EnvironmentMap>(m_now.itself, &m_now.itself->front());
 }
 
 // A probe this large is read as the plan needs it, and again when the next plan needs more of it.
 void LiveMaps::openStreamed(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record)
 {
     const auto suffices = [&] {
-        if (m_probe.source && !m_probe.source->latlong()) {
+        if (m_now.probe.source && !m_now.probe.source->latlong()) {
             const std::vector<const PlannedFilter*> filters = plan.planned();
             return std::all_of(filters.begin(), filters.end(), [&](const PlannedFilter* filter) {
-                return filter->plan.filtered && filter->plan.bandLimit <= m_probe.source->knownBandLimit();
+                return filter->plan.filtered && filter->plan.bandLimit <= m_now.probe.source->knownBandLimit();
             });
         }
-        return plan.filtersAny() ? m_probe.source.has_value() : m_probe.environment != nullptr;
+        return plan.filtersAny() ? m_now.probe.source.has_value() : m_now.probe.environment != nullptr;
     };
     if (suffices())
         return;
-    m_probe = {};
-    m_probe = openProbe(probeFile(scene), plan, job);
-    record += m_probe.record;
+    m_now.probe = {};
+    m_now.probe = openProbe(probeFile(scene), plan, job);
+    record += m_now.probe.record;
 }
 
 /// Whether the map that is planned is the probe's own texels: exactly, or as far as the detail asks.
 bool LiveMaps::isProbeItself(const MapPlan& plan, const SceneProbe& probe, const MapDetail& detail, double exposure) const
 {
-    if (!m_itself || plan.pyramid || plan.filters.size() != 1 || exposure != 0.0)
+    if (!m_now.itself || plan.pyramid || plan.filters.size() != 1 || exposure != 0.0)
         return false;
     const PrefilterOptions& filter = plan.filters.front().options;
     if (filter.yaw != 0.0)
         return false;
-    const MapLayout& own = m_environment->layout;
+    const MapLayout& own = m_now.environment->layout;
     if (filter.target == own && isLookup(filter, probe))
         return true;
-    const bool isQuick = std::int64_t{own.width()} * own.height() <= quickTexels || m_background.levels == m_itself;
+    const bool isQuick = std::int64_t{own.width()} * own.height() <= quickTexels || m_now.background.levels == m_now.itself;
     return isQuick && detail.probeItselfUpTo > 0.0 && filter.method == Method::Auto &&
            lobeAngle(filter.lobe) <= detail.probeItselfUpTo * texelAngle(own);
 }
@@ -182,9 +198,9 @@ MapLevels LiveMaps::levels(KeptMap& kept, const std::optional<MapPlan>& plan, Sc
     }
     if (isProbeItself(*plan, probe, detail, exposure)) {
         isKept();
-        if (plan->filters.front().options.target == m_environment->layout)
-            kept = {std::move(key), exposure, m_itself};
-        return m_itself;
+        if (plan->filters.front().options.target == m_now.environment->layout)
+            kept = {std::move(key), exposure, m_now.itself};
+        return m_now.itself;
     }
     BuiltMap built = buildMap(*plan, probe, exposure, job);
     record += std::move(built.record);
@@ -198,42 +214,87 @@ MadeScene LiveMaps::update(const Scene& scene, const MapDetail& detail, const Jo
     MadeScene made{.scene = scene, .detail = detail};
     openHeader(scene);
     const auto planned = [&] {
-        return timedStage(made.record.stages, "plan", [&] { return makePlan(scene, m_layout, {.detail = detail}); });
+        return timedStage(made.record.stages, "plan", [&] { return makePlan(scene, m_now.layout, {.detail = detail}); });
     };
     made.plan = planned();
     if (made.plan.needsProbe()) {
-        if (m_isStreamed) {
+        if (m_now.isStreamed) {
             openStreamed(scene, made.plan, job, made.record);
         } else {
-            const MapLayout announced = m_layout;
+            const MapLayout announced = m_now.layout;
             readWhole(scene, job, made.record);
-            if (m_layout != announced) // a file that breaks off after its header
+            if (m_now.layout != announced) // a file that breaks off after its header
                 made.plan = planned();
-            if (made.plan.filtersAny() && !m_probe.source)
-                m_probe.source = timedStage(made.record.stages, "prepare probe", [&] { return FilterSource(*m_environment, job); });
+            if (made.plan.filtersAny() && !m_now.probe.source)
+                m_now.probe.source = timedStage(made.record.stages, "prepare probe", [&] { return FilterSource(*m_now.environment, job); });
         }
     }
     // As the command line does: where nothing is filtered the maps are made of the probe as it is.
-    SceneProbe plain{.environment = m_environment};
-    SceneProbe& probe = m_isStreamed || made.plan.filtersAny() ? m_probe : plain;
+    SceneProbe plain{.environment = m_now.environment};
+    SceneProbe& probe = m_now.isStreamed || made.plan.filtersAny() ? m_now.probe : plain;
+
+    if (made.plan.needsProbe())
+        m_before.reset(); // it has been read, or what it held before is open again
 
     const auto make = [&](KeptMap& kept, const std::optional<MapPlan>& plan) {
         return levels(kept, plan, probe, detail, scene.probe.exposure, job, made.record);
     };
-    made.maps.background = make(m_background, made.plan.background); // first: where it is the probe itself, the others may be, too
-    made.maps.specular = make(m_specular, made.plan.specular);
-    made.maps.diffuse = make(m_diffuse, made.plan.diffuse);
+    made.maps.background = make(m_now.background, made.plan.background); // first: where it is the probe itself, the others may be, too
+    made.maps.specular = make(m_now.specular, made.plan.specular);
+    made.maps.brdfLookups = brdfLookups(scene, made.plan, job, made.record);
+    made.maps.diffuse = make(m_now.diffuse, made.plan.diffuse);
     made.maps.sphereMaps = sphereMaps(scene, made.plan, job, made.record);
-    made.probeLayout = m_layout;
-    made.environment = m_isStreamed ? m_probe.environment : m_environment;
-    made.repaired = m_probe.repaired;
-    made.origin = m_probe.origin;
-    made.certain = m_certain;
+    made.probeLayout = m_now.layout;
+    made.environment = m_now.isStreamed ? m_now.probe.environment : m_now.environment;
+    made.repaired = m_now.probe.repaired;
+    made.origin = m_now.probe.origin;
+    made.certain = m_now.certain;
     made.problem = m_problem;
-    for (const KeptSphereMap& map : m_sphereMaps)
-        if (!map.problem.empty())
-            made.problem += (made.problem.empty() ? "" : "; ") + map.problem;
+    const auto addProblem = [&](const std::string& problem) {
+        if (!problem.empty())
+            made.problem += (made.problem.empty() ? "" : "; ") + problem;
+    };
+    if (m_isKept)
+        made.keptFiles.push_back(m_key->path);
+    if (m_brdf)
+        addProblem(m_brdf->problem);
+    for (const KeptSphereMap& map : m_sphereMaps) {
+        addProblem(map.problem);
+        if (map.isKept)
+            made.keptFiles.push_back(map.path);
+    }
     return made;
+}
+
+// A measurement that cannot be read must not stop the picture either.
+std::shared_ptr<const Image> LiveMaps::brdfLookups(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record)
+{
+    if (!plan.brdf) {
+        m_brdf.reset();
+        return nullptr;
+    }
+    KeptBrdf wanted{.plan = *plan.brdf};
+    if (isBrdfFile(wanted.plan.model)) {
+        std::error_code ignored;
+        wanted.path = resolved(scene, wanted.plan.model);
+        wanted.time = std::filesystem::last_write_time(wanted.path, ignored);
+    }
+    if (m_brdf && m_brdf->plan == wanted.plan && m_brdf->path == wanted.path && m_brdf->time == wanted.time)
+        return m_brdf->table;
+    timedStage(record.stages, "BRDF lookups", [&] {
+        try {
+            wanted.table = buildBrdfLookups(scene, wanted.plan, job);
+        } catch (const Cancelled&) {
+            throw;
+        } catch (const Error& error) {
+            wanted.problem = error.what();
+            Image mirror(1, 2);
+            std::fill_n(mirror.texel(0, 1), 3, 1.0f);
+            wanted.table = std::make_shared<const Image>(std::move(mirror));
+        }
+    });
+    m_brdf = std::move(wanted);
+    return m_brdf->table;
 }
 
 namespace {
@@ -253,8 +314,9 @@ std::string unknownLayersOf(const SphereMapDocument& document)
 
 } // namespace
 
-// A map that cannot be read must not stop the picture: a texel of magenta stands in for it, and the problem is named.
-void LiveMaps::build(KeptSphereMap& map, const Scene& scene, const JobControl& job)
+// A map that cannot be read must not stop the picture: what its file held before, or a texel of magenta, stands in for it, and the problem
+// is named.
+void LiveMaps::build(KeptSphereMap& map, const SphereMapChain& before, const Scene& scene, const JobControl& job)
 {
     try {
         if (!map.plan.document) {
@@ -268,6 +330,11 @@ void LiveMaps::build(KeptSphereMap& map, const Scene& scene, const JobControl& j
         map.problem = unknownLayersOf(document);
     } catch (const InvalidArgument& error) {
         map.problem = error.what();
+        map.isKept = before != nullptr;
+        if (map.isKept) {
+            map.texels = before;
+            return;
+        }
         Image magenta(1, 1, 4);
         magenta.texels = {1.0f, 0.0f, 1.0f, 1.0f};
         map.texels = std::make_shared<const SphereMapTexels>(SphereMapTexels{.levels = {magenta}});
@@ -285,14 +352,17 @@ std::vector<SphereMapChain> LiveMaps::sphereMaps(const Scene& scene, const Plan&
             map.path = resolved(scene, wanted.source);
             map.time = std::filesystem::last_write_time(map.path, ignored);
         }
+        SphereMapChain before;
         for (const KeptSphereMap& old : m_sphereMaps) {
             if (old.plan == map.plan && old.path == map.path && old.time == map.time)
                 map = old;
+            else if (!map.path.empty() && old.plan == map.plan && old.path == map.path && (old.problem.empty() || old.isKept))
+                before = old.texels;
             else if (wanted.document && old.plan.field == wanted.field)
                 map.cache = old.cache;
         }
         if (!map.texels)
-            timedStage(record.stages, "sphere map " + wanted.source, [&] { build(map, scene, job); });
+            timedStage(record.stages, "sphere map " + wanted.source, [&] { build(map, before, scene, job); });
         maps.push_back(map.texels);
         kept.push_back(std::move(map));
     }

@@ -22,7 +22,9 @@ struct MadeScene {
     RepairReport repaired{};
     std::string origin{};  ///< how its parameterization was found, in words
     bool certain = true;   ///< false: a guess by the shape alone
-    std::string problem{}; ///< why the probe could not be read: the maps then show the placeholder
+    std::string problem{}; ///< why the probe or a sphere map could not be read: the maps then show what it held before, or a placeholder
+    /// Files that could be read before and cannot be any more: what they held then is shown.
+    std::vector<std::string> keptFiles{};
 };
 
 /// The maps of a scene that is being edited: an update makes what an edit touched and keeps the rest. A map that did not change comes
@@ -30,7 +32,8 @@ struct MadeScene {
 /// is kept from lobe to lobe. One thread at a time.
 class LiveMaps {
 public:
-    /// A probe that cannot be read is replaced by placeholderProbe() and named in `problem`.
+    /// A file that cannot be read is named in `problem`. One that could be before is shown as it was; in place of any other probe
+    /// placeholderProbe() is.
     /// @throws InvalidArgument naming the field, when the scene is not valid; Cancelled, after which the next update goes on from what
     ///         is there
     MadeScene update(const Scene& scene, const MapDetail& detail, const JobControl& job = {});
@@ -49,38 +52,57 @@ private:
         double exposure = 0.0;
         MapLevels levels{};
     };
+    struct KeptBrdf {
+        BrdfPlan plan{};
+        std::string path{}; ///< of a measurement
+        std::filesystem::file_time_type time{};
+        std::shared_ptr<const Image> table{};
+        std::string problem{}; ///< why the file could not be read: a white mirror stands in
+    };
     struct KeptSphereMap {
         SphereMapPlan plan{};
         std::string path{};
         std::filesystem::file_time_type time{};
         SphereMapChain texels{};
         std::string problem{};                   ///< why the file could not be read, or what of it is left out
+        bool isKept = false;                     ///< the texels are those of the file as it was before
         std::shared_ptr<SphereMapCache> cache{}; ///< of a document inside the scene, which may change with every movement of a slider
     };
 
+    /// A probe's file, as far as it has been read, and the maps that were made of it.
+    struct Opened {
+        MapLayout layout{};
+        bool isStreamed = false;
+        SceneProbe probe{};                                  ///< its source serves the filters
+        MapLevels itself{};                                  ///< the probe as it is, one level
+        std::shared_ptr<const EnvironmentMap> environment{}; ///< that level
+        bool certain = true;
+        KeptMap specular{}, diffuse{}, background{};
+
+        bool holdsLight() const { return environment || probe.environment || probe.source; }
+    };
+
     static ProbeKey probeKey(const Scene& scene);
+    void giveUp(const std::string& problem);
     void openHeader(const Scene& scene);
     void readWhole(const Scene& scene, const JobControl& job, WorkRecord& record);
     void openStreamed(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record);
     ProbeFile probeFile(const Scene& scene);
-    void forgetMaps();
     MapLevels levels(KeptMap& kept, const std::optional<MapPlan>& plan, SceneProbe& probe, const MapDetail& detail, double exposure,
                      const JobControl& job, WorkRecord& record);
     void keepProbe(EnvironmentMap probe);
     bool isProbeItself(const MapPlan& plan, const SceneProbe& probe, const MapDetail& detail, double exposure) const;
-    static void build(KeptSphereMap& map, const Scene& scene, const JobControl& job);
+    std::shared_ptr<const Image> brdfLookups(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record);
+    static void build(KeptSphereMap& map, const SphereMapChain& before, const Scene& scene, const JobControl& job);
     std::vector<SphereMapChain> sphereMaps(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record);
 
     std::optional<ProbeKey> m_key{};
     std::optional<ProbeFile> m_file{}; ///< open, not read yet
-    MapLayout m_layout{};
-    bool m_isStreamed = false;
     std::string m_problem{};
-    SceneProbe m_probe{};                                  ///< its source serves the filters
-    MapLevels m_itself{};                                  ///< the probe as it is, one level
-    std::shared_ptr<const EnvironmentMap> m_environment{}; ///< that level
-    bool m_certain = true;
-    KeptMap m_specular{}, m_diffuse{}, m_background{};
+    Opened m_now{};
+    std::optional<Opened> m_before{}; ///< what the same file held before it changed, until it has been read again
+    bool m_isKept = false;            ///< what is open now is that: the file cannot be read any more
+    std::optional<KeptBrdf> m_brdf{};
     std::vector<KeptSphereMap> m_sphereMaps{};
 };
 

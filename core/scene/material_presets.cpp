@@ -29,6 +29,15 @@ Material coated(SpecularSettings specular, double index, DiffuseSettings below)
             .diffuse = std::move(below)};
 }
 
+/// A surface whose lobe knows the view.
+Material viewDependent(const char* model) { return {.brdf = {.model = model}}; }
+
+/// Paint under a layer of such a lobe, which gets the light that the layer does not reflect.
+Material layered(const char* model, DiffuseSettings below)
+{
+    return {.brdf = {.model = model}, .combine = Combine::Coat, .diffuse = std::move(below)};
+}
+
 Material matt(DiffuseSettings diffuse) { return {.specular = {.weight = 0.0}, .diffuse = std::move(diffuse)}; }
 
 std::vector<MaterialPreset> makePresets()
@@ -55,6 +64,13 @@ std::vector<MaterialPreset> makePresets()
         coated({.lobe = SurfaceLobe::Ggx, .roughness = 0.3, .weight = 1.6, .color = {1.0, 0.95, 0.98}}, 1.68, paint(0.78, 0.71, 0.66)));
     add("plastic-red", "Red plastic with a soft highlight.", coated(ggx(0.28), 1.46, paint(0.62, 0.03, 0.025)));
     add("rubber", "Black rubber: almost no highlight but at grazing angles.", coated(ggx(0.65), 1.5, paint(0.03, 0.03, 0.032)));
+    add("satin-gold", "Satin gold: a wide lobe that stretches and brightens towards grazing angles.",
+        viewDependent("ggx:roughness=0.5,metal=gold"));
+    add("cast-aluminium", "Cast aluminium: rough, with the tail of ggx.", viewDependent("ggx:roughness=0.7,metal=aluminium"));
+    add("blasted-copper", "Sand-blasted copper: Beckmann's facets, which shift the color at grazing angles.",
+        viewDependent("beckmann:alpha=0.35,metal=copper"));
+    add("satin-lacquer", "Dark green satin lacquer: a dull layer over paint, mirroring at grazing angles.",
+        layered("ggx:roughness=0.45,ior=1.5", paint(0.01, 0.1, 0.04)));
     add("matte", "Matt white: nothing but diffuse light.", matt(paint(0.8, 0.8, 0.8)));
     add("clay", "Fired clay: matt and warm.", matt(paint(0.55, 0.25, 0.14)));
     return presets;

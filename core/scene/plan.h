@@ -42,6 +42,14 @@ struct SphereMapPlan {
     bool operator==(const SphereMapPlan&) const = default;
 };
 
+/// The table of a BRDF's lookups. Its entries stand between the levels of the specular map, a ggx chain by chainRoughness().
+struct BrdfPlan {
+    std::string model{}; ///< as the scene names it
+    int lookups = 5;     ///< 0: split sum
+    int columns = 32;    ///< angles of view
+    bool operator==(const BrdfPlan&) const = default;
+};
+
 struct ExportPlan {
     MapPlan map{};
     ExportTarget target{};
@@ -60,6 +68,7 @@ struct MapDetail {
     int largestSize = 16384;                                        ///< texels: maps without coarser levels are made no larger
     double tolerance = 1e-5;                                        ///< rel_rms of the filters, (0, 1]
     double texelsPerLobe = std::numeric_limits<double>::infinity(); ///< maps are made smaller where their lobe spans more at half its peak
+    int brdfColumns = 32;                                           ///< angles of view in the table of a BRDF's lookups
     /// Texels of the probe that a lobe spans at half its peak: for one that spans no more, the probe's own texels in their own layout may
     /// stand in, which costs nothing; 0: never.
     double probeItselfUpTo = 0.0;
@@ -67,7 +76,8 @@ struct MapDetail {
 };
 
 /// While a control is dragged: soft enough to be made between two frames, and near enough to judge by.
-inline constexpr MapDetail coarseDetail{.largestSize = 128, .tolerance = 1e-3, .texelsPerLobe = 6.0, .probeItselfUpTo = 4.0};
+inline constexpr MapDetail coarseDetail{
+    .largestSize = 128, .tolerance = 1e-3, .texelsPerLobe = 6.0, .brdfColumns = 8, .probeItselfUpTo = 4.0};
 
 /// Angle across a lobe at half its peak, and along the side of a square of a texel's mean solid angle; radians.
 double lobeAngle(const Lobe& lobe);
@@ -84,6 +94,7 @@ struct Plan {
     std::vector<Stage> stages{}; ///< in order; seconds are 0
     PlannedMaterial material{};
     std::optional<MapPlan> specular{};
+    std::optional<BrdfPlan> brdf{}; ///< how the specular map is read
     std::optional<MapPlan> diffuse{};
     std::optional<MapPlan> background{};
     std::vector<SphereMapPlan> sphereMaps{}; ///< the material's, and behind it the layers of a window

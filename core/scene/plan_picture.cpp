@@ -17,6 +17,15 @@ constexpr int irradianceSize = 64;
 /// No map is made smaller than this to save time.
 constexpr int smallestMap = 32;
 
+/// A chain ends where texels are about as wide as a lobe of roughness 1 can stand.
+int smallestChainLevel(Parameterization kind)
+{
+    const bool wholeTurn = kind == Parameterization::Sphere || kind == Parameterization::Angular; // 360 degrees across the edge
+    return kind == Parameterization::Cube ? 8 : wholeTurn ? 32 : 16;
+}
+/// Of a chain's levels: between them lookups are linear, which misses far more.
+constexpr double chainTolerance = 1e-3;
+
 MapLayout withSize(MapLayout layout, int size)
 {
     layout.size = std::min(layout.size, size);
@@ -52,8 +61,10 @@ PlannedMaterial planMaterial(const Material& material, PlanExtent extent)
 {
     PlannedMaterial planned{.specular = material.specular.weight * material.specular.color,
                             .diffuse = material.diffuse.weight * material.diffuse.color,
-                            .fresnel = fresnelTerm(material.fresnel),
+                            .fresnel = material.brdf.isNone() ? fresnelTerm(material.fresnel) : Fresnel{},
                             .combine = material.combine};
+    if (!material.brdf.isNone()) // its albedo takes the place of F, and changes with the view
+        return planned;
     if (extent == PlanExtent::Everything)
         return withNothingFolded(planned);
     if (const auto f = constantReflectance(planned.fresnel)) {
@@ -112,6 +123,8 @@ void Planner::planPicture()
     planBackground();
     if (!reads)
         leaveOut("fresnel term", whyNoMaterial());
+    else if (!m_scene.material.brdf.isNone())
+        leaveOut("fresnel term", "the BRDF has its own, inside its integral");
     else if (makesAll() && m_scene.material.fresnel.kind == FresnelKind::None)
         need("fresnel term", "everything is asked for: evaluated at every pixel");
     else if (m_plan.material.fresnel.kind != FresnelKind::None)
@@ -223,6 +236,10 @@ void Planner::planSpecular()
         leaveOut("specular map", whyNoSpecular());
         return;
     }
+    if (!m_scene.material.brdf.isNone()) {
+        planBrdf();
+        return;
+    }
     MapPlan map{.name = "specular map"};
     const double lambda = m_scene.material.lambda;
     const double bias = m_scene.material.lodBias;
@@ -254,6 +271,27 @@ void Planner::planSpecular()
     else
         leaveOut(stage, "lambda is 0: only the finest level is read");
     m_plan.specular = std::move(map);
+}
+
+void Planner::planBrdf()
+{
+    const BrdfSettings& brdf = m_scene.material.brdf;
+    MapPlan map{.name = "specular map"};
+    MapLayout largest = mapLayout();
+    largest.size = std::max(largest.size, smallestMap);
+    int levels = 1;
+    while (levelLayout(largest, levels).size >= smallestChainLevel(largest.kind))
+        ++levels;
+    for (int i = 0; i < levels; ++i) {
+        const double roughness = chainRoughness(i, levels);
+        const PrefilterOptions filter{
+            .lobe = ggxLobe(roughness * roughness), .target = levelLayout(largest, i), .tolerance = chainTolerance, .yaw = bakedYaw()};
+        addLevel(map, planned(filter), text(map.name, " level ", i), "", "roughness 0: the level is the environment itself");
+    }
+    m_plan.specular = std::move(map);
+    m_plan.brdf = BrdfPlan{brdf.model, brdf.lookups, m_detail.brdfColumns};
+    need("BRDF lookups", brdf.lookups == 0 ? text(brdf.model, ": split sum, one lookup times the albedo")
+                                           : text(brdf.model, ": ", plural(brdf.lookups, "lookup"), " at each pixel"));
 }
 
 void Planner::planDiffuse()

@@ -62,6 +62,7 @@ private:
     void applySize(PrefilterOptions& filter, bool pyramid) const;
     MapLayout mapLayout() const { return {m_scene.map.parameterization, m_scene.map.size, m_scene.map.border}; }
     void planSpecular();
+    void planBrdf();
     void planDiffuse();
     void planBackground();
     void planExports(const std::vector<std::string>& only);

@@ -4,6 +4,8 @@
 #include "core/base/field_checks.h"
 #include "core/image/image_format.h"
 #include "core/image/map_file.h"
+#include "core/shading/brdf.h"
+#include "core/shading/brdf_file.h"
 #include "core/shading/conductor.h"
 #include "core/spheremap/evaluation/evaluate.h"
 
@@ -23,7 +25,9 @@ constexpr std::array lookupAtWords{"pixel"sv, "vertex"sv};
 constexpr std::array mapSpaceWords{"world"sv, "eye"sv};
 constexpr std::array projectionWords{"perspective"sv, "orthographic"sv};
 constexpr std::array backdropWords{"environment"sv, "blurred"sv, "color"sv, "none"sv};
-constexpr std::array shadingWords{"material"sv, "wireframe"sv, "normals"sv, "texcoords"sv, "seams"sv, "mips"sv};
+constexpr std::array shadingWords{"material"sv, "wireframe"sv, "normals"sv,      "texcoords"sv,
+                                  "seams"sv,    "mips"sv,      "normal-lines"sv, "bounds"sv};
+constexpr std::array toneChoiceWords{"auto"sv, "none"sv, "reinhard"sv, "filmic"sv};
 constexpr std::array exportKindWords{"source"sv, "specular"sv, "diffuse"sv, "chain"sv, "painted"sv};
 constexpr std::array fresnelKindWords{"none"sv, "dielectric"sv, "conductor"sv};
 constexpr std::array combineWords{"add"sv, "coat"sv};
@@ -53,6 +57,15 @@ void checkPainted(const std::string& path, const ExportTarget& target)
                               std::to_string(target.border));
 }
 
+Brdf readModel(const std::string& field, const std::string& model)
+{
+    try {
+        return brdfFromText(model);
+    } catch (const InvalidArgument& error) {
+        throw InvalidArgument(field + ": " + error.what());
+    }
+}
+
 void checkMaterial(const std::string& path, const Material& material)
 {
     Material::visitFields(material, RangeChecker(path));
@@ -63,6 +76,8 @@ void checkMaterial(const std::string& path, const Material& material)
         throw InvalidArgument(fieldPath(path, "fresnel.metal") + ": must be one of " + known + "custom; it is " +
                               inQuotes(material.fresnel.metal));
     }
+    if (!material.brdf.isNone() && !isBrdfFile(material.brdf.model))
+        readModel(fieldPath(path, "brdf.model"), material.brdf.model);
 }
 
 /// A word that is a file name on every system, and no path.
@@ -117,6 +132,7 @@ std::span<const std::string_view> words(LookupAt) { return lookupAtWords; }
 std::span<const std::string_view> words(MapSpace) { return mapSpaceWords; }
 std::span<const std::string_view> words(Projection) { return projectionWords; }
 std::span<const std::string_view> words(Backdrop) { return backdropWords; }
+std::span<const std::string_view> words(ToneChoice) { return toneChoiceWords; }
 std::span<const std::string_view> words(Shading) { return shadingWords; }
 std::span<const std::string_view> words(ExportKind) { return exportKindWords; }
 std::span<const std::string_view> words(FresnelKind) { return fresnelKindWords; }
@@ -131,12 +147,6 @@ std::span<const std::string_view> words(Parameterization)
 std::span<const std::string_view> words(Method)
 {
     static const auto names = namesOf<Method, allMethods.size()>(allMethods);
-    return names;
-}
-
-std::span<const std::string_view> words(ToneCurve)
-{
-    static const auto names = namesOf<ToneCurve, 3>(std::array{ToneCurve::None, ToneCurve::Reinhard, ToneCurve::Filmic});
     return names;
 }
 
@@ -183,6 +193,12 @@ Lobe lobe(const SpecularSettings& specular)
         break;
     }
     return ggxLobe(0.0);
+}
+
+Brdf brdfOf(const Scene& scene)
+{
+    const std::string& model = scene.material.brdf.model;
+    return readModel("material.brdf.model", isBrdfFile(model) ? resolved(scene, model) : model);
 }
 
 Fresnel fresnelTerm(const FresnelSettings& settings)

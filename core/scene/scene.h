@@ -23,6 +23,8 @@
 /// were typed, so that a file that is loaded and saved stays the same.
 namespace mirrorball {
 
+struct Brdf;
+
 enum class SurfaceLobe { Mirror, Phong, Ggx };
 enum class SphereMapUse { Replace, Multiply, Over, Tint, Add };
 enum class SphereMapLevels { Authored, Plain };
@@ -30,7 +32,8 @@ enum class LookupAt { Pixel, Vertex };
 enum class MapSpace { World, Eye };
 enum class Projection { Perspective, Orthographic };
 enum class Backdrop { Environment, Blurred, Color, None };
-enum class Shading { Material, Wireframe, Normals, TexCoords, Seams, Mips };
+enum class ToneChoice { Auto, None, Reinhard, Filmic };
+enum class Shading { Material, Wireframe, Normals, TexCoords, Seams, Mips, NormalLines, Bounds };
 enum class ExportKind { Source, Specular, Diffuse, Chain, Painted };
 
 /// The words of files and command line for an enum's values, in their order.
@@ -41,13 +44,13 @@ std::span<const std::string_view> words(LookupAt);         // pixel vertex
 std::span<const std::string_view> words(MapSpace);         // world eye
 std::span<const std::string_view> words(Projection);       // perspective orthographic
 std::span<const std::string_view> words(Backdrop);         // environment blurred color none
-std::span<const std::string_view> words(Shading);          // material wireframe normals texcoords seams mips
+std::span<const std::string_view> words(Shading);          // material wireframe normals texcoords seams mips normal-lines bounds
 std::span<const std::string_view> words(ExportKind);       // source specular diffuse chain painted
 std::span<const std::string_view> words(Parameterization); // latlong cube sphere angular paraboloid octahedral
 std::span<const std::string_view> words(FresnelKind);      // none dielectric conductor
 std::span<const std::string_view> words(Combine);          // add coat
 std::span<const std::string_view> words(Method);           // auto reference spectral direct hierarchical importance paraboloid mip sh9
-std::span<const std::string_view> words(ToneCurve);        // none reinhard filmic
+std::span<const std::string_view> words(ToneChoice);       // auto none reinhard filmic
 
 /// Where the light comes from.
 struct ProbeSettings {
@@ -155,6 +158,26 @@ struct DiffuseSettings {
     }
 };
 
+/// A lobe that knows the view, in place of the specular lobe and the Fresnel term: the picture reads it as a few lookups into an ordinary
+/// ggx chain, as an engine would. lookup_table.h
+struct BrdfSettings {
+    std::string model{};
+    int lookups = 5;
+    UnknownKeys unknown{};
+
+    bool isNone() const { return model.empty(); }
+    bool operator==(const BrdfSettings&) const = default;
+    template <typename Self, typename Visit>
+    static void visitFields(Self& self, Visit&& visit)
+    {
+        visit(Field{"model", "ggx:roughness=0.5,metal=gold, another model, or a measured file (.binary .brdf .csv .txt), in place of the "
+                             "specular lobe and the Fresnel term; empty: those"},
+              self.model);
+        visit(Field{"lookups", "into a ggx chain that stand for the lobe at each angle of view; 0: the split sum of engines", 0, 8},
+              self.lookups);
+    }
+};
+
 /// Flecks: cells on the surface, each of which looks the sphere map up elsewhere, as facets that are turned at random. Source: 003
 /// section 6.2
 struct FleckSettings {
@@ -211,10 +234,12 @@ struct SphereMapSettings {
     }
 };
 
-/// A material: F L_m + L_d (add) or F L_m + (1 - F) L_d (coat), with L_m the specular and L_d the diffuse part.
+/// A material: F L_m + L_d (add) or F L_m + (1 - F) L_d (coat), with L_m the specular and L_d the diffuse part. With a BRDF, F L_m is the
+/// light that it reflects and F its directional albedo.
 struct Material {
     SpecularSettings specular{};
     FresnelSettings fresnel{};
+    BrdfSettings brdf{};
     Combine combine = Combine::Add;
     DiffuseSettings diffuse{};
     double lambda = 0.0;
@@ -229,6 +254,7 @@ struct Material {
     {
         visit(Field{"specular", "the mirrored part"}, self.specular);
         visit(Field{"fresnel", "how much is mirrored at which angle"}, self.fresnel);
+        visit(Field{"brdf", "a lobe that knows the view"}, self.brdf);
         visit(Field{"combine", "add: F times specular plus diffuse; coat: the diffuse part lies under the reflecting layer, times 1 - F"},
               self.combine);
         visit(Field{"diffuse", "the matt part"}, self.diffuse);
@@ -332,7 +358,7 @@ struct ViewSettings {
     Shading shading = Shading::Material;
     CameraSettings camera{};
     WindowSettings window{};
-    ToneCurve toneCurve = ToneCurve::Filmic;
+    ToneChoice tone = ToneChoice::Auto;
     double exposure = 0.0;
     DisplaySettings display{};
     BackdropSettings background{};
@@ -348,12 +374,17 @@ struct ViewSettings {
               self.geometry);
         visit(Field{"tessellation", "quads along a quarter of a circumference; 0: as fine as the picture needs", 0, 256},
               self.tessellation);
-        visit(Field{"shading",
-                    "the material, or what it is computed from: triangles, normals, texture coordinates, seams or levels of the map"},
-              self.shading);
+        visit(
+            Field{
+                "shading",
+                "the material, or what it is computed from: triangles, normals as colors or as lines, texture coordinates, seams or levels "
+                "of the map, the bounding box"},
+            self.shading);
         visit(Field{"camera", "where the eye is"}, self.camera);
         visit(Field{"window", "the window of the geometry of that name"}, self.window);
-        visit(Field{"tone", "curve that brings radiance to the display"}, self.toneCurve);
+        visit(Field{"tone", "curve that brings radiance to the display; auto: a sphere map that replaces the material is shown as it was "
+                            "painted, all else through filmic"},
+              self.tone);
         visit(Field{"exposure", "brightness of the display picture: times 2^exposure", -64, 64, "EV"}, self.exposure);
         visit(Field{"display", "display through OpenColorIO"}, self.display);
         visit(Field{"background", "what stands behind the object"}, self.background);
@@ -473,6 +504,9 @@ CameraSettings initialCamera(std::string_view geometry);
 
 /// The lobe of the reflection; a mirror is ggx with alpha = 0.
 Lobe lobe(const SpecularSettings& specular);
+/// The BRDF of the scene's material, a measurement's file read. Only of a scene that has one.
+/// @throws InvalidArgument naming the field; FileError
+Brdf brdfOf(const Scene& scene);
 /// The Fresnel term with the metal looked up. @throws InvalidArgument for an unknown metal
 Fresnel fresnelTerm(const FresnelSettings& settings);
 

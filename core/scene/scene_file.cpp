@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/field_json.h"
+#include "core/shading/brdf_file.h"
 #include "core/spheremap/document/sphere_map_json.h"
 
 #include <algorithm>
@@ -99,6 +100,8 @@ Scene loadScene(const std::filesystem::path& path)
         for (std::string* file : {&scene.probe.source, &scene.view.geometry, &scene.material.sphereMap.source, &scene.view.window.middle,
                                   &scene.view.window.far, &scene.view.display.config})
             *file = withSlashes(*file, scene.folder);
+        if (std::string& model = scene.material.brdf.model; isBrdfFile(model))
+            model = withSlashes(model, scene.folder);
         return scene;
     });
 }
@@ -124,6 +127,8 @@ Scene storedIn(Scene scene, const std::filesystem::path& folder)
     storeFile(scene.view.geometry, [](const std::string& path) { return isBuiltinGeometry(path); });
     for (std::string* map : {&scene.material.sphereMap.source, &scene.view.window.middle, &scene.view.window.far})
         storeFile(*map, [](const std::string& path) { return !isSphereMapFile(path); });
+    if (isBrdfFile(scene.material.brdf.model))
+        store(scene.material.brdf.model);
     storeFile(scene.view.display.config, [](const std::string& path) { return path == "env"; });
     scene.material.sphereMap.document = storedIn(scene.material.sphereMap.document, folder);
     return scene;
@@ -145,6 +150,8 @@ Material loadMaterial(const std::filesystem::path& path)
         setFolder(material.sphereMap.document, folderOf(path));
         if (std::string& map = material.sphereMap.source; isSphereMapFile(map))
             map = (folderOf(path) / map).lexically_normal().string(); // an absolute path replaces the folder
+        if (std::string& model = material.brdf.model; isBrdfFile(model))
+            model = (folderOf(path) / model).lexically_normal().string();
         return material;
     });
 }
@@ -160,6 +167,14 @@ std::vector<FieldEntry> sceneFields()
     std::vector<FieldEntry> entries;
     const Scene scene;
     Scene::visitFields(scene, Lister("", entries));
+    return entries;
+}
+
+std::vector<FieldEntry> exportFields()
+{
+    std::vector<FieldEntry> entries;
+    const ExportTarget target;
+    ExportTarget::visitFields(target, Lister("exports[0]", entries));
     return entries;
 }
 

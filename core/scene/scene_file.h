@@ -37,6 +37,8 @@ struct FieldEntry {
 };
 /// All fields of a scene but those of its exports, in the order of the file.
 std::vector<FieldEntry> sceneFields();
+/// Those of its first export: "exports[0].name".
+std::vector<FieldEntry> exportFields();
 
 /// One field, or a group of them, as the JSON text that a file has; all of the scene where the path is empty.
 /// @throws InvalidArgument naming what there is

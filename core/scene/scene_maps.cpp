@@ -1,5 +1,6 @@
 #include "scene_maps.h"
 
+#include "core/filter/lookup_table.h"
 #include "core/filter/source_file.h"
 #include "core/image/mip_pyramid.h"
 #include "core/image/reproject.h"
@@ -156,6 +157,13 @@ SphereMapTexels buildSphereMap(const Scene& scene, const SphereMapPlan& plan, co
                          : readSphereMap(scene, plan.field, plan.source, plan.size, plan.levels, job);
 }
 
+std::shared_ptr<const Image> buildBrdfLookups(const Scene& scene, const BrdfPlan& plan, const JobControl& job)
+{
+    const Brdf brdf = brdfOf(scene);
+    return std::make_shared<const Image>(plan.lookups == 0 ? makeSplitSumTable(brdf, plan.columns)
+                                                           : makeLookupTable(brdf, plan.lookups, plan.columns, job));
+}
+
 SceneMaps buildMaps(const Scene& scene, const Plan& plan, SceneProbe& probe, const JobControl& job)
 {
     SceneMaps maps{.record = probe.record};
@@ -166,6 +174,8 @@ SceneMaps buildMaps(const Scene& scene, const Plan& plan, SceneProbe& probe, con
     };
     if (plan.specular)
         maps.specular = build(*plan.specular);
+    if (plan.brdf)
+        maps.brdfLookups = timedStage(maps.record.stages, "BRDF lookups", [&] { return buildBrdfLookups(scene, *plan.brdf, job); });
     if (plan.diffuse)
         maps.diffuse = build(*plan.diffuse);
     if (plan.background)

@@ -75,6 +75,7 @@ BuiltMap buildMap(const MapPlan& plan, SceneProbe& probe, double exposure, const
 /// What the renderer needs of a scene. Maps that the plan leaves out are null.
 struct SceneMaps {
     MapLevels specular{};
+    std::shared_ptr<const Image> brdfLookups{}; ///< lookup_table.h
     MapLevels diffuse{};
     MapLevels background{};
     std::vector<SphereMapChain> sphereMaps{}; ///< those of the plan
@@ -86,6 +87,9 @@ struct SceneMaps {
 SphereMapDocument sphereMapDocument(const Scene& scene, const SphereMapPlan& plan);
 
 SphereMapTexels buildSphereMap(const Scene& scene, const SphereMapPlan& plan, const JobControl& job);
+
+/// The table of the lookups of the scene's BRDF. @throws InvalidArgument, FileError, Cancelled
+std::shared_ptr<const Image> buildBrdfLookups(const Scene& scene, const BrdfPlan& plan, const JobControl& job);
 
 /// All of them; the record tells of opening the probe, too.
 SceneMaps buildMaps(const Scene& scene, const Plan& plan, SceneProbe& probe, const JobControl& job = {});

@@ -262,10 +262,10 @@ function drawSymbols() {
 const contents = element("nav", {"aria-label": "contents"});
 const machine = report.machine;
 page.append(element("div", {},
-  element("h1", {}, "Filtering methods: error against run time"),
+  element("h1", {}, report.cases.length > 0 ? "Filtering methods: error against run time" : "Mirrorball report"),
   element("p", {class: "soft"}, [
-    machine.date.slice(0, 16).replace("T", " ") + " UTC", count(report.probes.length, "probe"), count(new Set(report.cases.map(c => c.lobe)).size, "lobe"),
-    `${report.target.kind} map of ${report.target.width} × ${report.target.height} texels`, count(report.threads, "thread"), machine.processor || "unknown processor",
+    machine.date.slice(0, 16).replace("T", " ") + " UTC",
+    ...(report.cases.length > 0 ? [count(report.probes.length, "probe"), count(new Set(report.cases.map(c => c.lobe)).size, "lobe"), `${report.target.kind} map of ${report.target.width} × ${report.target.height} texels`] : []), count(report.threads, "thread"), machine.processor || "unknown processor",
     `Mirrorball ${report.version}`].join("  ·  ")),
   report.complete ? null : element("p", {class: "notice"}, "This report was stopped before it was complete: it holds what had been measured until then."),
   contents));
@@ -273,7 +273,7 @@ page.append(element("div", {},
 if (report.conclusions.length > 0)
   section("conclusions", "What to conclude", element("ul", {class: "conclusions"}, ...report.conclusions.map(c => element("li", {}, c))));
 
-section("probes", "Probes", element("div", {class: "probes"}, ...report.probes.map(p => element("figure", {},
+if (report.probes.length > 0) section("probes", "Probes", element("div", {class: "probes"}, ...report.probes.map(p => element("figure", {},
   element("img", {src: p.picture, alt: "the probe " + baseName(p.name)}),
   element("figcaption", {}, element("b", {}, baseName(p.name)), element("br"), `${p.width} × ${p.height}, brightest ${figure(p.max_luminance)}, mean ${figure(p.mean_luminance)}`,
     element("br"), `brightest 0.01 % of the texels hold ${figure(100 * p.sun_share)} % of the energy`,
@@ -455,8 +455,58 @@ report.parameterizations.forEach((study, i) => {
       {title: "mirror p99_rel", kind: "number", value: r => r.mirror_p99, text: r => figure(r.mirror_p99)},
       {title: `${study.lobe} rel_rms`, kind: "number", value: r => r.filtered_error, text: r => figure(r.filtered_error)},
       {title: "largest / smallest texel", kind: "number", value: r => r.density_ratio, text: r => figure(r.density_ratio)},
-    ], rows));
+      {title: "stretch, median", kind: "number", value: r => r.anisotropy_median, text: r => figure(r.anisotropy_median)},
+      {title: "stretch, 99 %", kind: "number", value: r => r.anisotropy_p99, text: r => figure(r.anisotropy_p99)},
+      {title: "a lookup", kind: "number", value: r => r.lookup_seconds, text: r => time(r.lookup_seconds)},
+      {title: "a picture", kind: "number", value: r => r.draw_seconds, text: r => time(r.draw_seconds)},
+    ], rows),
+    element("p", {class: "soft small"}, "Stretch is the longer over the shorter axis of what a texel stands for, on half of the sphere and on 99 % of it no more. A lookup is bilinear, on one thread" +
+      (study.drawn_by ? `; a picture is a sphere that mirrors the map, one lookup a pixel: ${study.drawn_by}.` : ".")));
 });
+
+// --- the paraboloid method as published ------------------------------------------------------------------------------------------
+
+if (report.kernels) {
+  const k = report.kernels, rate = s => isNumber(s) && s > 0 ? figure(1 / s, 2) : "–";
+  const pair = (r, which) => `${r[which].small} / ${r[which].large}`, shrinks = (r, which) => `${r[which].small_shrink} / ${r[which].large_shrink}`;
+  section("kernels", "Kernel sizes and frames a second",
+    element("p", {class: "soft"}, `Heidrich 2000, section 3.2.5: halves of ${k.half} texels with a border of ${k.border}, the lobe clamped at ${figure(k.clamp)}, kernels of at most ${k.largest_kernel} texels, in the middle of a half and at its rim. ` +
+      `A frame filters ${probeName(0)} anew, though the exponent stays` + (k.drawn_by ? `, and draws a sphere that mirrors the map: ${k.drawn_by}.` : "; nothing is drawn.")),
+    sortableTable([
+      {title: "exponent", kind: "number", value: r => r.exponent, text: r => figure(r.exponent)},
+      {title: "kernel", value: r => r.sizes.small, text: r => pair(r, "sizes")}, {title: "published", value: r => r.published_sizes.small, text: r => pair(r, "published_sizes")},
+      {title: "shrunk by", value: r => r.sizes.small_shrink, text: r => shrinks(r, "sizes")}, {title: "published", value: r => r.published_sizes.small_shrink, text: r => shrinks(r, "published_sizes")},
+      {title: "frames/s, published (SGI O2)", kind: "number", value: r => r.published_frames, text: r => figure(r.published_frames)},
+      {title: "frames/s, the two kernels", kind: "number", value: r => 1 / r.blended_seconds, text: r => rate(r.blended_seconds)},
+      {title: "frames/s, exact kernels", kind: "number", value: r => 1 / r.exact_seconds, text: r => rate(r.exact_seconds)},
+      {title: "frames/s, auto", kind: "number", value: r => 1 / r.auto_seconds, text: r => `${rate(r.auto_seconds)} (${r.auto_ran})`},
+    ], k.rows));
+}
+
+if (report.distortion.length > 0) {
+  const palette = ["spectral", "direct", "hierarchical", "importance", "paraboloid"], dashes = [[], [7, 3], [2, 3], [10, 3, 2, 3], [5, 2]];
+  section("distortion", "What happens to circles of a paraboloid map",
+    element("p", {class: "soft"}, "Heidrich 2000, figure 12: a circle of the map is brought back to the sphere, where it is a circle again, its middle displaced. Distortion is that displacement over the radius: |a − b| / (a + b), with a and b the angles from the projected middle to the nearer and to the farther side. Lengths are in radii of a half's disc."),
+    element("div", {class: "grid two"}, plotCard("distortion-plot", "Distortion against the distance of the circle's middle from the map's", null, () => ({
+      legend: true,
+      datasets: report.distortion.map((c, j) => ({
+        label: `radius ${figure(c.radius)}`, showLine: true, pointRadius: 0, pointHitRadius: 6, borderColor: color(palette[j % 5]), borderDash: dashes[j % 5], borderWidth: 2,
+        data: c.distortion.map((v, i) => ({x: i / (c.distortion.length - 1), y: 100 * v, title: `radius ${figure(c.radius)}`, lines: [`distance ${figure(i / (c.distortion.length - 1))}: ${figure(100 * v)} %`]})),
+      })),
+      x: axis("distance from the middle of the half", figure, [0, 1], "linear"), y: axis("distortion", v => figure(v) + " %", [0, 30], "linear"),
+    }), true)));
+}
+
+if (report.comparison) {
+  const c = report.comparison;
+  section("comparison", "Four maps to compare by eye",
+    element("p", {class: "soft"}, `Heidrich 2000, figure 13: ${c.lobe} in a paraboloid map of ${c.target.width} × ${c.target.height} texels with a border of ${c.target.border}, of ${probeName(c.probe)}. Errors are against the classic method, on this original.`),
+    element("div", {class: "compared"}, ...c.maps.map(m => element("figure", {},
+      element("img", {src: m.picture, alt: m.label}),
+      element("figcaption", {}, element("b", {}, m.label), ` · ${m.how}`, element("br"), m.seconds > 0 ? time(m.seconds) : "", m.error_picture ? ` · rel_rms ${figure(m.rel_rms, 2)} · p99_rel ${figure(m.p99_rel, 2)}` : ""),
+      m.error_picture ? element("img", {src: m.error_picture, alt: `signed error of ${m.label}`}) : null,
+      m.error_picture ? element("figcaption", {}, `signed error, colours to ±${figure(m.error_picture_limit, 1)}`) : null))));
+}
 
 // --- growth ----------------------------------------------------------------------------------------------------------------------
 
@@ -564,7 +614,8 @@ if (rows.length > 0) {
 const facts = Object.entries({
   processor: machine.processor, cores: `${machine.cores}, ${count(report.threads, "thread")} used`, memory: bytes(machine.memory_bytes), system: machine.system,
   compiler: `${machine.compiler}, ${machine.build}`, "graphics (paraboloid)": report.device || "none given",
-  load: `${figure(machine.load)} processes at the start, ${figure(report.load_at_end)} at the end`, "time of the report": time(report.seconds),
+  load: `${figure(machine.load)} processes at the start, ${figure(report.load_at_end)} at the end`, "time of the report": `${time(report.seconds)}, foretold ${time(report.parts.reduce((sum, p) => sum + p.foretold_seconds, 0))}: ` +
+    report.parts.map(p => `${p.part} ${time(p.seconds)} (${time(p.foretold_seconds)})`).join(", "),
 }).flatMap(([k, v]) => [element("dt", {}, k), element("dd", {}, v || "not told by the system")]);
 section("how", "How this was measured",
   element("dl", {}, ...facts),

@@ -1,3 +1,4 @@
+#include "png_picture.h"
 #include "program.h"
 
 #include "core/image/image_io.h"
@@ -6,8 +7,6 @@
 #include "core/spheremap/evaluation/evaluate.h"
 
 #include <gtest/gtest.h>
-
-#include <png.h>
 
 #include <array>
 #include <fstream>
@@ -18,28 +17,11 @@ namespace mirrorball {
 namespace {
 
 using test::mirrorballRuns;
+using test::PngPicture;
 using test::ProgramRun;
 using test::TemporaryFolder;
 
 std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
-
-/// A PNG as any program reads it: red, green, blue, opacity in bytes, colours not multiplied.
-struct PngPicture {
-    int width = 0, height = 0;
-    std::vector<std::array<std::uint8_t, 4>> pixels{};
-
-    explicit PngPicture(const std::filesystem::path& path)
-    {
-        png_image file{};
-        file.version = PNG_IMAGE_VERSION;
-        EXPECT_TRUE(png_image_begin_read_from_file(&file, path.c_str())) << path;
-        file.format = PNG_FORMAT_RGBA;
-        width = static_cast<int>(file.width);
-        height = static_cast<int>(file.height);
-        pixels.resize(static_cast<size_t>(width) * static_cast<size_t>(height));
-        EXPECT_TRUE(png_image_finish_read(&file, nullptr, pixels.data(), 0, nullptr)) << path;
-    }
-};
 
 // IEC 61966-2-1: light of 0.2, 0.05, 0.6 is 124, 63, 203 of 255.
 TEST(PaintCommand, APngHasTheSameColoursHoweverTransparent)

@@ -42,7 +42,8 @@ TEST(ReportCommand, WritesPageJsonAndTables)
         mirrorballRuns("report " + quoted(folder / "noise probe.exr") + " builtin:studio -o " + quoted(folder / "out") +
                        " --quick --size 8 --lobes phong:20,diffuse --methods spectral,auto,mip,reference --directions 16 --longest 60");
     ASSERT_EQ(run.status, 0) << run.err;
-    EXPECT_EQ(run.err, "");
+    EXPECT_EQ(run.err.rfind("mirrorball: report: takes about ", 0), 0u) << run.err;
+    EXPECT_EQ(test::lines(run.err), 1u) << run.err;
     EXPECT_EQ(test::lines(run.out), 4u) << run.out;
     EXPECT_EQ(filesIn(folder / "out"), (std::set<std::string>{"report.html", "report.json", "measurements.csv", "parameterizations.csv"}));
     const nlohmann::json report = parsed(folder / "out" / "report.json");
@@ -58,6 +59,27 @@ TEST(ReportCommand, WritesPageJsonAndTables)
     EXPECT_FALSE(report.at("conclusions").empty());
     EXPECT_GT(report.at("machine").at("cores").get<int>(), 0);
     EXPECT_EQ(report.at("verdicts").size(), 4u);
+}
+
+TEST(ReportCommand, MakesThePapersTableAndFiguresByOneCommandEach)
+{
+    const TemporaryFolder folder;
+    writeImage(folder / "probe.exr", test::noiseProbe(32, 3).image);
+    const auto report = [&](const std::string& words, const char* out) {
+        const ProgramRun run = mirrorballRuns("report " + words + " -o " + quoted(folder / out));
+        EXPECT_EQ(run.status, 0) << run.err;
+        return filesIn(folder / out);
+    };
+    EXPECT_EQ(report("--parts distortion", "d"), (std::set<std::string>{"report.html", "report.json", "distortion.csv"}));
+    EXPECT_EQ(report(quoted(folder / "probe.exr") + " --parts kernels --quick", "k"),
+              (std::set<std::string>{"report.html", "report.json", "kernels.csv"}));
+    const nlohmann::json row = parsed(folder / "k" / "report.json").at("kernels").at("rows").at(0);
+    EXPECT_EQ(row.at("sizes"), row.at("published_sizes"));
+    EXPECT_GT(row.at("blended_seconds").get<double>(), 0.0);
+    EXPECT_EQ(report(quoted(folder / "probe.exr") + " --parts comparison", "c"),
+              (std::set<std::string>{"report.html", "report.json", "comparison_unfiltered.png", "comparison_classic.png",
+                                     "comparison_hierarchical.png", "comparison_hardware.png"}));
+    EXPECT_EQ(readImage(folder / "c" / "comparison_hardware.png").width, 256);
 }
 
 TEST(ReportCommand, TheCommandItRecordsMakesTheMapItMeasured)
@@ -85,6 +107,8 @@ TEST(ReportCommand, RefusesWrongWordsInOneLine)
     EXPECT_FAILS(mirrorballRuns("report builtin:sky" + out + " --lobes phong:x"), 2, "--lobes");
     EXPECT_FAILS(mirrorballRuns("report builtin:sky" + out + " --methods spectral,magic"), 2, "magic");
     EXPECT_FAILS(mirrorballRuns("report builtin:sky" + out + " --size 0"), 2, "size");
+    EXPECT_FAILS(mirrorballRuns("report builtin:sky" + out + " --parts methods,magic"), 2, "--parts");
+    EXPECT_FAILS(mirrorballRuns("report" + out), 2, "PROBE");
     EXPECT_FAILS(mirrorballRuns("report builtin:sky" + out + " --repeats 0"), 2, "repeats");
     EXPECT_FAILS(mirrorballRuns("report builtin:sky" + out + " --growth-to 100"), 2, "growth-to");
     EXPECT_FAILS(mirrorballRuns("report builtin:nothing" + out), 2, "nothing");

@@ -199,3 +199,53 @@ TEST_F(DebugViews, TheMarkerStandsWhereTheObjectMirrorsItsDirection)
     EXPECT_LT(picture.texel(94, 110)[0], 0.1f);
     EXPECT_LT(picture.texel(115, 110)[0], 0.1f);
 }
+
+// The box that a ball of radius 1 fits: seen along -Z its edges are a square of half the width 1, and nothing lies outside of it.
+TEST_F(DebugViews, BoundsAreTheSmallestBoxAlongTheAxes)
+{
+    RenderSettings settings = view(Shading::Bounds, GeometryKind::Sphere);
+    settings.width = settings.height = 200;
+    settings.camera = Camera{.distance = 4.0f, .projection = Projection::Orthographic};
+    const double pixels = 0.5 * settings.height / (4.0 * std::tan(0.5 * static_cast<double>(settings.camera.fieldOfView)));
+    const Image picture = Renderer().renderRadiance(settings, {});
+    const auto isLine = [&](double x, double y) {
+        for (int dy = -1; dy <= 1; ++dy)
+            for (int dx = -1; dx <= 1; ++dx) {
+                const float* t = picture.texel(static_cast<int>(100 + x * pixels) + dx, static_cast<int>(100 + y * pixels) + dy);
+                if (t[3] > 0.0f && t[0] > 2.0f * t[2])
+                    return true;
+            }
+        return false;
+    };
+    for (const double along : {-0.9, -0.5, 0.1, 0.7})
+        for (const double side : {-1.0, 1.0}) {
+            EXPECT_TRUE(isLine(side, along)) << side << " " << along;
+            EXPECT_TRUE(isLine(along, side)) << side << " " << along;
+            EXPECT_FALSE(isLine(0.9 * side, along)) << side << " " << along;
+        }
+    EXPECT_EQ(picture.texel(static_cast<int>(100 + 1.1 * pixels), 100)[3], 0.0f);
+}
+
+// A ball's normals stand out of its outline, along the radius, by the length of a line.
+TEST_F(DebugViews, NormalLinesStandOnTheSurface)
+{
+    RenderSettings settings = view(Shading::NormalLines, GeometryKind::Sphere);
+    settings.geometry.level = 8;
+    settings.width = settings.height = 300;
+    settings.camera = Camera{.distance = 4.0f, .projection = Projection::Orthographic};
+    const double pixels = 0.5 * settings.height / (4.0 * std::tan(0.5 * static_cast<double>(settings.camera.fieldOfView)));
+    const Image picture = Renderer().renderRadiance(settings, {});
+    const auto countAt = [&](double radius) {
+        int lines = 0;
+        for (int i = 0; i < 2000; ++i) {
+            const double angle = 2.0 * pi * i / 2000;
+            const float* t = picture.texel(static_cast<int>(150 + radius * pixels * std::cos(angle)),
+                                           static_cast<int>(150 + radius * pixels * std::sin(angle)));
+            lines += t[3] > 0.0f && t[2] > 2.0f * t[0];
+        }
+        return lines;
+    };
+    EXPECT_GT(countAt(1.04), 50);
+    EXPECT_EQ(countAt(1.1), 0);
+    EXPECT_GT(countAt(0.5), 50); // those that look at us
+}

@@ -6,6 +6,7 @@
 #include "app/studio/docks.h"
 #include "core/scene/scene_file.h"
 #include "widgets/controls/text.h"
+#include "widgets/files/recent_files.h"
 
 #include <QAbstractItemView>
 #include <QAbstractSlider>
@@ -19,6 +20,7 @@
 #include <QScrollBar>
 #include <QTabBar>
 #include <QToolBar>
+#include <QToolButton>
 
 #include <functional>
 
@@ -322,7 +324,8 @@ void MainWindowTest::remembersRecentFiles()
     QVERIFY(window->files().saveAs(fromPath(folder / "one.mirrorball")));
     QVERIFY(window->files().saveAs(fromPath(folder / "two.mirrorball")));
     QVERIFY(window->files().openScene(fromPath(folder / "one.mirrorball")));
-    QCOMPARE(window->files().recentFiles(), (QStringList{fromPath(folder / "one.mirrorball"), fromPath(folder / "two.mirrorball")}));
+    QCOMPARE(recentFiles(), (QVector<RecentFile>{{fromPath(folder / "one.mirrorball"), FileKind::Scene},
+                                                 {fromPath(folder / "two.mirrorball"), FileKind::Scene}}));
     QVERIFY(!window->files().openScene(fromPath(folder / "gone.mirrorball")));
     QVERIFY(hasNotice(window, QStringLiteral("file"), QStringLiteral("gone.mirrorball")));
 }

@@ -9,6 +9,7 @@
 #include "support/temporary_folder.h"
 #include "widgets/panels/probes_panel.h"
 
+#include <QAction>
 #include <QDir>
 #include <QFile>
 #include <QSettings>
@@ -113,8 +114,9 @@ void ProbesPanelTest::tellsTheFactsOfTheProbe()
     image.texel(40, 9)[1] = 1e5f;
     writeImage(folder / "facts.exr", image);
     ShownPanel shown;
-    DropTarget target(*shown.panel, shown.workspace);
-    target.open({QString::fromStdString((folder / "facts.exr").string())});
+    FileOpener opener(shown.workspace);
+    DropTarget target(*shown.panel, opener);
+    opener.open({QString::fromStdString((folder / "facts.exr").string())});
     QTRY_VERIFY_WITH_TIMEOUT(shown.panel->factsText().contains(QStringLiteral("64 × 32")), patience);
     for (const char* fact : {"2:1, taken for a latlong", "1 NaN", "brightest 0.01 %", "beyond 65504"})
         QVERIFY2(shown.panel->factsText().contains(QLatin1String(fact)), qPrintable(shown.panel->factsText()));
@@ -145,7 +147,8 @@ void ProbesPanelTest::takesAFolderThatIsDroppedAndFollowsIt()
     const TemporaryFolder folder;
     writeProbe(folder, "one.exr");
     ShownPanel shown;
-    DropTarget target(*shown.panel, shown.workspace);
+    FileOpener opener(shown.workspace);
+    DropTarget target(*shown.panel, opener);
     QVERIFY(dropFiles(*shown.panel, {QString::fromStdString(folder.path().string())}));
     QVERIFY(shown.row(QStringLiteral("one.exr")).isValid());
     writeProbe(folder, "two.exr", "sky");
@@ -162,7 +165,8 @@ void ProbesPanelTest::refusesOtherFilesInWords()
     const TemporaryFolder folder;
     writeBytes(folder / "notes.txt", "no image");
     ShownPanel shown;
-    DropTarget target(*shown.panel, shown.workspace);
+    FileOpener opener(shown.workspace);
+    DropTarget target(*shown.panel, opener);
     dropFiles(*shown.panel, {QString::fromStdString((folder / "notes.txt").string())});
     QCOMPARE(shown.workspace.notices.all().size(), 1);
     QVERIFY(shown.workspace.notices.all().front().text.contains(QStringLiteral("notes.txt")));
@@ -174,8 +178,9 @@ void ProbesPanelTest::offersAPictureOfEachGuess()
     const TemporaryFolder folder;
     const QString file = writeProbe(folder, "square.hdr", "studio", {Parameterization::Sphere, 64, 0});
     ShownPanel shown({380, 760});
-    DropTarget target(*shown.panel, shown.workspace);
-    target.open({file});
+    FileOpener opener(shown.workspace);
+    DropTarget target(*shown.panel, opener);
+    opener.open({file});
     QTRY_COMPARE_WITH_TIMEOUT(shown.panel->guesses().size(), 3, patience);
     QVERIFY(shown.settle());
     for (const QToolButton* guess : shown.panel->guesses()) {
@@ -203,8 +208,9 @@ void ProbesPanelTest::offersAMirrorBallForAPhotograph()
                 std::fill_n(photo.texel(x, y), 3, 0.8f);
     writeImage(folder / "photo.png", photo);
     ShownPanel shown({380, 760});
-    DropTarget target(*shown.panel, shown.workspace);
-    target.open({QString::fromStdString((folder / "photo.png").string())});
+    FileOpener opener(shown.workspace);
+    DropTarget target(*shown.panel, opener);
+    opener.open({QString::fromStdString((folder / "photo.png").string())});
     QTRY_VERIFY_WITH_TIMEOUT(shown.panel->findChild<QToolButton*>(QStringLiteral("probes.guess.ball")), patience);
     QVERIFY(shown.settle());
     auto* cross = shown.panel->findChild<QToolButton*>(QStringLiteral("probes.guess.cube"));
@@ -224,8 +230,9 @@ void ProbesPanelTest::namesWhatIsBroken()
     const TemporaryFolder folder;
     writeBytes(folder / "broken.exr", "not an image");
     ShownPanel shown;
-    DropTarget target(*shown.panel, shown.workspace);
-    target.open({QString::fromStdString((folder / "broken.exr").string())});
+    FileOpener opener(shown.workspace);
+    DropTarget target(*shown.panel, opener);
+    opener.open({QString::fromStdString((folder / "broken.exr").string())});
     QTRY_VERIFY_WITH_TIMEOUT(shown.panel->factsText().contains(QStringLiteral("broken.exr")), patience);
     QVERIFY(shown.settle());
     QTRY_VERIFY(!shown.row(QStringLiteral("broken.exr")).data(ProbeLibrary::ProblemRole).toString().isEmpty());
@@ -238,8 +245,9 @@ void ProbesPanelTest::readsAProbeAgainThatChangedOnDisk()
     const TemporaryFolder folder;
     const QString file = writeProbe(folder, "live.exr");
     ShownPanel shown;
-    DropTarget target(*shown.panel, shown.workspace);
-    target.open({file});
+    FileOpener opener(shown.workspace);
+    DropTarget target(*shown.panel, opener);
+    opener.open({file});
     QVERIFY(shown.settle());
     QTRY_VERIFY_WITH_TIMEOUT(shown.workspace.live.isUpToDate() && shown.workspace.live.made()->environment->image.height == 32, patience);
     writeProbe(folder, "live.exr", "sky", {Parameterization::Latlong, 64, 0}); // written beside it and renamed into place
@@ -294,6 +302,37 @@ void ProbesPanelTest::namesAllControls()
     ShownPanel shown;
     const QStringList names = unexplained(*shown.panel);
     QVERIFY2(names.isEmpty(), qPrintable(names.join(u'\n')));
+}
+
+void ProbesPanelTest::filesThatAreGoneCanBeTakenOffTheList()
+{
+    const TemporaryFolder folder;
+    ShownPanel shown;
+    QVERIFY(shown.isReady);
+    const int builtin = shown.panel->list().model()->rowCount();
+    QStringList files;
+    for (const char* name : {"one.exr", "two.exr", "three.exr"}) {
+        files << writeProbe(folder, name);
+        shown.workspace.library.addFile(files.back());
+    }
+    QVERIFY(shown.settle());
+    std::filesystem::remove(folder / "one.exr");
+    std::filesystem::remove(folder / "two.exr");
+    QCOMPARE(shown.workspace.library.missingFiles(), (QStringList{files[0], files[1]}));
+
+    QListView& list = shown.panel->list();
+    list.setCurrentIndex(shown.row(QStringLiteral("one.exr")));
+    QTest::keyClick(&list, Qt::Key_Delete);
+    QVERIFY(!shown.row(QStringLiteral("one.exr")).isValid());
+    auto* removeMissing = shown.panel->findChild<QAction*>(QStringLiteral("probes.remove-missing"));
+    QVERIFY(removeMissing);
+    removeMissing->trigger();
+    QVERIFY(!shown.row(QStringLiteral("two.exr")).isValid());
+    QVERIFY(shown.row(QStringLiteral("three.exr")).isValid());
+    list.setCurrentIndex(shown.row(QStringLiteral("studio"))); // built in: stays
+    QTest::keyClick(&list, Qt::Key_Delete);
+    QCOMPARE(list.model()->rowCount(), builtin + 1);
+    QVERIFY(ProbeLibrary().missingFiles().isEmpty()); // the next run knows
 }
 
 } // namespace mirrorball::test

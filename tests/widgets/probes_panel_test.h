@@ -8,6 +8,7 @@ class ProbesPanelTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void filesThatAreGoneCanBeTakenOffTheList();
     void init();
     void listsTheBuiltInProbesWithThumbnails();
     void choosingAProbeIsAnUndoStep();

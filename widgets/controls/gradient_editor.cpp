@@ -268,8 +268,8 @@ GradientEditor::GradientEditor(QWidget* parent)
         box->setFocusPolicy(Qt::StrongFocus);
         row->addWidget(box, 1);
     }
-    m_color->setAccessibleName(tr("Stop colour"));
-    m_color->setToolTip(tr("Colour of the chosen stop"));
+    m_color->setAccessibleName(tr("Stop color"));
+    m_color->setToolTip(tr("Color of the chosen stop"));
     m_color->setMinimumWidth(40);
     m_position->setAccessibleName(tr("Stop position"));
     m_position->setToolTip(tr("Where the chosen stop stands"));

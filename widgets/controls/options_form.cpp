@@ -4,37 +4,17 @@
 #include "text.h"
 
 #include <QCheckBox>
-#include <QColorDialog>
 #include <QCompleter>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMouseEvent>
-#include <QPainter>
 #include <QSignalBlocker>
-#include <QStyle>
 #include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
 
 namespace mirrorball::studio {
-
-namespace {
-
-QColor toScreen(const glm::dvec3& linear)
-{
-    const auto encode = [](double x) { return encodeSrgb(static_cast<float>(std::clamp(x, 0.0, 1.0))); };
-    return QColor::fromRgbF(encode(linear.r), encode(linear.g), encode(linear.b));
-}
-
-glm::dvec3 fromScreen(const QColor& color)
-{
-    const auto decode = [](double x) { return std::round(static_cast<double>(decodeSrgb(static_cast<float>(x))) * 1e5) / 1e5; };
-    return {decode(color.redF()), decode(color.greenF()), decode(color.blueF())};
-}
-
-} // namespace
 
 QuietCombo::QuietCombo(QWidget* parent) : QComboBox(parent)
 {
@@ -49,40 +29,6 @@ void QuietCombo::wheelEvent(QWheelEvent* event)
         QComboBox::wheelEvent(event);
     else
         event->ignore();
-}
-
-ColorButton::ColorButton(QWidget* parent) : QPushButton(parent)
-{
-    setMinimumWidth(64);
-    connect(this, &QPushButton::clicked, this, &ColorButton::choose);
-}
-
-void ColorButton::setColor(const glm::dvec3& linear)
-{
-    m_color = linear;
-    update();
-}
-
-void ColorButton::choose()
-{
-    const glm::dvec3 before = m_color;
-    QColorDialog dialog(toScreen(m_color), this);
-    dialog.setWindowTitle(accessibleName());
-    dialog.setOption(QColorDialog::DontUseNativeDialog);
-    connect(&dialog, &QColorDialog::currentColorChanged, this, [this](const QColor& color) { emit edited(fromScreen(color)); });
-    if (dialog.exec() != QDialog::Accepted)
-        emit edited(before);
-    emit finished();
-}
-
-void ColorButton::paintEvent(QPaintEvent* event)
-{
-    QPushButton::paintEvent(event);
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(palette().color(QPalette::Shadow), 1.0));
-    painter.setBrush(toScreen(m_color));
-    painter.drawRoundedRect(QRectF(rect()).adjusted(5.5, 4.5, -5.5, -4.5), 2.0, 2.0);
 }
 
 OptionsForm::OptionsForm(Document& document, QWidget* parent) : QWidget(parent), m_document(document), m_layout(new QFormLayout(this))

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "color_button.h"
 #include "number_field.h"
 #include "widgets/workspace/document.h"
 
@@ -9,7 +10,6 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QHash>
-#include <QPushButton>
 #include <QVector>
 #include <QWidget>
 
@@ -72,27 +72,6 @@ public:
 
 protected:
     void wheelEvent(QWheelEvent* event) override;
-};
-
-/// A colour as a swatch that opens a chooser. Linear RGB outside, sRGB on the screen.
-class ColorButton : public QPushButton {
-    Q_OBJECT
-
-public:
-    explicit ColorButton(QWidget* parent = nullptr);
-    const glm::dvec3& color() const { return m_color; }
-    void setColor(const glm::dvec3& linear);
-
-signals:
-    void edited(const glm::dvec3& linear);
-    void finished();
-
-protected:
-    void paintEvent(QPaintEvent* event) override;
-
-private:
-    void choose();
-    glm::dvec3 m_color{0.0};
 };
 
 /// Controls for the fields of settings structs, built from their visitFields: what a field is called, its range, unit and help are spelled

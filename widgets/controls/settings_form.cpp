@@ -2,14 +2,13 @@
 
 #include "disconnect_children.h"
 #include "field_label.h"
+#include "file_dialogs.h"
 
 #include "core/spheremap/layers/adjust.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCompleter>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -213,7 +212,8 @@ void SettingsForm::addText(const Field& field, const FieldStyle& style, const st
     browse->setObjectName(QStringLiteral("chooseFile"));
     browse->setToolTip(tr("Choose a file"));
     connect(browse, &QAction::triggered, this, [this, control, set, filter = style.fileFilter] {
-        const QString path = QFileDialog::getOpenFileName(this, tr("Choose a file"), QFileInfo(control->text()).path(), filter);
+        const QString path = askForFile(
+            this, {.purpose = QStringLiteral("layer"), .title = tr("Choose a file"), .filter = filter, .start = control->text()});
         if (path.isEmpty())
             return;
         set(path.toStdString());

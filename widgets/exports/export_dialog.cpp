@@ -1,6 +1,7 @@
 #include "export_dialog.h"
 
 #include "widgets/controls/disconnect_children.h"
+#include "widgets/controls/file_dialogs.h"
 #include "widgets/controls/text.h"
 
 #include "core/image/image_format.h"
@@ -10,7 +11,6 @@
 #include <QClipboard>
 #include <QDesktopServices>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFontDatabase>
 #include <QGridLayout>
@@ -458,7 +458,7 @@ QWidget* ExportDialog::makeFolderRow()
     layout->addWidget(m_folder, 0, 1);
     layout->addWidget(browse, 0, 2);
     connect(browse, &QPushButton::clicked, this, [this] {
-        const QString chosen = QFileDialog::getExistingDirectory(this, tr("Export into"), folder());
+        const QString chosen = askForFolder(this, {.purpose = QStringLiteral("export"), .title = tr("Export into"), .start = folder()});
         if (!chosen.isEmpty())
             setFolder(chosen);
     });

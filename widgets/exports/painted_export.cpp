@@ -1,5 +1,6 @@
 #include "painted_export.h"
 
+#include "widgets/controls/file_dialogs.h"
 #include "widgets/controls/text.h"
 
 #include "core/image/image_format.h"
@@ -7,11 +8,7 @@
 #include "core/scene/scene_maps.h"
 
 #include <QApplication>
-#include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
-#include <QSettings>
-#include <QStandardPaths>
 #include <QStatusTipEvent>
 
 #include <vector>
@@ -21,7 +18,6 @@ namespace mirrorball::studio {
 namespace {
 
 const QString noticeSubject = QStringLiteral("sphere-map-picture");
-const QString folderSetting = QStringLiteral("sphereMap/pictureFolder");
 
 /// A kind of file, as the file dialog offers it.
 struct Choice {
@@ -72,18 +68,14 @@ void PaintedExport::askAndWrite()
     QStringList filters;
     for (const Choice& choice : choices())
         filters << choice.filter;
-    const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
-    const QDir folder(QSettings().value(folderSetting, pictures).toString());
-    QString chosen = filters.front();
-    QString path = QFileDialog::getSaveFileName(m_window, tr("Export the picture of the sphere map"),
-                                                folder.filePath(fileNameFor(m_workspace.document.scene().material.sphereMap)),
-                                                filters.join(QStringLiteral(";;")), &chosen);
-    if (path.isEmpty())
+    const SaveAnswer answer = askWhereToSave(m_window, {.purpose = QStringLiteral("export-picture"),
+                                                        .title = tr("Export the picture of the sphere map"),
+                                                        .filter = filters.join(QStringLiteral(";;")),
+                                                        .start = fileNameFor(m_workspace.document.scene().material.sphereMap)});
+    if (answer.path.isEmpty())
         return;
-    const Choice choice = choices()[static_cast<size_t>(std::max<qsizetype>(0, filters.indexOf(chosen)))];
-    if (QFileInfo(path).suffix().isEmpty())
-        path += choice.extension;
-    QSettings().setValue(folderSetting, QFileInfo(path).absolutePath());
+    const Choice choice = choices()[static_cast<size_t>(std::max<qsizetype>(0, filters.indexOf(answer.filter)))];
+    const QString path = QFileInfo(answer.path).suffix().isEmpty() ? answer.path + choice.extension : answer.path;
     write(path, choice.levels);
 }
 

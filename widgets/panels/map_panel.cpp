@@ -5,11 +5,15 @@
 #include "core/image/mip_pyramid.h"
 #include "core/image/reproject.h"
 #include "core/report/error_metrics.h"
+#include "core/scene/display_curves.h"
 #include "core/sphere/map_sheet.h"
 
-#include <QFormLayout>
+#include <QClipboard>
+#include <QGridLayout>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QIcon>
+#include <QMenu>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -57,6 +61,10 @@ MapPanel::MapPanel(Workspace& workspace, QWidget* parent)
     for (MapView* view : {m_view, m_otherView, m_differenceView})
         m_views->addWidget(view);
     m_views->setChildrenCollapsible(false);
+    for (MapView* view : {m_view, m_otherView, m_differenceView}) {
+        view->setContextMenuPolicy(Qt::CustomContextMenu);
+        connect(view, &QWidget::customContextMenuRequested, this, [this, view](const QPoint& at) { showMenu(*view, at); });
+    }
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
@@ -140,11 +148,13 @@ QWidget* MapPanel::makeStageRow()
     return row;
 }
 
+// Two rows, of which neither grows with what is chosen: a dock keeps its size.
 QWidget* MapPanel::makeLayoutRow()
 {
-    auto* row = new QWidget;
-    auto* layout = new QHBoxLayout(row);
+    auto* rows = new QWidget;
+    auto* layout = new QGridLayout(rows);
     layout->setContentsMargins(0, 0, 0, 0);
+    layout->setVerticalSpacing(6);
     m_kind = new QComboBox;
     m_kind->setObjectName(QStringLiteral("map.parameterization"));
     m_kind->setAccessibleName(tr("Parameterization"));
@@ -174,11 +184,17 @@ QWidget* MapPanel::makeLayoutRow()
     m_kind->setMinimumContentsLength(8);
     m_compare->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_compare->setMinimumContentsLength(9);
-    layout->addWidget(m_kind, 2);
-    layout->addWidget(m_size);
-    layout->addWidget(m_borderLabel);
-    layout->addWidget(m_border);
-    layout->addWidget(m_compare, 2);
+    layout->addWidget(m_kind, 0, 0);
+    layout->addWidget(m_size, 0, 1, 1, 2);
+    layout->addWidget(m_compare, 1, 0);
+    layout->addWidget(m_borderLabel, 1, 1);
+    layout->addWidget(m_border, 1, 2);
+    layout->setColumnStretch(0, 1);
+    for (QWidget* each : {static_cast<QWidget*>(m_borderLabel), static_cast<QWidget*>(m_border)}) {
+        QSizePolicy keepsPlace = each->sizePolicy();
+        keepsPlace.setRetainSizeWhenHidden(true);
+        each->setSizePolicy(keepsPlace);
+    }
 
     Document& document = m_workspace.document;
     connect(m_kind, &QComboBox::activated, this, [this, &document] {
@@ -198,7 +214,7 @@ QWidget* MapPanel::makeLayoutRow()
     connect(m_border, &QSpinBox::valueChanged, this,
             [&document](int border) { document.edit(tr("Map border"), {}, [border](Scene& scene) { scene.map.border = border; }); });
     connect(m_compare, &QComboBox::currentIndexChanged, this, &MapPanel::showMaps);
-    return row;
+    return rows;
 }
 
 QWidget* MapPanel::makeViewRow()
@@ -209,10 +225,10 @@ QWidget* MapPanel::makeViewRow()
     layout->setSpacing(6);
     m_colors = new QComboBox;
     m_colors->setObjectName(QStringLiteral("map.colors"));
-    m_colors->setAccessibleName(tr("Colours"));
-    m_colors->setToolTip(tr("As a display shows it, or luminance in false colours"));
+    m_colors->setAccessibleName(tr("Colors"));
+    m_colors->setToolTip(tr("As a display shows it, or luminance in false colors"));
     m_colors->addItem(tr("Display"), static_cast<int>(MapColors::Display));
-    m_colors->addItem(tr("False colour"), static_cast<int>(MapColors::Luminance));
+    m_colors->addItem(tr("False color"), static_cast<int>(MapColors::Luminance));
     m_tint = new QComboBox;
     m_tint->setObjectName(QStringLiteral("map.tint"));
     m_tint->setAccessibleName(tr("Overlay"));
@@ -239,10 +255,10 @@ QWidget* MapPanel::makeViewRow()
     m_exposure =
         new NumberField({.low = -64, .high = 64, .sliderLow = -10, .sliderHigh = 10, .initial = 0.0, .step = 0.25, .unit = tr("EV")});
     m_exposure->setObjectName(QStringLiteral("map.exposure"));
-    m_exposure->describe(tr("Map exposure"), tr("Brightness of the map here; in false colours it moves the scale"));
+    m_exposure->describe(tr("Map exposure"), tr("Brightness of the map here; in false colors it moves the scale"));
     layout->addLayout(first);
     auto* exposure = new QHBoxLayout;
-    exposure->addWidget(new QLabel(tr("Exposure")));
+    exposure->addWidget(new QLabel(tr("Map exposure")));
     exposure->addWidget(m_exposure, 1);
     layout->addLayout(exposure);
 
@@ -413,7 +429,7 @@ void MapPanel::applyColors()
         m_differenceRange = signedRange(*m_map);
     MapColoring coloring{.colors = static_cast<MapColors>(m_colors->currentData().toInt()),
                          .exposure = ev,
-                         .tone = m_workspace.document.scene().view.toneCurve,
+                         .tone = displayCurves(m_workspace.document.scene()).behind,
                          .low = m_range.low * std::exp2(-ev),
                          .high = m_range.high * std::exp2(-ev)};
     MapColoring signedColoring{.colors = MapColors::Signed, .high = m_differenceRange * std::exp2(-ev)};
@@ -441,6 +457,26 @@ void MapPanel::applyOverlays()
         view->setOverlays(overlays);
     m_tintScale->setVisible(overlays.tint != MapTint::None);
     m_tintScale->showTint(overlays.tint);
+}
+
+/// What can be done with the map of a view.
+void MapPanel::showMenu(MapView& view, const QPoint& position)
+{
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("mapMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    const QString readout = m_readout->text(); // of the texel that was clicked
+    menu->addAction(tr("Copy the texel's values"), this, [readout] { QGuiApplication::clipboard()->setText(readout); })
+        ->setEnabled(m_workspace.cursor.direction().has_value());
+    menu->addAction(tr("Copy the view as a picture"), this, [&view] { QGuiApplication::clipboard()->setPixmap(view.grab()); });
+    menu->addSeparator();
+    menu->addAction(tr("Show the whole map"), &view, &MapView::fit);
+    for (QToolButton* overlay : {m_grid, m_seams}) {
+        QAction* action = menu->addAction(overlay->text(), overlay, &QToolButton::toggle);
+        action->setCheckable(true);
+        action->setChecked(overlay->isChecked());
+    }
+    menu->popup(view.mapToGlobal(position));
 }
 
 void MapPanel::showReadout()

@@ -60,6 +60,7 @@ private:
     void showComparison();
     void applyColors();
     void applyOverlays();
+    void showMenu(MapView& view, const QPoint& position);
     void showReadout();
     void showFacts();
 

@@ -1,16 +1,20 @@
 #include "material_panel.h"
 
 #include "fresnel_curve.h"
+#include "widgets/controls/file_dialogs.h"
 #include "widgets/controls/text.h"
+#include "widgets/files/recent_files.h"
+#include "widgets/files/use_file.h"
 
 #include "core/base/error.h"
 #include "core/scene/material_presets.h"
 #include "core/scene/scene_file.h"
 #include "core/shading/conductor.h"
 
-#include <QFileDialog>
+#include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -22,28 +26,38 @@ namespace mirrorball::studio {
 namespace {
 
 constexpr auto specularOf = [](auto& scene) -> auto& { return scene.material.specular; };
+constexpr auto brdfOf = [](auto& scene) -> auto& { return scene.material.brdf; };
 constexpr auto fresnelOf = [](auto& scene) -> auto& { return scene.material.fresnel; };
 constexpr auto diffuseOf = [](auto& scene) -> auto& { return scene.material.diffuse; };
 constexpr auto mapOf = [](auto& scene) -> auto& { return scene.map; };
 constexpr auto materialOf = [](auto& scene) -> auto& { return scene.material; };
 
+bool hasNoBrdf(const Scene& scene) { return scene.material.brdf.isNone(); }
+
 auto lobeIs(SurfaceLobe lobe)
 {
-    return [lobe](const Scene& scene) { return scene.material.specular.lobe == lobe; };
+    return [lobe](const Scene& scene) { return scene.material.brdf.isNone() && scene.material.specular.lobe == lobe; };
 }
 
 auto fresnelIs(FresnelKind kind)
 {
-    return [kind](const Scene& scene) { return scene.material.fresnel.kind == kind; };
+    return [kind](const Scene& scene) { return scene.material.brdf.isNone() && scene.material.fresnel.kind == kind; };
 }
 
 bool isCustomMetal(const Scene& scene)
 {
-    return scene.material.fresnel.kind == FresnelKind::Conductor && scene.material.fresnel.metal == "custom";
+    return hasNoBrdf(scene) && scene.material.fresnel.kind == FresnelKind::Conductor && scene.material.fresnel.metal == "custom";
 }
 
 /// Whether the reflection is read from levels of its map.
 bool readsLevels(const Scene& scene) { return scene.map.mips || scene.material.lambda > 0.0; }
+
+/// Whether the model shows a painted map alone: nothing here then has an effect.
+bool isReplaced(const Scene& scene)
+{
+    const SphereMapSettings& map = scene.material.sphereMap;
+    return !map.isNone() && map.use == SphereMapUse::Replace;
+}
 
 /// A weight of 0 to 2 on the slider; more can be typed.
 FieldStyle weightStyle() { return {.sliderLow = 0.0, .sliderHigh = 2.0}; }
@@ -71,7 +85,9 @@ MaterialPanel::MaterialPanel(Workspace& workspace, QWidget* parent) : QWidget(pa
     m_form = new OptionsForm(m_workspace.document);
     m_form->layout()->setContentsMargins(10, 10, 10, 10);
     m_form->addRow(makePresetRow(), OptionsForm::Span::Whole);
+    m_form->addRow(makeReplacedNote(), OptionsForm::Span::Whole, isReplaced);
     addReflection();
+    addBrdf();
     addFresnel();
     addDiffuse();
     addLookup();
@@ -114,34 +130,53 @@ QWidget* MaterialPanel::makePresetRow()
         connect(made, &QToolButton::clicked, this, action);
         layout->addWidget(made);
     };
+    const QString ending = QStringLiteral(".material");
     const QString filter = tr("Materials and scenes (*.material *.json *.mirrorball);;All files (*)");
     button("open", tr("Open material"), tr("Take the material of a material or scene file"), [this, filter] {
-        if (const QString path = QFileDialog::getOpenFileName(this, tr("Open material"), {}, filter); !path.isEmpty())
+        const QString path = askForFile(this, {.purpose = QStringLiteral("open"), .title = tr("Open material"), .filter = filter});
+        if (!path.isEmpty())
             openMaterial(path);
     });
-    button("save", tr("Save material"), tr("Save this material as a file of its own"), [this, filter] {
-        QString path = QFileDialog::getSaveFileName(this, tr("Save material"), QStringLiteral("material.json"), filter);
+    button("save", tr("Save material"), tr("Save this material as a file of its own"), [this, filter, ending] {
+        const QString path =
+            askWhereToSave(
+                this, {.purpose = QStringLiteral("save"), .title = tr("Save material"), .filter = filter, .start = tr("untitled") + ending},
+                ending)
+                .path;
         if (!path.isEmpty())
             saveMaterialAs(path);
     });
     return row;
 }
 
-void MaterialPanel::openMaterial(const QString& path)
+QWidget* MaterialPanel::makeReplacedNote()
 {
-    try {
-        const Material material = loadMaterial(toPath(path));
-        m_workspace.document.edit(tr("Open material"), {}, [&](Scene& scene) { scene.material = material; });
-        m_workspace.notices.clear(QStringLiteral("material"));
-    } catch (const Error& error) {
-        m_workspace.notices.set({.subject = QStringLiteral("material"), .text = QString::fromUtf8(error.what())});
-    }
+    auto* note = new QFrame;
+    note->setObjectName(QStringLiteral("material.replaced"));
+    note->setProperty("role", QStringLiteral("notice"));
+    auto* text = new QLabel(tr("The sphere map is shown in place of this material: nothing below changes the picture."));
+    text->setWordWrap(true);
+    auto* over = new QPushButton(tr("Lay it over the material"));
+    over->setObjectName(QStringLiteral("material.showUnderMap"));
+    over->setAccessibleName(over->text());
+    over->setToolTip(tr("Uses the sphere map over the reflecting material; the Sphere map dock has the other uses"));
+    connect(over, &QPushButton::clicked, this, [this] {
+        m_workspace.document.edit(tr("Change use of the map"), {}, [](Scene& scene) { scene.material.sphereMap.use = SphereMapUse::Over; });
+    });
+    auto* column = new QVBoxLayout(note);
+    column->setContentsMargins(8, 6, 8, 6);
+    column->addWidget(text);
+    column->addWidget(over, 0, Qt::AlignLeft);
+    return note;
 }
+
+void MaterialPanel::openMaterial(const QString& path) { useMaterial(m_workspace, path); }
 
 void MaterialPanel::saveMaterialAs(const QString& path)
 {
     try {
         saveMaterial(m_workspace.document.scene(), toPath(path));
+        rememberRecent(path, FileKind::Material);
         m_workspace.notices.clear(QStringLiteral("material"));
     } catch (const Error& error) {
         m_workspace.notices.set({.subject = QStringLiteral("material"), .text = QString::fromUtf8(error.what())});
@@ -153,7 +188,8 @@ void MaterialPanel::addReflection()
     m_form->addHeading(tr("Reflection"));
     m_form->addFields(
         "material.specular", specularOf,
-        {{"exponent", {.sliderLow = 0.1, .sliderHigh = 1e6, .scale = Scale::Logarithmic, .isShown = lobeIs(SurfaceLobe::Phong)}},
+        {{"lobe", {.isShown = hasNoBrdf}},
+         {"exponent", {.sliderLow = 0.1, .sliderHigh = 1e6, .scale = Scale::Logarithmic, .isShown = lobeIs(SurfaceLobe::Phong)}},
          {"roughness", {.digits = 3, .isShown = lobeIs(SurfaceLobe::Ggx)}},
          {"weight", weightStyle()}});
     m_form->addFields("material", materialOf,
@@ -165,6 +201,20 @@ void MaterialPanel::addReflection()
                          .sliderHigh = 1.0,
                          .isShown = [](const Scene& scene) { return scene.material.lambda > 0.0; }}},
                        {"lod_bias", {.label = tr("LOD bias"), .sliderLow = -4.0, .sliderHigh = 8.0, .step = 0.1}}});
+}
+
+void MaterialPanel::addBrdf()
+{
+    m_form->addHeading(tr("Lobe that knows the view"));
+    m_form->addFields("material.brdf", brdfOf,
+                      {{"model",
+                        {.label = tr("BRDF"),
+                         .isText = true,
+                         .suggestions = {QStringLiteral("ggx:roughness=0.5,metal=gold"), QStringLiteral("ggx:roughness=0.4,ior=1.5"),
+                                         QStringLiteral("beckmann:alpha=0.25,metal=aluminium"),
+                                         QStringLiteral("ward:alpha=0.2,metal=copper"), QStringLiteral("phong:exponent=50")},
+                         .fileFilter = tr("Measured BRDFs (*.binary *.brdf *.csv *.txt)")}},
+                       {"lookups", {.label = tr("Lookups"), .isShown = [](const Scene& scene) { return !hasNoBrdf(scene); }}}});
 }
 
 // Kind and size of the map have their place in the map's dock.
@@ -187,7 +237,8 @@ void MaterialPanel::addFresnel()
     m_form->addHeading(tr("Fresnel"));
     m_form->addFields(
         "material.fresnel", fresnelOf,
-        {{"index", {.sliderLow = 1.0, .sliderHigh = 200.0, .scale = Scale::Logarithmic, .isShown = fresnelIs(FresnelKind::Dielectric)}},
+        {{"kind", {.isShown = hasNoBrdf}},
+         {"index", {.sliderLow = 1.0, .sliderHigh = 200.0, .scale = Scale::Logarithmic, .isShown = fresnelIs(FresnelKind::Dielectric)}},
          {"n", {.isHidden = true}},
          {"k", {.isHidden = true}}});
 
@@ -231,7 +282,7 @@ void MaterialPanel::addFresnel()
     m_form->addFields("material.fresnel", fresnelOf,
                       {{"kind", {.isHidden = true}}, {"index", {.isHidden = true}}, {"n", component}, {"k", component}});
     m_form->addRow(new FresnelCurve(m_workspace.document), OptionsForm::Span::Whole,
-                   [](const Scene& scene) { return scene.material.fresnel.kind != FresnelKind::None; });
+                   [](const Scene& scene) { return hasNoBrdf(scene) && scene.material.fresnel.kind != FresnelKind::None; });
 }
 
 void MaterialPanel::addDiffuse()

@@ -21,7 +21,9 @@ public:
 
 private:
     QWidget* makePresetRow();
+    QWidget* makeReplacedNote();
     void addReflection();
+    void addBrdf();
     void addFresnel();
     void addDiffuse();
     void addLookup();

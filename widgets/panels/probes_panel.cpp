@@ -1,20 +1,20 @@
 #include "probes_panel.h"
 
 #include "widgets/controls/color_scale_bar.h"
-#include "widgets/controls/image_patterns.h"
-#include "widgets/controls/images.h"
+#include "widgets/controls/file_dialogs.h"
 #include "widgets/controls/text.h"
+#include "widgets/files/doctor_dialog.h"
+#include "widgets/files/file_kind.h"
 
 #include "core/base/error.h"
-#include "core/image/color.h"
 #include "core/image/color_space.h"
-#include "core/image/map_file.h"
-#include "core/image/reproject.h"
 
+#include <QClipboard>
+#include <QDesktopServices>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QMenu>
 #include <QPainter>
@@ -23,12 +23,12 @@
 #include <QSplitter>
 #include <QStackedLayout>
 #include <QStyledItemDelegate>
+#include <QUrl>
 #include <QVBoxLayout>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tuple>
 
 namespace mirrorball::studio {
 
@@ -156,7 +156,7 @@ ProbesPanel::ProbesPanel(Workspace& workspace, QWidget* parent)
     m_filter.setSourceModel(&workspace.library);
     m_list->setObjectName(QStringLiteral("probes.list"));
     m_list->setAccessibleName(tr("Probes"));
-    m_list->setToolTip(tr("Click a probe, or press Enter on it, to light the scene with it"));
+    m_list->setToolTip(tr("Click a probe, or press Enter on it, to light the scene with it; Delete takes a single file off the list"));
     m_list->setModel(&m_filter);
     m_list->setItemDelegate(new ProbeDelegate(m_watcher, this));
     m_list->setViewMode(QListView::IconMode);
@@ -194,6 +194,8 @@ ProbesPanel::ProbesPanel(Workspace& workspace, QWidget* parent)
     layout->addWidget(makeGroupRow());
     layout->addWidget(splitter, 1);
 
+    m_list->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_list, &QWidget::customContextMenuRequested, this, &ProbesPanel::showMenu);
     connect(m_list, &QListView::clicked, this, &ProbesPanel::choose);
     connect(m_list, &QListView::activated, this, &ProbesPanel::choose);
     connect(&m_filter, &QAbstractItemModel::modelReset, this, &ProbesPanel::showEmptiness);
@@ -247,22 +249,35 @@ QWidget* ProbesPanel::makeGroupRow()
     add->setFocusPolicy(Qt::StrongFocus);
     auto* menu = new QMenu(add);
     menu->addAction(tr("Folder..."), this, [this] {
-        const QString folder = QFileDialog::getExistingDirectory(this, tr("Add a folder of probes"));
+        const QString folder = askForFolder(this, {.purpose = QStringLiteral("probes"), .title = tr("Add a folder of probes")});
         if (!folder.isEmpty()) {
             m_workspace.library.addFolder(folder);
             m_group->setCurrentIndex(m_group->findData(QDir(folder).absolutePath()));
         }
     });
     menu->addAction(tr("Files..."), this, [this] {
-        const QStringList files =
-            QFileDialog::getOpenFileNames(this, tr("Add probes"), {}, tr("Images (%1);;All files (*)").arg(imagePatterns().join(u' ')));
-        for (const QString& file : files)
+        for (const QString& file :
+             askForFiles(this, {.purpose = QStringLiteral("probes"), .title = tr("Add probes"), .filter = filterOf(FileKind::Picture)}))
             m_workspace.library.addFile(file);
     });
     QAction* remove = menu->addAction(tr("Remove this folder from the list"), this,
                                       [this] { m_workspace.library.removeFolder(m_group->currentData().toString()); });
-    connect(menu, &QMenu::aboutToShow, this,
-            [this, remove] { remove->setEnabled(m_workspace.library.folders().contains(m_group->currentData().toString())); });
+    QAction* removeOne = menu->addAction(tr("Remove the selected file from the list"), this, &ProbesPanel::removeFile);
+    removeOne->setObjectName(QStringLiteral("probes.remove-file"));
+    removeOne->setShortcut(QKeySequence::Delete);
+    removeOne->setShortcutContext(Qt::WidgetShortcut);
+    m_list->addAction(removeOne);
+    QAction* removeMissing = menu->addAction(tr("Remove missing files from the list"), this, [this] {
+        for (const QString& file : m_workspace.library.missingFiles())
+            m_workspace.library.removeFile(file);
+    });
+    removeMissing->setObjectName(QStringLiteral("probes.remove-missing"));
+    connect(menu, &QMenu::aboutToShow, this, [this, remove, removeOne, removeMissing] {
+        remove->setEnabled(m_workspace.library.folders().contains(m_group->currentData().toString()));
+        removeOne->setEnabled(!removableFile().isEmpty());
+        removeMissing->setEnabled(!m_workspace.library.missingFiles().isEmpty());
+    });
+    connect(menu, &QMenu::aboutToHide, removeOne, [removeOne] { removeOne->setEnabled(true); }); // its key works without the menu
     add->setMenu(menu);
     layout->addWidget(m_group, 1);
     layout->addWidget(m_find, 1);
@@ -276,6 +291,20 @@ QWidget* ProbesPanel::makeGroupRow()
         showEmptiness();
     });
     return row;
+}
+
+/// The selected card's file, where it is listed by itself; empty for built-in probes and those of a folder.
+QString ProbesPanel::removableFile() const
+{
+    const QModelIndex index = m_list->currentIndex();
+    return index.data(ProbeLibrary::GroupRole).toString() == ProbeLibrary::filesGroup() ? index.data(ProbeLibrary::SourceRole).toString()
+                                                                                        : QString();
+}
+
+void ProbesPanel::removeFile()
+{
+    if (const QString file = removableFile(); !file.isEmpty())
+        m_workspace.library.removeFile(file);
 }
 
 QWidget* ProbesPanel::makeDetails()
@@ -325,8 +354,8 @@ QWidget* ProbesPanel::makeDetails()
     form->addFields("probe", [](auto& scene) -> auto& { return scene.probe; },
                     {{"source", {.isHidden = true}},
                      {"parameterization", {.isHidden = true}},
-                     {"yaw", {.sliderLow = -180.0, .sliderHigh = 180.0, .step = 1.0}},
-                     {"exposure", {.sliderLow = -10.0, .sliderHigh = 10.0, .step = 0.25}},
+                     {"yaw", {.label = tr("Turn"), .sliderLow = -180.0, .sliderHigh = 180.0, .step = 1.0}},
+                     {"exposure", {.label = tr("Brightness"), .sliderLow = -10.0, .sliderHigh = 10.0, .step = 0.25}},
                      {"part", {.isText = true}},
                      {"layer", {.isText = true}},
                      {"color_space", {.isText = true, .suggestions = colorSpaces}},
@@ -388,6 +417,32 @@ void ProbesPanel::choose(const QModelIndex& index)
     });
 }
 
+/// What can be done with a probe of the list, whether it is chosen or not.
+void ProbesPanel::showMenu(const QPoint& position)
+{
+    const QModelIndex at = m_list->indexAt(position).isValid() ? m_list->indexAt(position) : m_list->currentIndex();
+    if (!at.isValid())
+        return;
+    const QString source = at.data(ProbeLibrary::SourceRole).toString();
+    const bool isFile = at.data(ProbeLibrary::GroupRole).toString() != ProbeLibrary::builtinGroup();
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("probeMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(tr("Light the scene with it"), this, [this, at] { choose(at); });
+    menu->addAction(tr("Read its picture anew"), this, [this, source] { m_workspace.library.refresh(source); })->setEnabled(isFile);
+    menu->addAction(tr("What is this map?"), this, [this, source] { (new DoctorDialog(m_workspace, source, window()))->open(); })
+        ->setEnabled(isFile);
+    menu->addSeparator();
+    menu->addAction(tr("Copy its path"), this, [source] { QGuiApplication::clipboard()->setText(QDir::toNativeSeparators(source)); });
+    menu->addAction(tr("Open its folder"), this,
+                    [source] { QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(source).absolutePath())); })
+        ->setEnabled(isFile);
+    menu->addSeparator();
+    menu->addAction(tr("Remove from the list"), this, [this, source] { m_workspace.library.removeFile(source); })
+        ->setEnabled(at.data(ProbeLibrary::GroupRole).toString() == ProbeLibrary::filesGroup());
+    menu->popup(m_list->viewport()->mapToGlobal(position));
+}
+
 /// The chosen probe is current in the list. One of a scene that no folder holds joins the single files.
 void ProbesPanel::markChosen()
 {
@@ -413,7 +468,7 @@ void ProbesPanel::survey()
             const bool isBuiltin = source.startsWith(QStringLiteral("builtin:"));
             ProbeSurvey survey =
                 surveyProbe(isBuiltin ? source.toStdString() : toPath(source).string(), {.height = 96, .reading = reading}, job);
-            std::vector<Guess> guesses;
+            std::vector<ProbeGuess> guesses;
             ReducedProbe& reduced = survey.reduced;
             // Whether the file alone says what it is: a choice that was made must stay open.
             if (reading.parameterization && !isBuiltin)
@@ -423,37 +478,15 @@ void ProbesPanel::survey()
                     reduced.detection.certain = true;
                 }
             if (!reduced.detection.certain) {
-                const double exposure = survey.statistics.meanLuminance > 0.0 ? std::log2(0.25 / survey.statistics.meanLuminance) : 0.0;
-                const bool isBall = reduced.detection.arrangement == Arrangement::Ball; // which is offered as such below
-                for (const Parameterization kind : possibleKinds(reduced))
-                    if (!isBall || kind != Parameterization::Sphere)
-                        guesses.push_back(guessOf(reduced, exposure, {.parameterization = kind}, job));
-                if (reduced.info.sampleType.starts_with("uint"))
-                    guesses.push_back(guessOf(reduced, exposure, {.parameterization = Parameterization::Sphere, .fit = Fit::Crop}, job));
+                const double mean = survey.statistics.meanLuminance;
+                guesses = probeGuesses(reduced, mean > 0.0 ? std::log2(0.25 / mean) : 0.0, job);
             }
-            std::sort(guesses.begin(), guesses.end(),
-                      [](const Guess& a, const Guess& b) { return std::tie(a.fit, a.kind) < std::tie(b.fit, b.kind); });
             return std::pair(std::move(survey), std::move(guesses));
         },
         [this](const auto& result) { showSurvey(result.first, result.second); });
 }
 
-ProbesPanel::Guess ProbesPanel::guessOf(const ReducedProbe& probe, double exposure, const ProbeReading& reading, const JobControl& job)
-{
-    EnvironmentMap map;
-    if (reading.fit == Fit::Crop) {
-        ImageFileInfo small = probe.info;
-        small.width = probe.image.width;
-        small.height = probe.image.height;
-        map = reproject(toEnvironmentMap(probe.image, detectLayout(small, reading), job), {.target = {Parameterization::Latlong, 64, 0}},
-                        job);
-    } else {
-        map = thumbnailOf(probe, 64, reading.parameterization, job);
-    }
-    return {*reading.parameterization, reading.fit, toQImage(toDisplay(map.image, std::clamp(exposure, -14.0, 14.0), ToneCurve::Filmic))};
-}
-
-void ProbesPanel::showSurvey(const ProbeSurvey& survey, const std::vector<Guess>& guessed)
+void ProbesPanel::showSurvey(const ProbeSurvey& survey, const std::vector<ProbeGuess>& guessed)
 {
     const ReducedProbe& probe = survey.reduced;
     const ProbeStatistics& s = survey.statistics;
@@ -479,22 +512,22 @@ void ProbesPanel::showSurvey(const ProbeSurvey& survey, const std::vector<Guess>
                                      : tr("The shape fits several kinds. The right one has a level horizon and straight verticals:"));
     m_guessText->setVisible(!m_isCertain);
     qDeleteAll(m_guesses->findChildren<QToolButton*>());
-    for (const auto& [kind, fit, picture] : guessed) {
-        const bool isBall = fit == Fit::Crop;
-        const QString word = isBall ? tr("mirror ball") : fieldText(name(kind));
+    for (const ProbeGuess& guess : guessed) {
+        const bool isBall = guess.fit == Fit::Crop;
+        const QString word = guessText(guess);
         auto* button = new QToolButton(m_guesses);
-        button->setObjectName(QStringLiteral("probes.guess.") + (isBall ? QStringLiteral("ball") : toQString(name(kind))));
+        button->setObjectName(QStringLiteral("probes.guess.") + (isBall ? QStringLiteral("ball") : toQString(name(guess.kind))));
         button->setCheckable(true);
         button->setText(word);
         button->setAccessibleName(tr("Read as %1").arg(word));
         button->setToolTip(isBall ? tr("Finds a mirror ball in the photograph and reads it as a sphere map")
                                   : tr("Reads the file as this kind of map"));
-        button->setIcon(QIcon(QPixmap::fromImage(picture)));
+        button->setIcon(QIcon(QPixmap::fromImage(guess.picture)));
         button->setIconSize({80, 40});
         button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
         button->setFocusPolicy(Qt::StrongFocus);
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        connect(button, &QToolButton::clicked, this, [this, chosen = kind, how = fit] { readAs(chosen, how); });
+        connect(button, &QToolButton::clicked, this, [this, kind = guess.kind, fit = guess.fit] { readAs(kind, fit); });
         m_guesses->layout()->addWidget(button);
     }
     m_guesses->setVisible(!guessed.empty());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "widgets/controls/options_form.h"
+#include "widgets/workspace/probe_guesses.h"
 #include "widgets/workspace/probe_watcher.h"
 #include "widgets/workspace/workspace.h"
 
@@ -54,18 +55,14 @@ private:
     QWidget* makeGroupRow();
     QWidget* makeDetails();
     void listGroups();
+    QString removableFile() const;
+    void removeFile();
     void choose(const QModelIndex& index);
+    void showMenu(const QPoint& position);
     void markChosen();
     void showEmptiness();
     void survey();
-    /// What a file may be that does not say it.
-    struct Guess {
-        Parameterization kind;
-        Fit fit = Fit::None; ///< Crop: a mirror ball somewhere in a photograph
-        QImage picture{};
-    };
-    static Guess guessOf(const ReducedProbe& probe, double exposure, const ProbeReading& reading, const JobControl& job);
-    void showSurvey(const ProbeSurvey& survey, const std::vector<Guess>& guesses);
+    void showSurvey(const ProbeSurvey& survey, const std::vector<ProbeGuess>& guesses);
     void showProblem(const QString& message);
     void readAs(std::optional<Parameterization> kind, std::optional<Fit> fit = {});
     void readScene();

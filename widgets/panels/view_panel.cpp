@@ -1,13 +1,14 @@
 #include "view_panel.h"
 
+#include "widgets/controls/file_dialogs.h"
 #include "widgets/controls/text.h"
+#include "widgets/files/file_kind.h"
+#include "widgets/files/use_file.h"
 #include "widgets/spheremap/sphere_map_source_field.h"
 
 #include "core/base/error.h"
-#include "core/preview/mesh_file.h"
 #include "core/spheremap/document/presets.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -73,12 +74,6 @@ void useGeometry(Scene& scene, const std::string& geometry)
     }
 }
 
-void useMesh(Document& document, const QString& path)
-{
-    const QString absolute = QFileInfo(path).absoluteFilePath();
-    document.edit(ViewPanel::tr("Open mesh"), {}, [&](Scene& scene) { useGeometry(scene, absolute.toStdString()); });
-}
-
 ViewPanel::ViewPanel(Workspace& workspace, QWidget* parent) : QWidget(parent), m_workspace(workspace)
 {
     auto* scroll = new QScrollArea(this);
@@ -139,13 +134,10 @@ void ViewPanel::addGeometry()
     bodiesBox->addItem(tr("Mesh file…"));
     connect(bodiesBox, &QComboBox::activated, this, [this, bodiesBox, meshItem](int index) {
         if (index == meshItem) {
-            QStringList patterns;
-            for (const std::string_view extension : preview::meshExtensions())
-                patterns << u'*' + toQString(extension);
             const QString path =
-                QFileDialog::getOpenFileName(this, tr("Open mesh"), {}, tr("Meshes (%1);;All files (*)").arg(patterns.join(u' ')));
+                askForFile(this, {.purpose = QStringLiteral("open"), .title = tr("Open mesh"), .filter = filterOf(FileKind::Mesh)});
             if (!path.isEmpty())
-                useMesh(m_workspace.document, path);
+                useMesh(m_workspace, path);
         } else {
             m_workspace.document.edit(tr("Change geometry"), {},
                                       [&](Scene& scene) { useGeometry(scene, bodiesBox->itemData(index).toString().toStdString()); });
@@ -213,8 +205,9 @@ void ViewPanel::addDisplay()
         } else if (chosen.size() == 3) {
             setDisplay({.config = chosen[0].toStdString(), .display = chosen[1].toStdString(), .view = chosen[2].toStdString()});
         } else {
-            const QString path =
-                QFileDialog::getOpenFileName(this, tr("Open OpenColorIO configuration"), {}, tr("OpenColorIO (*.ocio);;All files (*)"));
+            const QString path = askForFile(
+                this,
+                {.purpose = QStringLiteral("open"), .title = tr("Open OpenColorIO configuration"), .filter = filterOf(FileKind::Display)});
             if (!path.isEmpty())
                 openDisplayConfig(path);
             showDisplay(m_workspace.document.scene()); // the dialog may have been cancelled
@@ -225,7 +218,7 @@ void ViewPanel::addDisplay()
                        [this](const Scene& scene) { showDisplay(scene); });
 }
 
-void ViewPanel::openDisplayConfig(const QString& path) { setDisplay({.config = path.toStdString()}); }
+void ViewPanel::openDisplayConfig(const QString& path) { useDisplay(m_workspace, path); }
 
 void ViewPanel::setDisplay(DisplaySettings display)
 {

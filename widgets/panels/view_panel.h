@@ -35,7 +35,5 @@ private:
 /// Shows the material on another body: "teapot", "window", ... The camera goes where it is at first, if it was there before, and always
 /// into the room of the window, which gets something to look at where the scene has no sphere map.
 void useGeometry(Scene& scene, const std::string& geometry);
-/// Opens a mesh file as the geometry of the scene.
-void useMesh(Document& document, const QString& path);
 
 } // namespace mirrorball::studio

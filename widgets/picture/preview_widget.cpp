@@ -1,6 +1,8 @@
 #include "preview_widget.h"
 
 #include "cut_out.h"
+#include "picture_badges.h"
+#include "preview_painting.h"
 
 #include "core/preview/scene_settings.h"
 #include "core/scene/scene_dependencies.h"
@@ -18,14 +20,7 @@ namespace mirrorball::studio {
 namespace {
 
 constexpr double degreesPerPixel = 0.4;
-constexpr int wipeGrip = 6;   ///< pixels to either side of the line
-constexpr int patchGrid = 16; ///< texels: what a stroke touched is taken in whole squares, so that four coarser levels are exact
-
-TexelRect onGrid(const TexelRect& rect, int size)
-{
-    const auto up = [size](int x) { return std::min((x + patchGrid - 1) / patchGrid * patchGrid, size); };
-    return {rect.x0 / patchGrid * patchGrid, rect.y0 / patchGrid * patchGrid, up(rect.x1), up(rect.y1)};
-}
+constexpr int wipeGrip = 6; ///< pixels to either side of the line
 
 /// What the places of lookups in a painted sphere map depend on.
 preview::RenderSettings placesOnly(const preview::RenderSettings& settings)
@@ -70,7 +65,10 @@ PreviewWidget::PreviewWidget(Workspace& workspace, QWidget* parent) : QWidget(pa
             for (size_t i = 0; i < touched.size(); ++i)
                 (*rects)[i] = (*rects)[i].united(touched[i]);
         }
+        if (m_workspace.sphereMap.isPainting())
+            redraw();
     });
+    connect(&m_workspace.sphereMap, &SphereMapEditor::onlyLevelChanged, this, &PreviewWidget::redraw);
     connect(&m_workspace.live, &LiveScene::updated, this, [this] {
         if (!m_workspace.sphereMap.isPainting() && m_workspace.live.isUpToDate()) {
             m_strokeRect = m_freshRect = {};
@@ -89,6 +87,7 @@ PreviewWidget::PreviewWidget(Workspace& workspace, QWidget* parent) : QWidget(pa
             redraw();
     });
     connect(&m_thread, &RenderThread::drawn, this, &PreviewWidget::show);
+    new PictureBadges(m_workspace, *this);
 }
 
 QSize PreviewWidget::deviceSize() const
@@ -106,6 +105,7 @@ preview::RenderSettings PreviewWidget::settings(const PreparedScene& made) const
     shown.view.height = size.height();
     preview::RenderSettings settings = preview::renderSettings(shown, made.plan, made.mesh, made.display);
     settings.pixelRatio = static_cast<float>(devicePixelRatioF());
+    settings.material.paint.onlyLevel = m_workspace.sphereMap.onlyLevel();
     if (m_workspace.document.isDragging() || m_workspace.sphereMap.isPainting()) {
         settings.samples = m_dragSamples;
         if (m_dragSamples == 1)
@@ -146,29 +146,6 @@ void PreviewWidget::order()
     m_thread.draw(std::move(order));
 }
 
-// A map that was made while a stroke goes on knows nothing of the stroke: it gets all of it.
-/// @return whether there was something new
-bool PreviewWidget::patchSphereMap(const PreparedScene& made)
-{
-    const SphereMapChain chain = made.maps.sphereMaps.empty() ? nullptr : made.maps.sphereMaps.front();
-    if (std::exchange(m_patchedMap, chain) != chain) {
-        m_freshRect = m_strokeRect;
-        m_freshLevels = m_strokeLevels;
-    }
-    const Image& picture = m_workspace.sphereMap.picture();
-    if (!chain || m_freshRect.empty() || chain->levels.front().width != picture.width)
-        return false;
-    const TexelRect rect = onGrid(std::exchange(m_freshRect, {}), picture.width);
-    SphereMapPatch patch{.chain = chain, .texels = cutOut(picture, rect), .rect = rect};
-    const std::vector<TexelRect> fresh = std::exchange(m_freshLevels, {});
-    const std::vector<Image>& coarser = m_workspace.sphereMap.coarserLevels();
-    for (size_t i = 0; i < std::min(fresh.size(), coarser.size()); ++i)
-        if (!fresh[i].empty() && i + 1 < chain->levels.size() && coarser[i].width == chain->levels[i + 1].width)
-            patch.coarser.push_back({static_cast<int>(i) + 1, fresh[i], cutOut(coarser[i], fresh[i])});
-    m_thread.patch(std::move(patch));
-    return true;
-}
-
 void PreviewWidget::show(const Picture& picture)
 {
     if (picture.order.number == m_ordered.number)
@@ -192,36 +169,17 @@ void PreviewWidget::paintEvent(QPaintEvent*)
         return;
     }
     if (m_picture.image.hasAlphaChannel())
-        paintGround(painter);
+        paintChequer(painter, size());
     if (m_picture.image.size() == deviceSize()) {
         painter.drawImage(0, 0, m_picture.image);
-    } else { // until the new size is drawn
-        painter.drawImage(rect(), m_picture.image);
+    } else {
+        paintInPlaceOf(painter, m_picture.image, size());
         redraw();
     }
     if (m_comparison == Comparison::Wipe)
-        paintWipe(painter);
+        paintWipeLine(painter, m_wipe * width(), height());
     if (std::exchange(m_isNew, false))
         emit painted(m_picture.order.made, m_picture.seconds);
-}
-
-/// What stands for nothing: a chequer of two greys.
-void PreviewWidget::paintGround(QPainter& painter) const
-{
-    constexpr int square = 12;
-    painter.fillRect(rect(), QColor(0x2e, 0x2e, 0x2e));
-    for (int y = 0; y < height(); y += square)
-        for (int x = y / square % 2 * square; x < width(); x += 2 * square)
-            painter.fillRect(x, y, square, square, QColor(0x38, 0x38, 0x38));
-}
-
-void PreviewWidget::paintWipe(QPainter& painter) const
-{
-    const double x = m_wipe * width();
-    painter.setPen(QPen(QColor(20, 20, 20, 160), 3.0));
-    painter.drawLine(QPointF(x, 0), QPointF(x, height()));
-    painter.setPen(QPen(QColor(235, 235, 235), 1.0));
-    painter.drawLine(QPointF(x, 0), QPointF(x, height()));
 }
 
 void PreviewWidget::resizeEvent(QResizeEvent*) { redraw(); }
@@ -257,6 +215,11 @@ void PreviewWidget::changeExposure(double ev)
     m_workspace.document.edit(tr("Change exposure"), QStringLiteral("view.exposure"),
                               [&](Scene& scene) { scene.view.exposure = std::clamp(scene.view.exposure + ev, -64.0, 64.0); });
     m_rest.start();
+}
+
+void PreviewWidget::resetExposure()
+{
+    m_workspace.document.edit(tr("Reset exposure"), {}, [](Scene& scene) { scene.view.exposure = 0.0; });
 }
 
 void PreviewWidget::takeSnapshot()

@@ -55,6 +55,8 @@ public slots:
     void frame();
     void resetView();
     void changeExposure(double ev);
+    /// Back to 0 EV.
+    void resetExposure();
     /// Keeps what is shown now, for comparison.
     void takeSnapshot();
     /// Off without a snapshot.
@@ -88,8 +90,6 @@ private:
     void order();
     bool patchSphereMap(const PreparedScene& made);
     void show(const Picture& picture);
-    void paintGround(QPainter& painter) const;
-    void paintWipe(QPainter& painter) const;
     bool isTurn(const QMouseEvent& event) const;
     void drag(const QPointF& moved);
     void point();

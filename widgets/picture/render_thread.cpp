@@ -171,7 +171,7 @@ private:
     void apply(const SphereMapPatch& patch)
     {
         renderer.patchSphereMap(patch.texels, patch.rect.x0, patch.rect.y0, 0);
-        if (patch.chain->hasAuthoredLevels) {
+        if (patch.chain->hasAuthoredLevels || !patch.coarser.empty()) { // the stroke may be the first that has a level
             for (const LevelPatch& level : patch.coarser)
                 renderer.patchSphereMap(level.texels, level.rect.x0, level.rect.y0, level.level);
             return;

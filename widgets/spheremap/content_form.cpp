@@ -1,11 +1,10 @@
 #include "content_form.h"
 
+#include "widgets/controls/file_dialogs.h"
 #include "widgets/controls/image_patterns.h"
 
 #include "core/image/builtin_probes.h"
 #include "core/shading/conductor.h"
-
-#include <QFileDialog>
 
 #include <algorithm>
 
@@ -50,8 +49,10 @@ template <typename Kind>
 FieldStyles stylesOf()
 {
     FieldStyles styles = layerStyles();
-    if constexpr (std::is_same_v<Kind, ImageLayer>)
+    if constexpr (std::is_same_v<Kind, ImageLayer>) {
         styles["source"].suggestions.clear();
+        styles["exposure"].label = ContentForm::tr("Brightness"); // exposure is the picture's
+    }
     return styles;
 }
 
@@ -128,7 +129,8 @@ bool isUsed(const ImageLayer& layer, std::string_view name) { return name != "ti
 
 QString askForImage(QWidget* parent)
 {
-    return QFileDialog::getOpenFileName(parent, ContentForm::tr("Open a picture of a ball"), {}, imageFilter());
+    return askForFile(parent,
+                      {.purpose = QStringLiteral("layer"), .title = ContentForm::tr("Open a picture of a ball"), .filter = imageFilter()});
 }
 
 ContentForm::ContentForm(EditContent edit, QWidget* parent) : SettingsForm(parent), m_edit(std::move(edit)) {}

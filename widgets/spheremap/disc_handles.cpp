@@ -42,7 +42,9 @@ DiscHandles::DiscHandles(SphereMapEditor& editor, View view, QObject* parent) : 
 void DiscHandles::follow()
 {
     const Layer* layer = m_editor.chosenLayer();
-    const bool isFree = layer && layer->visible && !m_editor.paintTarget() && m_editor.tool() != PaintTool::PickColor;
+    // A level that is shown alone is there to be painted.
+    const bool isFree =
+        layer && layer->visible && !m_editor.paintTarget() && m_editor.tool() != PaintTool::PickColor && !m_editor.onlyLevel();
     m_handles = isFree ? discHandles(layer->content) : std::vector<DiscHandle>();
     m_ofLayer = static_cast<int>(m_handles.size());
     if (isFree && layer->mask)

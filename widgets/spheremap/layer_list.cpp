@@ -1,12 +1,16 @@
 #include "layer_list.h"
 
+#include "layer_clipboard.h"
+
 #include "widgets/controls/text.h"
 #include "widgets/picture/screen_picture.h"
 
 #include "core/base/error.h"
 
 #include <QApplication>
+#include <QContextMenuEvent>
 #include <QKeyEvent>
+#include <QMenu>
 #include <QMimeData>
 #include <QMouseEvent>
 #include <QPainter>
@@ -278,6 +282,42 @@ void LayerList::mousePressEvent(QMouseEvent* event)
         return;
     }
     QListView::mousePressEvent(event);
+}
+
+/// What can be done with the chosen layer.
+void LayerList::fillMenu(QMenu& menu)
+{
+    const QModelIndex at = currentIndex();
+    const int layer = m_editor.chosen(), last = m_model->rowCount() - 1;
+    const auto add = [&](const QString& text, const QKeySequence& key, bool isPossible, auto act) {
+        QAction* action = menu.addAction(text + u'\t' + key.toString(QKeySequence::NativeText), this, act); // shown, handled elsewhere
+        action->setEnabled(isPossible);
+    };
+    add(at.data(LayerModel::Visible).toBool() ? tr("Hide") : tr("Show"), Qt::Key_Space, at.isValid(), [this, at] { toggle(at); });
+    add(tr("Rename"), Qt::Key_F2, at.isValid(), [this, at] { edit(at); });
+    menu.addSeparator();
+    add(tr("Copy"), QKeySequence::Copy, at.isValid(), [this] { copyLayer(m_editor); });
+    add(tr("Paste above"), QKeySequence::Paste, hasCopiedLayers(), [this] { pasteLayers(m_editor); });
+    add(tr("Duplicate"), QKeySequence(QStringLiteral("Ctrl+D")), at.isValid(), [this] { m_editor.duplicateChosen(); });
+    menu.addSeparator();
+    add(tr("Move up"), QKeySequence(QStringLiteral("Ctrl+Up")), at.isValid() && layer < last,
+        [this, layer] { m_editor.moveLayer(layer, layer + 1); });
+    add(tr("Move down"), QKeySequence(QStringLiteral("Ctrl+Down")), layer > 0, [this, layer] { m_editor.moveLayer(layer, layer - 1); });
+    menu.addSeparator();
+    add(tr("Delete"), Qt::Key_Delete, at.isValid(), [this] { m_editor.removeChosen(); });
+}
+
+void LayerList::contextMenuEvent(QContextMenuEvent* event)
+{
+    if (event->reason() == QContextMenuEvent::Mouse)
+        setCurrentIndex(indexAt(event->pos()));
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("layerMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    fillMenu(*menu);
+    const QPoint at =
+        event->reason() == QContextMenuEvent::Mouse ? event->globalPos() : viewport()->mapToGlobal(visualRect(currentIndex()).center());
+    menu->popup(at);
 }
 
 void LayerList::keyPressEvent(QKeyEvent* event)

@@ -10,6 +10,8 @@
 
 #include <vector>
 
+class QMenu;
+
 namespace mirrorball::studio {
 
 /// The layers of the sphere map as a list, the top one first.
@@ -56,11 +58,13 @@ public:
 protected:
     void keyPressEvent(QKeyEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
     void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
 
 private:
     void showChosen();
     void toggle(const QModelIndex& index);
+    void fillMenu(QMenu& menu);
 
     SphereMapEditor& m_editor;
     LayerModel* m_model;

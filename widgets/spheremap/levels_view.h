@@ -9,20 +9,30 @@
 
 namespace mirrorball::studio {
 
-/// The mip chain of the sphere map, level by level, each magnified to the same size so that its texels show. Made in the background while
-/// the view can be seen.
+/// The mip chain of the sphere map, level by level, each at the same size: small ones magnified so that their texels show, large ones
+/// averaged. Made in the background while the view can be seen.
+///
+/// A click on a level shows and paints that one alone, on disc and model; another, or Escape, brings all of them back. Arrow keys go from
+/// level to level.
 class LevelsView : public QWidget {
     Q_OBJECT
 
 public:
     explicit LevelsView(SphereMapEditor& editor, QWidget* parent = nullptr);
 
-    /// The levels, largest first; those of more texels than fit on a screen are made smaller.
+    /// A level and its halvings in linear light, as the screen shows them, largest first; those of more texels than fit on a screen are
+    /// left out.
     struct Level {
         int size = 0; ///< texels along an edge
-        QImage picture{};
+        QVector<QImage> pictures{};
+
+        /// At so many pixels across: averaged where that is less than the level has.
+        QImage forPixels(int pixels) const;
     };
+    /// Largest first.
     const QVector<Level>& levels() const { return m_levels; }
+    /// Where a level is drawn.
+    QRectF cell(int level) const;
     QSize sizeHint() const override { return {260, 260}; }
     QSize minimumSizeHint() const override { return {140, 120}; }
 
@@ -32,9 +42,15 @@ signals:
 protected:
     void paintEvent(QPaintEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    bool event(QEvent* event) override;
 
 private:
     void request();
+    QString note() const;
+    QRect noteArea() const;
+    int levelAt(const QPointF& place) const;
 
     SphereMapEditor& m_editor;
     JobRunner m_runner;

@@ -50,6 +50,7 @@ SphereMapCanvas::SphereMapCanvas(SphereMapEditor& editor, QWidget* parent)
     connect(&m_editor, &SphereMapEditor::mapChanged, this, redraw);
     connect(&m_editor, &SphereMapEditor::brushChanged, this, redraw);
     connect(&m_editor, &SphereMapEditor::toolChanged, this, redraw);
+    connect(&m_editor, &SphereMapEditor::levelPictureChanged, this, qOverload<>(&QWidget::update));
     connect(&m_handles, &DiscHandles::changed, this, [this, redraw] {
         setAccessibleDescription(m_handles.chosen() < 0 ? QString() : m_handles.describe(m_handles.chosen()));
         redraw();
@@ -108,7 +109,10 @@ void SphereMapCanvas::paintEvent(QPaintEvent*)
         return;
     }
     // Outside the disc the rim's colour goes on, which a lookup may meet: shown, but faintly.
-    const QImage& picture = m_editor.screen().forPixels(square.width() * devicePixelRatioF());
+    // One level by itself shows its texels.
+    const QImage& level = m_editor.levelPicture();
+    const QImage& picture = level.isNull() ? m_editor.screen().forPixels(square.width() * devicePixelRatioF()) : level;
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, level.isNull() || level.width() > square.width() * devicePixelRatioF());
     painter.setOpacity(0.22);
     painter.drawImage(square, picture);
     painter.setOpacity(1.0);
@@ -126,15 +130,21 @@ void SphereMapCanvas::paintEvent(QPaintEvent*)
         paintSymmetry(painter);
         paintBrush(painter);
     }
-    if (!m_hint.isEmpty()) {
-        const QRect box = rect().adjusted(8, 8, -8, -8);
-        const QRect text = painter.boundingRect(box, Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap, m_hint).adjusted(-8, -5, 8, 5);
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(QColor(20, 20, 20, 220));
-        painter.drawRoundedRect(text, 4, 4);
-        painter.setPen(QColor(240, 200, 120));
-        painter.drawText(text, Qt::AlignCenter | Qt::TextWordWrap, m_hint);
-    }
+    if (m_editor.onlyLevel())
+        paintWords(painter, m_editor.onlyLevelText(), Qt::AlignHCenter | Qt::AlignTop, QColor(240, 240, 240));
+    if (!m_hint.isEmpty())
+        paintWords(painter, m_hint, Qt::AlignHCenter | Qt::AlignBottom, QColor(240, 200, 120));
+}
+
+void SphereMapCanvas::paintWords(QPainter& painter, const QString& words, Qt::Alignment where, const QColor& color) const
+{
+    const QRect box = rect().adjusted(8, 8, -8, -8);
+    const QRect text = painter.boundingRect(box, static_cast<int>(where) | Qt::TextWordWrap, words).adjusted(-8, -5, 8, 5);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(20, 20, 20, 220));
+    painter.drawRoundedRect(text, 4, 4);
+    painter.setPen(color);
+    painter.drawText(text, Qt::AlignCenter | Qt::TextWordWrap, words);
 }
 
 /// Thin light and dark, so that it shows on every colour.
@@ -348,6 +358,10 @@ void SphereMapCanvas::keyPressEvent(QKeyEvent* event)
             m_handles.cancel();
             m_drag = Drag::None;
             updateCursor();
+            return;
+        }
+        if (m_editor.onlyLevel()) {
+            m_editor.showOnly(std::nullopt);
             return;
         }
         break;

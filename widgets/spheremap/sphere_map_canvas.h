@@ -13,7 +13,7 @@ namespace mirrorball::studio {
 /// Left draws with the chosen tool, a pen with its pressure, its eraser end erases; on a layer with places and directions it drags their
 /// handles instead, and keys move them (DiscHandles). Alt picks a colour. Right drag changes the brush: across its radius, up and down its
 /// hardness; [ and ] step the radius. The wheel zooms at the cursor, middle or Space and left drag pans, Home fits. Escape gives up the
-/// stroke or the drag at hand.
+/// stroke or the drag at hand, and shows all levels again where one is shown alone.
 class SphereMapCanvas : public QWidget {
     Q_OBJECT
 
@@ -57,6 +57,7 @@ private:
     void move(const QPointF& place, double pressure);
     void release();
     void paintBrush(QPainter& painter) const;
+    void paintWords(QPainter& painter, const QString& words, Qt::Alignment where, const QColor& color) const;
     void paintSymmetry(QPainter& painter) const;
     void updateCursor();
 

@@ -70,6 +70,8 @@ void SphereMapEditor::follow()
         m_size = size;
         m_cache = std::make_shared<SphereMapCache>(EvaluateOptions{.size = size, .unknownLayers = UnknownLayers::Skip});
         m_levelsCache.reset();
+        if (m_onlyLevel.value_or(0) >= levelCount())
+            showOnly(std::nullopt);
     }
     m_map = now;
     if (m_recorder && !(m_map && strokesOf(*m_map, m_recorderLayer, m_recorderTarget))) // undone from under the pen
@@ -77,6 +79,8 @@ void SphereMapEditor::follow()
     const int before = m_chosen, count = m_map ? static_cast<int>(m_map->layers.size()) : 0;
     m_chosen = count == 0 ? -1 : m_chosen < 0 ? count - 1 : std::min(m_chosen, count - 1);
     m_awaitsLive = m_map && m_document.isDragging() && !m_recorder && shownMap(m_live, m_size);
+    if (!m_map)
+        showOnly(std::nullopt);
     m_hasSkipped = m_hasSkipped || m_awaitsLive;
     emit mapChanged();
     if (m_chosen != before)
@@ -97,9 +101,12 @@ void SphereMapEditor::followLive()
     }
     m_awaitsLive = m_live.made()->plan.sphereMaps.front().document.document != m_map; // a later one follows
     m_runner.start(
-        [chain, size = m_size](const JobControl& job) {
+        [chain, size = m_size, only = static_cast<size_t>(m_onlyLevel.value_or(0))](const JobControl& job) {
             const Image& picture = chain->levels.front();
-            return Patch{.rect = {0, 0, size, size}, .size = size, .image = picture, .screen = onScreen(picture, job)};
+            Patch patch{.rect = {0, 0, size, size}, .size = size, .image = picture, .screen = onScreen(picture, job)};
+            if (only > 0)
+                patch.only = chain->levels[std::min(only, chain->levels.size() - 1)];
+            return patch;
         },
         [this](Patch patch) { show(std::move(patch)); }, Running::Finish);
 }
@@ -111,13 +118,15 @@ void SphereMapEditor::request()
     if (!m_map)
         return;
     const std::vector<Stroke> pending = m_recorder ? m_recorder->strokes() : std::vector<Stroke>();
-    // Hand-made coarser levels are followed while a stroke is drawn; when it is done, the scene's maps hold them.
-    const bool followsLevels = !pending.empty() && hasAuthoredLevels(*m_map);
+    // Hand-made coarser levels are followed while a stroke is drawn; when it is done, the scene's maps hold them. One that is shown alone
+    // is followed always.
+    const int only = m_onlyLevel.value_or(0);
+    const bool followsLevels = (!pending.empty() || only > 0) && hasAuthoredLevels(*m_map);
     if (followsLevels && !m_levelsCache)
         m_levelsCache = std::make_shared<LevelsCache>(EvaluateOptions{.size = m_size, .unknownLayers = UnknownLayers::Skip});
     m_runner.start(
         [cache = m_cache, levels = followsLevels ? m_levelsCache : nullptr, map = m_map, pending, layer = m_recorderLayer,
-         target = m_recorderTarget](const JobControl& job) {
+         target = m_recorderTarget, only](const JobControl& job) {
             const SphereMapDocument* shown = map.get();
             SphereMapDocument painted;
             if (!pending.empty()) {
@@ -129,6 +138,8 @@ void SphereMapEditor::request()
             Patch patch{.rect = cache->update(*shown, job), .size = cache->size()};
             if (levels)
                 patch.levels = levels->update(*shown, job);
+            else if (only > 0)
+                patch.only = plainChain(cache->image(), job)[static_cast<size_t>(only)];
             patch.image = Image(std::max(0, patch.rect.width()), std::max(0, patch.rect.height()), 4);
             for (int y = 0; y < patch.image.height; ++y)
                 std::copy_n(cache->image().texel(patch.rect.x0, patch.rect.y0 + y), static_cast<size_t>(patch.image.width) * 4,
@@ -170,6 +181,7 @@ void SphereMapEditor::show(Patch patch)
         m_screen.put(patch.screen, patch.rect, patch.size);
         emit pictureChanged(patch.rect);
     }
+    showLevel(std::move(patch.only));
 }
 
 void SphereMapEditor::setMap(const QString& label, const SphereMapDocument& map)
@@ -324,6 +336,8 @@ void SphereMapEditor::setPaintsMask(bool on)
 
 QString SphereMapEditor::paintingProblem() const
 {
+    if (m_map && m_onlyLevel)
+        return {}; // a layer of the level is found or made
     const Layer* layer = chosenLayer();
     if (!layer)
         return tr("Add a paint layer to paint on");
@@ -338,6 +352,8 @@ void SphereMapEditor::beginStroke(const StrokePoint& point, PenEnd end, double l
 {
     if (!canPaint())
         return;
+    if (m_onlyLevel)
+        prepareLevelLayer();
     Brush brush = m_brush;
     brush.mode = end == PenEnd::Eraser || m_tool == PaintTool::Erase ? BrushMode::Erase
                  : m_tool == PaintTool::Smudge                       ? BrushMode::Smudge
@@ -402,11 +418,12 @@ void SphereMapEditor::cancelStroke()
 
 void SphereMapEditor::pickColor(const glm::dvec2& q)
 {
-    if (m_picture.empty())
+    const Image& picture = m_levelImage.empty() ? m_picture : m_levelImage;
+    if (picture.empty())
         return;
-    const int n = m_picture.width;
+    const int n = picture.width;
     const auto texel = [n](double v) { return std::clamp(static_cast<int>((v + 1.0) * 0.5 * n), 0, n - 1); };
-    const float* rgba = m_picture.texel(texel(q.x), texel(-q.y));
+    const float* rgba = picture.texel(texel(q.x), texel(-q.y));
     if (!(rgba[3] > 0.0f))
         return;
     Brush brush = m_brush;

@@ -96,6 +96,17 @@ public:
     /// The colour that the picture shows at a place of the disc becomes the brush's.
     void pickColor(const glm::dvec2& q);
 
+    /// The one level of the chain that disc and model show, and that strokes go to; empty: all of them, as the picture needs them.
+    std::optional<int> onlyLevel() const { return m_onlyLevel; }
+    /// A level beyond the last is the last.
+    void showOnly(std::optional<int> level);
+    /// That level for the screen, texel by texel; null where none is shown alone, or before it is made.
+    const QImage& levelPicture() const { return m_levelScreen; }
+    /// "Level 3 only: 128 x 128"; empty where none is.
+    QString onlyLevelText() const;
+    /// Levels of the chain.
+    int levelCount() const;
+
     /// Edge of the picture, in texels: that of the map that the scene's picture reads.
     int size() const { return m_size; }
     /// The picture, RGBA, linear, colours multiplied by their opacity; empty before the first. It may be of an older state.
@@ -113,6 +124,10 @@ signals:
     void lightChanged();
     void brushChanged();
     void toolChanged();
+    /// onlyLevel() changed.
+    void onlyLevelChanged();
+    /// levelPicture() changed.
+    void levelPictureChanged();
     /// picture() changed within these texels.
     void pictureChanged(const mirrorball::TexelRect& touched);
     /// coarserLevels() changed: rectangles of levels 1, 2, ...; empty where nothing did. Only while a stroke is drawn.
@@ -131,8 +146,11 @@ private:
         Image image{};
         QImage screen{};
         std::vector<LevelPatch> levels{};
+        Image only{}; ///< the level that is shown alone, where it is an average of the picture
     };
     void show(Patch patch);
+    void showLevel(Image average);
+    void prepareLevelLayer();
 
     Document& m_document;
     LiveScene& m_live;
@@ -146,6 +164,9 @@ private:
     PaintTool m_tool = PaintTool::Paint;
     bool m_paintsOnModel = false;
     bool m_paintsMask = false;
+    std::optional<int> m_onlyLevel{};
+    Image m_levelImage{}; ///< of onlyLevel(), where that is not the largest
+    QImage m_levelScreen{};
     int m_size = 0;
     std::optional<StrokeRecorder> m_recorder;
     size_t m_recorderLayer = 0;

@@ -52,10 +52,10 @@ SphereMapUseRow::SphereMapUseRow(Document& document, QWidget* parent)
         m_document.edit(tr("Change opacity of the map"), m_opacity->objectName(), [value](Scene& scene) { mapOf(scene).opacity = value; });
     });
     connect(m_opacity, &NumberField::finished, &m_document, &Document::finishEdit);
-    describe(m_color, "color", tr("Surface colour below the map"));
+    describe(m_color, "color", tr("Surface color below the map"));
     m_color->setMinimumWidth(44);
     connect(m_color, &ColorButton::edited, this, [this](const glm::dvec3& color) {
-        m_document.edit(tr("Change surface colour"), m_color->objectName(), [&](Scene& scene) { mapOf(scene).color = color; });
+        m_document.edit(tr("Change surface color"), m_color->objectName(), [&](Scene& scene) { mapOf(scene).color = color; });
     });
     connect(m_color, &ColorButton::finished, &m_document, &Document::finishEdit);
     auto* row = new QHBoxLayout(this);

@@ -1,16 +1,18 @@
 #include "sphere_map_panel.h"
 
 #include "sphere_map_source_field.h"
+#include "widgets/controls/file_dialogs.h"
 #include "widgets/controls/form_labels.h"
 #include "widgets/controls/text.h"
 #include "widgets/exports/painted_export.h"
+#include "widgets/files/recent_files.h"
+#include "widgets/files/use_file.h"
 
 #include "core/base/error.h"
 #include "core/scene/sphere_map_source.h"
 #include "core/spheremap/document/presets.h"
 #include "core/spheremap/document/sphere_map_file.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFrame>
 #include <QHBoxLayout>
@@ -137,14 +139,16 @@ QWidget* SphereMapPanel::makeStart()
 
 void SphereMapPanel::askAndOpen()
 {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Open a sphere map"), {}, tr("Sphere maps (*.spheremap *.strokes)"));
+    const QString path =
+        askForFile(this, {.purpose = QStringLiteral("open"), .title = tr("Open a sphere map"), .filter = filterOf(FileKind::SphereMap)});
     if (!path.isEmpty())
         openMap(path);
 }
 
 void SphereMapPanel::askAndLink()
 {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Link a sphere map"), {}, sphereMapFileFilter());
+    const QString path =
+        askForFile(this, {.purpose = QStringLiteral("open"), .title = tr("Link a sphere map"), .filter = sphereMapFileFilter()});
     if (!path.isEmpty())
         linkMap(path);
 }
@@ -155,13 +159,7 @@ void SphereMapPanel::choosePreset(const QString& name)
         m_editor.setMap(tr("Choose a sphere map"), preset->document);
 }
 
-void SphereMapPanel::linkMap(const QString& path)
-{
-    m_workspace.document.edit(tr("Link a sphere map"), {}, [&](Scene& scene) {
-        scene.material.sphereMap.document = {};
-        scene.material.sphereMap.source = path.toStdString();
-    });
-}
+void SphereMapPanel::linkMap(const QString& path) { linkSphereMap(m_workspace, path); }
 
 // What the scene names becomes a part of it; a picture becomes an image layer.
 void SphereMapPanel::ownLinkedMap()
@@ -191,15 +189,7 @@ void SphereMapPanel::removeMap()
     });
 }
 
-void SphereMapPanel::openMap(const QString& path)
-{
-    try {
-        m_editor.setMap(tr("Open a sphere map"), loadSphereMap(toPath(path)));
-        m_workspace.notices.clear(noticeSubject);
-    } catch (const Error& error) {
-        m_workspace.notices.set({.subject = noticeSubject, .text = QString::fromUtf8(error.what())});
-    }
-}
+void SphereMapPanel::openMap(const QString& path) { useSphereMap(m_workspace, path); }
 
 void SphereMapPanel::saveMapAs(const QString& path)
 {
@@ -207,6 +197,7 @@ void SphereMapPanel::saveMapAs(const QString& path)
         return;
     try {
         saveSphereMap(*m_editor.map(), toPath(path));
+        rememberRecent(path, FileKind::SphereMap);
         m_workspace.notices.clear(noticeSubject);
     } catch (const Error& error) {
         m_workspace.notices.set({.subject = noticeSubject, .text = QString::fromUtf8(error.what())});
@@ -325,7 +316,7 @@ QToolBar* SphereMapPanel::makeTools()
     addTool("brush", tr("Paint"), tr("Paint. A pen's pressure counts; its eraser end erases"), PaintTool::Paint);
     addTool("eraser", tr("Erase"), tr("Erase what was painted on this layer"), PaintTool::Erase);
     addTool("smudge", tr("Smudge"), tr("Push what was painted on this layer"), PaintTool::Smudge);
-    addTool("eyedropper", tr("Pick a colour"), tr("Pick a colour from the map; Alt does it with every tool"), PaintTool::PickColor);
+    addTool("eyedropper", tr("Pick a color"), tr("Pick a color from the map; Alt does it with every tool"), PaintTool::PickColor);
     bar->addSeparator();
     QAction* onModel = bar->addAction(iconOf("paint-model"), tr("Paint on the model"));
     onModel->setObjectName(QStringLiteral("paintOnModel"));
@@ -343,8 +334,8 @@ QToolBar* SphereMapPanel::makeTools()
     bar->addSeparator();
     m_color = new ColorButton;
     m_color->setMinimumWidth(44);
-    m_color->setAccessibleName(tr("Brush colour"));
-    m_color->setToolTip(tr("Colour of the paint"));
+    m_color->setAccessibleName(tr("Brush color"));
+    m_color->setToolTip(tr("Color of the paint"));
     connect(m_color, &ColorButton::edited, this, [this](const glm::dvec3& color) {
         Brush brush = m_editor.brush();
         brush.color = color;
@@ -395,7 +386,11 @@ QMenu* SphereMapPanel::makeMapMenu(QToolButton& button)
     connect(menu->addAction(tr("Open...")), &QAction::triggered, this, &SphereMapPanel::askAndOpen);
     connect(menu->addAction(tr("Link a file...")), &QAction::triggered, this, &SphereMapPanel::askAndLink);
     connect(menu->addAction(tr("Save a copy...")), &QAction::triggered, this, [this] {
-        QString path = QFileDialog::getSaveFileName(this, tr("Save the sphere map"), {}, tr("Sphere maps (*.spheremap)"));
+        const QString path =
+            askWhereToSave(
+                this, {.purpose = QStringLiteral("save"), .title = tr("Save the sphere map"), .filter = tr("Sphere maps (*.spheremap)")},
+                QStringLiteral(".spheremap"))
+                .path;
         if (!path.isEmpty())
             saveMapAs(path.endsWith(QStringLiteral(".spheremap")) ? path : path + QStringLiteral(".spheremap"));
     });
@@ -557,7 +552,7 @@ QWidget* SphereMapPanel::makeBrushPage()
     heading->setProperty("role", QStringLiteral("heading"));
     column->addWidget(heading);
     column->addWidget(m_symmetryForm);
-    auto* hint = new QLabel(tr("Right drag changes radius and hardness, [ and ] step the radius, Alt picks a colour on the disc."));
+    auto* hint = new QLabel(tr("Right drag changes radius and hardness, [ and ] step the radius, Alt picks a color on the disc."));
     hint->setWordWrap(true);
     hint->setProperty("role", QStringLiteral("footnote"));
     column->addWidget(hint);

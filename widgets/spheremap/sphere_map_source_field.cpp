@@ -1,14 +1,13 @@
 #include "sphere_map_source_field.h"
 
 #include "widgets/controls/disconnect_children.h"
+#include "widgets/controls/file_dialogs.h"
 #include "widgets/controls/image_patterns.h"
 #include "widgets/controls/text.h"
 #include "widgets/panels/preset_gallery.h"
 
 #include <QAction>
 #include <QCompleter>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QHBoxLayout>
 
 namespace mirrorball::studio {
@@ -41,8 +40,9 @@ SphereMapSourceField::SphereMapSourceField(PresetLibrary& library, QWidget* pare
     file->setObjectName(QStringLiteral("chooseFile"));
     file->setToolTip(tr("Choose a file"));
     connect(file, &QAction::triggered, this, [this, set] {
-        const QString path =
-            QFileDialog::getOpenFileName(this, tr("Choose a sphere map"), QFileInfo(m_source).path(), sphereMapFileFilter());
+        const QString path = askForFile(
+            this,
+            {.purpose = QStringLiteral("open"), .title = tr("Choose a sphere map"), .filter = sphereMapFileFilter(), .start = m_source});
         if (!path.isEmpty())
             set(path);
     });

@@ -16,6 +16,7 @@ struct LiveScene::Maker {
     std::filesystem::file_time_type meshTime{};
     std::shared_ptr<const preview::Mesh> mesh{};
     std::string meshProblem{};
+    bool isMeshKept = false; ///< the mesh is that of the file as it was before
     preview::DisplayChoice displayChoice{};
     std::shared_ptr<const preview::DisplayTransform> display{};
     std::string displayProblem{};
@@ -27,6 +28,8 @@ struct LiveScene::Maker {
             readMesh(*path, job, prepared.record);
             prepared.mesh = mesh;
             prepared.meshProblem = meshProblem;
+            if (isMeshKept)
+                prepared.keptFiles.push_back(path->string());
         }
         if (const auto choice = preview::displayChoice(scene)) {
             readDisplay(*choice, prepared.record);
@@ -57,14 +60,17 @@ private:
         const auto time = std::filesystem::last_write_time(path, missing);
         if (mesh && path == meshPath && time == meshTime)
             return;
+        const std::shared_ptr<const preview::Mesh> before = path == meshPath && (meshProblem.empty() || isMeshKept) ? mesh : nullptr;
         meshProblem.clear();
+        isMeshKept = false;
         try {
             mesh =
                 timedStage(record.stages, "read mesh", [&] { return std::make_shared<const preview::Mesh>(preview::readMesh(path, job)); });
         } catch (const Cancelled&) {
             throw;
         } catch (const Error& error) {
-            mesh = std::make_shared<const preview::Mesh>(preview::boxMesh());
+            isMeshKept = before != nullptr;
+            mesh = isMeshKept ? before : std::make_shared<const preview::Mesh>(preview::boxMesh());
             meshProblem = error.what();
         }
         meshPath = path;

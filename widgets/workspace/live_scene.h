@@ -15,8 +15,8 @@ namespace mirrorball::studio {
 
 /// A scene with its maps and the mesh that it is shown on: all that a picture needs.
 struct PreparedScene : MadeScene {
-    std::shared_ptr<const preview::Mesh> mesh{};                ///< null for a built-in body
-    std::string meshProblem{};                                  ///< why the mesh file could not be read: a box then stands in for it
+    std::shared_ptr<const preview::Mesh> mesh{}; ///< null for a built-in body
+    std::string meshProblem{};                   ///< why the mesh file could not be read: what it held before, or a box, stands in
     std::shared_ptr<const preview::DisplayTransform> display{}; ///< null for tone curve and sRGB
     std::string displayProblem{}; ///< why the display's configuration could not be used: sRGB then stands in for it
 };

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace mirrorball::studio {
 
@@ -131,6 +132,13 @@ void ProbeLibrary::removeFile(const QString& path)
         return;
     save();
     scan();
+}
+
+QStringList ProbeLibrary::missingFiles() const
+{
+    QStringList missing;
+    std::copy_if(m_files.begin(), m_files.end(), std::back_inserter(missing), [](const QString& file) { return !QFileInfo::exists(file); });
+    return missing;
 }
 
 int ProbeLibrary::rowOf(const QString& source) const

@@ -43,6 +43,8 @@ public:
     /// A single file, dropped or of a scene; once, and not when it lies in one of the folders.
     void addFile(const QString& path);
     void removeFile(const QString& path);
+    /// Single files of the list that are not there any more.
+    QStringList missingFiles() const;
     /// The row of a source, or -1.
     int rowOf(const QString& source) const;
     /// Makes the thumbnail of a file that changed anew.

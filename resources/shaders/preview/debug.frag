@@ -1,4 +1,5 @@
-// What a material is computed from: SHADING 1 wireframe, 2 normals, 3 texture coordinates, 4 seams, 5 mip levels; HAS_SPECULAR says
+// What a material is computed from: SHADING 1 wireframe, 2 normals, 3 texture coordinates, 4 seams, 5 mip levels, 6 and 7 the ground that
+// lines are drawn over; HAS_SPECULAR says
 // whether there is a map to have levels. Colours are meant for the display: neither exposed nor tone-mapped.
 #include "lib/surface_point.glsl"
 #if ENCODED // nothing comes after
@@ -70,6 +71,8 @@ void main()
     Seam s = seam(d);
     float slope = max(length(vec2(dot(s.across, dFdx(d)), dot(s.across, dFdy(d)))), 1e-6);
     color = vec4(mix(light * charts[s.chart], vec3(1.0), line(abs(dot(s.across, d)) / slope, 2.0)), 1.0);
+#elif SHADING >= 6
+    color = vec4(vec3(0.3 * light), 1.0);
 #else
 #if HAS_SPECULAR
     color = vec4(levelColor(specularLod(specularRotation * p.r, lambdaAt(lambda, lambdaGrazing, p.c))), 1.0);

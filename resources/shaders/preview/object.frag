@@ -1,6 +1,6 @@
 // The material: a map looked up by reflection, a map looked up by normal, the Fresnel term between them. What a material lacks is
 // not compiled: HAS_SPECULAR, HAS_DIFFUSE (0 or 1), FRESNEL (0 none, 1 dielectric, 2 conductor), COAT (0 add, 1 coat), LAMBDA_BY_ANGLE,
-// MARKER (0 or 1), SPHERE_USE (a painted sphere map: 0 none, 1 replace, 2 multiply, 3 over, 4 tint, 5 add), FLECKS (0 or 1).
+// MARKER (0 or 1), BRDF_LOOKUPS (how many stand for specular map and Fresnel term; 0: none), SPHERE_USE (a painted sphere map: 0 none, 1 replace, 2 multiply, 3 over, 4 tint, 5 add), FLECKS (0 or 1).
 #include "lib/fresnel.glsl"
 #include "lib/output.glsl"
 #include "lib/surface_point.glsl"
@@ -16,6 +16,10 @@
 #include "lib/environment_map.glsl"
 uniform mat3 specularRotation; // world to map
 uniform vec3 specularColor;
+#if BRDF_LOOKUPS
+#include "lib/brdf_lookups.glsl"
+uniform sampler2D brdfTable;
+#endif
 #include "lib/lambda.glsl"
 uniform float lambda;
 uniform float lambdaGrazing;
@@ -113,19 +117,37 @@ void main()
 #else
     float least = lambda;
 #endif
+#if BRDF_LOOKUPS
+    // The levels are a ggx chain, roughness sqrt(alpha) even between them. As in engines, a pixel's footprint does not choose among them: a
+    // rougher level is another material. Lambda still holds the level from below.
+    vec3 f = vec3(0.0);
+    for (int k = 0; k < BRDF_LOOKUPS; ++k) {
+        BrdfLookup lookup = brdfLookup(brdfTable, k, p.n, p.r);
+        float level = sqrt(lookup.alpha) * specularSettings.y;
+        mirrored += lookup.weight * specularRadiance(max(level, least), specularRotation * lookup.axis);
+        f += lookup.weight;
+    }
+    mirrored *= specularColor;
+#else
     mirrored = specularColor * specularRadiance(specularRotation * p.r, least);
+#endif
 #endif
 #if HAS_DIFFUSE
     diffuse = diffuseColor * diffuseRadiance(diffuseRotation * p.n, 0.0);
 #endif
-#if FRESNEL == 1
+#if HAS_SPECULAR && BRDF_LOOKUPS
+#elif FRESNEL == 1
     vec3 f = vec3(fresnelDielectric(p.c, n2m1));
 #elif FRESNEL == 2
     vec3 f = fresnelConductor(p.c, conductorN, conductorK);
 #else
     vec3 f = vec3(1.0);
 #endif
-#if COAT
+#if HAS_SPECULAR && BRDF_LOOKUPS && COAT
+    vec3 radiance = mirrored + max(1.0 - f, 0.0) * diffuse;
+#elif HAS_SPECULAR && BRDF_LOOKUPS
+    vec3 radiance = mirrored + diffuse;
+#elif COAT
     vec3 radiance = diffuse + f * (mirrored - diffuse);
 #else
     vec3 radiance = f * mirrored + diffuse;

@@ -96,7 +96,7 @@ TEST(ErrorTime, LeavesOutWhatWouldTakeTooLong)
 TEST(ParameterizationStudy, FindsNoErrorInAConstantAndTheKnownDensities)
 {
     const FilterSource probe(test::constantProbe(32, 0.5f));
-    const ParameterizationStudy study = studyParameterizations(probe, phongLobe(10), 1536, 50);
+    const ParameterizationStudy study = studyParameterizations(probe, {.lobe = phongLobe(10), .texels = 1536, .referenceDirections = 50});
     ASSERT_EQ(study.rows.size(), allParameterizations.size());
     for (const ParameterizationRow& row : study.rows) {
         EXPECT_NEAR(row.texels, 1536.0, 0.06 * 1536) << name(row.layout.kind);
@@ -104,6 +104,15 @@ TEST(ParameterizationStudy, FindsNoErrorInAConstantAndTheKnownDensities)
         EXPECT_LE(row.filteredError, 2e-6) << name(row.layout.kind);
     }
     const auto row = [&](Parameterization kind) -> const ParameterizationRow& { return study.rows[static_cast<size_t>(kind)]; };
+    for (const ParameterizationRow& r : study.rows) {
+        EXPECT_GT(r.lookupSeconds, 0.0);
+        EXPECT_FALSE(r.drawSeconds) << "nobody draws";
+    }
+    // A sphere map is stretched by 1 / cos^2(t/2) = 2 / (1 + cos t) at the angle t from its middle: by 2 on the half of the sphere that is
+    // nearer than 90 degrees, by 100 on all but the hundredth of it with 1 + cos t below 0.02, as far as rows of texels resolve that.
+    EXPECT_NEAR(row(Parameterization::Sphere).anisotropyMedian, 2.0, 0.05);
+    EXPECT_NEAR(row(Parameterization::Sphere).anisotropyP99, 100.0, 15.0);
+    EXPECT_NEAR(row(Parameterization::Paraboloid).anisotropyP99, 1.0, 1e-4) << "circles stay circles";
     EXPECT_NEAR(row(Parameterization::Sphere).densityRatio, 1.0, 1e-9); // equal areas
     // 000 section 3.1: outer pixels of a paraboloid cover a quarter of a central one's solid angle.
     const auto& paraboloid = row(Parameterization::Paraboloid).solidAngle;
@@ -150,7 +159,7 @@ TEST(Thumbnails, TheSignedErrorIsRedWhereTooBrightAndBlueWhereTooDark)
         for (int x = 0; x < 64; ++x)
             for (int c = 0; c < 3; ++c)
                 map.image.texel(x, y)[c] += x < 32 ? 0.009f : -0.009f;
-    const ErrorPicture picture = errorPicture(map, reference, 32);
+    const ErrorPicture picture = errorPicture(map, reference, {Parameterization::Latlong, 32, 0});
     EXPECT_NEAR(picture.limit, 0.01, 1e-12); // 0.009 rounded up to 1, 2 or 5
     const test::TemporaryFolder folder;
     test::writeBytes(folder / "e.png", picture.png);

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <fstream>
 
 namespace mirrorball {
 namespace {
@@ -181,6 +182,64 @@ TEST(LiveMaps, ReadAProbeAgainOnceItsFileIsAnother)
     const MadeScene made = live.update(scene, {});
     EXPECT_EQ(made.environment->image.texels.front(), 3.0f);
     EXPECT_EQ(made.probeLayout, (MapLayout{Parameterization::Latlong, 8, 0}));
+}
+
+TEST(LiveMaps, ShowWhatAFileHeldBeforeWhenItVanishesOrBreaks)
+{
+    const test::TemporaryFolder folder;
+    const std::string file = (folder / "probe.exr").string();
+    writeImage(file, Image(32, 16, 3, 2.0f));
+    Scene scene = glossyScene(20.0);
+    scene.probe.source = file;
+    LiveMaps live;
+    const MadeScene good = live.update(scene, {});
+    EXPECT_TRUE(good.keptFiles.empty());
+
+    std::filesystem::rename(file, folder / "elsewhere.exr");
+    const MadeScene gone = live.update(scene, {});
+    EXPECT_THAT(gone.problem, HasSubstr(file));
+    EXPECT_EQ(gone.keptFiles, std::vector<std::string>{file});
+    EXPECT_EQ(gone.maps.specular, good.maps.specular); // made of it, and not again
+    EXPECT_EQ(gone.environment, good.environment);
+    scene.material.specular.exponent = 3.0; // and what is edited is made of it, too
+    EXPECT_NEAR(live.update(scene, {}).maps.specular->front().image.texels.front(), 2.0f, 1e-4f);
+
+    std::ofstream(file) << "no picture";
+    EXPECT_EQ(live.update(scene, {}).keptFiles, std::vector<std::string>{file});
+    const std::string whole = test::readBytes(folder / "elsewhere.exr");
+    std::ofstream(file, std::ios::binary) << whole.substr(0, whole.size() - 40); // its header is whole
+    const MadeScene broken = live.update(scene, {});
+    if (!broken.problem.empty()) { // a reader may take such a file, and say what it lacks
+        EXPECT_EQ(broken.environment->image.texels.front(), 2.0f);
+        EXPECT_EQ(broken.keptFiles, std::vector<std::string>{file});
+    }
+
+    writeImage(file, Image(32, 16, 3, 5.0f));
+    const MadeScene back = live.update(scene, {});
+    EXPECT_EQ(back.problem, "");
+    EXPECT_TRUE(back.keptFiles.empty());
+    EXPECT_EQ(back.environment->image.texels.front(), 5.0f);
+
+    scene.probe.source = "/nowhere/lost.hdr"; // was never there
+    EXPECT_TRUE(live.update(scene, {}).keptFiles.empty());
+    EXPECT_EQ(live.update(scene, {}).environment->image.texels, placeholderProbe().image.texels);
+}
+
+TEST(LiveMaps, ShowWhatALinkedSphereMapHeldBefore)
+{
+    const test::TemporaryFolder folder;
+    const std::string file = (folder / "ball.exr").string();
+    writeImage(file, Image(16, 16, 3, 0.5f));
+    Scene scene;
+    scene.material.sphereMap.source = file;
+    LiveMaps live;
+    const MadeScene good = live.update(scene, {});
+    ASSERT_EQ(good.maps.sphereMaps.size(), 1u);
+    std::filesystem::remove(file);
+    const MadeScene gone = live.update(scene, {});
+    EXPECT_EQ(gone.maps.sphereMaps.front(), good.maps.sphereMaps.front());
+    EXPECT_EQ(gone.keptFiles, std::vector<std::string>{file});
+    EXPECT_THAT(gone.problem, HasSubstr("ball.exr"));
 }
 
 } // namespace

@@ -41,6 +41,8 @@ const std::map<std::string, Touches> classes = [] {
                               "material.fresnel.metal",
                               "material.fresnel.n",
                               "material.fresnel.k",
+                              "material.brdf.model",
+                              "material.brdf.lookups",
                               "material.combine",
                               "material.diffuse.weight",
                               "material.diffuse.color",

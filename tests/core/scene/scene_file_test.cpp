@@ -201,7 +201,7 @@ TEST_F(SceneFile, EachBadFieldIsNamedWithWhatItMustBe)
         {R"("material": {"sphere_map": {"use": "under"}})", "material.sphere_map.use", "replace, multiply, over, tint or add"},
         {R"("view": {"camera": {"pitch": 91}})", "view.camera.pitch", "from -90 to 90 degrees"},
         {R"("view": {"camera": {"distance": 0}})", "view.camera.distance", "from 0.01"},
-        {R"("view": {"tone": "aces"})", "view.tone", "none, reinhard or filmic"},
+        {R"("view": {"tone": "aces"})", "view.tone", "auto, none, reinhard or filmic"},
         {R"("view": {"background": {"kind": "red"}})", "view.background.kind", "environment, blurred, color or none"},
         {R"("view": {"width": 1e5})", "view.width", "a whole number"},
         {R"("view": {"height": 100000})", "view.height", "from 1 to 16384 pixels"},
