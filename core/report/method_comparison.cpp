@@ -12,6 +12,7 @@ namespace mirrorball {
 namespace {
 
 constexpr MapLayout original{Parameterization::Paraboloid, 128, 16};
+constexpr MapLayout summed{Parameterization::Latlong, 128, 0}; ///< what the methods are handed: it holds the original's texels
 constexpr double exponent = 100.0;
 constexpr double hierarchicalTolerance = 1e-2; ///< what an eye does not see
 
@@ -30,7 +31,7 @@ MethodComparison compareMethods(const EnvironmentMap& probe, std::shared_ptr<Par
     const JobControl inner{.stop = job.stop, .threads = job.threads};
     MethodComparison comparison{.lobe = phongLobe(exponent), .target = original};
     const EnvironmentMap unfiltered = reproject(probe, {.target = original}, inner);
-    FilterSource source(unfiltered, inner);
+    FilterSource source(reproject(unfiltered, {.target = summed}, inner));
     source.useParaboloidDevice(std::move(device));
     const PrefilterOptions classic{.lobe = comparison.lobe, .target = original, .method = Method::Reference};
     PrefilterOptions hierarchical = classic, hardware = classic;
@@ -66,7 +67,7 @@ MethodComparison compareMethods(const EnvironmentMap& probe, std::shared_ptr<Par
 double expectedComparisonSeconds(const Pace& pace)
 {
     const PrefilterOptions classic{.lobe = phongLobe(exponent), .target = original, .method = Method::Reference};
-    return pace.seconds(predictedSeconds(Method::Reference, classic, {.width = 2 * latlongHeight(original)}));
+    return pace.seconds(predictedSeconds(Method::Reference, classic, {.width = summed.width()}));
 }
 
 } // namespace mirrorball
