@@ -5,7 +5,8 @@
 #include "core/filter/prefilter.h"
 
 #include <algorithm>
-#include <tuple>
+#include <array>
+#include <utility>
 
 namespace mirrorball {
 
@@ -19,16 +20,15 @@ Pace measurePace(const JobControl& job)
     const FilterSource probe(std::move(map), quiet);
     double measured = 0.0, predicted = 0.0;
     // Long vectors, lookups that jump about, and transforms: each some hundredths of a second.
-    for (const auto& [method, share, samples] :
-         {std::tuple{Method::Reference, 1, 0}, {Method::Importance, 1, 64}, {Method::Spectral, 8, 0}}) {
-        const PrefilterOptions options{
-            .lobe = phongLobe(50.0), .target = target, .method = method, .knobs = {.samples = std::max(1, samples)}};
+    constexpr std::array<std::pair<Method, int>, 3> filters{{{Method::Reference, 1}, {Method::Importance, 1}, {Method::Spectral, 8}}};
+    for (const auto& [method, share] : filters) {
+        const PrefilterOptions options{.lobe = phongLobe(50.0), .target = target, .method = method, .knobs = {.samples = 64}};
         FilterSource source = probe;
         const auto run = [&] {
             source = probe;
             return secondsOf([&] { prefilter(source, options, quiet); });
         };
-        measured += share * repeated(3, 0.2, run).shortest();
+        measured += share * repeated(3, 0.2, run).median();
         predicted += share * predictedSeconds(method, options, traits(probe));
     }
     return {measured / predicted};

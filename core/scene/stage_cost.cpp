@@ -54,9 +54,10 @@ StageCost savingCost(const std::filesystem::path& file, std::span<const MapLayou
 {
     constexpr double perFile = 1e-3;
     const ImageFormat* format = findFormat(file);
+    const double texel = format ? format->writingSeconds : ImageFormat{}.writingSeconds;
     double sum = perFile;
     for (const MapLayout& level : levels)
-        sum += (format ? *format : ImageFormat{}).writingSeconds * texels(level);
+        sum += texel * texels(level);
     return {sum, 0};
 }
 
