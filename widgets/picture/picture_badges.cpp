@@ -69,14 +69,14 @@ void PictureBadges::follow()
         say(*m_paint, {}, {});
     else if (displayCurves(scene).object == ToneCurve::None)
         say(*m_paint, tr("Colors as painted"),
-             tr("The sphere map is shown in the colors that were painted. Click to see it through the filmic curve, as light."));
+            tr("The sphere map is shown in the colors that were painted. Click to see it through the filmic curve, as light."));
     else
         say(*m_paint, tr("Colors through a tone curve"),
-             tr("The sphere map is shown as light, through the tone curve: its colors are not those that were painted. Click to see "
-                "those."));
+            tr("The sphere map is shown as light, through the tone curve: its colors are not those that were painted. Click to see "
+               "those."));
     say(*m_level, m_workspace.sphereMap.onlyLevelText(),
-         tr("Every lookup reads this level of the sphere map, whatever its size on the screen, and strokes go to it alone. Click, or press "
-            "Escape, to show all levels."));
+        tr("Every lookup reads this level of the sphere map, whatever its size on the screen, and strokes go to it alone. Click, or press "
+           "Escape, to show all levels."));
     showKept();
     place();
 }
@@ -92,8 +92,8 @@ void PictureBadges::showKept()
         say(*m_kept, {}, {});
     else
         say(*m_kept, tr("As last read: %1").arg(names.join(QStringLiteral(", "))),
-             tr("%1\nThe picture shows what was read before. It follows when the file is there again; click to look now.")
-                 .arg(toQString(made->problem.empty() ? made->meshProblem : made->problem)));
+            tr("%1\nThe picture shows what was read before. It follows when the file is there again; click to look now.")
+                .arg(toQString(made->problem.empty() ? made->meshProblem : made->problem)));
 }
 
 void PictureBadges::place()
