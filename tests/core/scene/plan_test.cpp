@@ -364,8 +364,8 @@ TEST(Plan, EverythingCanBeAskedForAndLeavesOutNothingThatAMapOrShaderCouldNeed)
         EXPECT_EQ(all.specular->filters.front().options.target.size, scene.map.size) << "no smaller for a smooth lobe";
         EXPECT_EQ(all.diffuse->filters.front().options.target.size, scene.map.size);
         EXPECT_EQ(all.others.size(), allParameterizations.size() - 1);
-        EXPECT_NE(all.material.fresnel.kind, FresnelKind::None);
-        EXPECT_FALSE(stage(all, "fresnel term").leftOut);
+        EXPECT_EQ(all.material.fresnel.kind == FresnelKind::None, all.brdf.has_value()) << "a BRDF has its own";
+        EXPECT_EQ(stage(all, "fresnel term").leftOut, all.brdf.has_value());
         EXPECT_FALSE(stage(all, "spectrum").leftOut);
         EXPECT_TRUE(needed.others.empty());
         EXPECT_GT(total(all).seconds, total(needed).seconds) << preset.name;
