@@ -15,7 +15,7 @@ namespace {
 constexpr int fromCorner = 8; ///< pixels
 
 /// Text and explanation of a badge; without a text it is not there.
-void label(QPushButton& badge, const QString& text, const QString& help)
+void say(QPushButton& badge, const QString& text, const QString& help)
 {
     badge.setText(text);
     if (!text.isEmpty())
@@ -55,6 +55,7 @@ QPushButton* PictureBadges::add(const char* name, const QString& spoken, std::fu
     badge->setProperty("role", QStringLiteral("badge"));
     badge->setCursor(Qt::PointingHandCursor);
     badge->setAutoDefault(false);
+    badge->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the picture
     layout()->addWidget(badge);
     layout()->setAlignment(badge, Qt::AlignLeft);
     connect(badge, &QPushButton::clicked, this, std::move(act));
@@ -65,18 +66,17 @@ void PictureBadges::follow()
 {
     const Scene& scene = m_workspace.document.scene();
     if (!showsPaint(scene) || !scene.view.display.config.empty())
-        label(*m_paint, {}, {});
+        say(*m_paint, {}, {});
     else if (displayCurves(scene).object == ToneCurve::None)
-        label(*m_paint, tr("Colors as painted"),
-              tr("The sphere map is shown in the colors that were painted. Click to see it through the filmic curve, as light."));
+        say(*m_paint, tr("Colors as painted"),
+            tr("The sphere map is shown in the colors that were painted. Click to see it through the filmic curve, as light."));
     else
-        label(*m_paint, tr("Colors through a tone curve"),
-              tr("The sphere map is shown as light, through the tone curve: its colors are not those that were painted. Click to see "
-                 "those."));
-    label(*m_level, m_workspace.sphereMap.onlyLevelText(),
-          tr("Every lookup reads this level of the sphere map, however small it is on the screen, and strokes go to it alone. Click, or "
-             "press "
-             "Escape, to show all levels."));
+        say(*m_paint, tr("Colors through a tone curve"),
+            tr("The sphere map is shown as light, through the tone curve: its colors are not those that were painted. Click to see "
+               "those."));
+    say(*m_level, m_workspace.sphereMap.onlyLevelText(),
+        tr("Every lookup reads this level of the sphere map, whatever its size on the screen, and strokes go to it alone. Click, or press "
+           "Escape, to show all levels."));
     showKept();
     place();
 }
@@ -89,11 +89,11 @@ void PictureBadges::showKept()
         for (const std::string& file : made->keptFiles)
             names << QFileInfo(toQString(file)).fileName();
     if (names.isEmpty())
-        label(*m_kept, {}, {});
+        say(*m_kept, {}, {});
     else
-        label(*m_kept, tr("As last read: %1").arg(names.join(QStringLiteral(", "))),
-              tr("%1\nThe picture shows what was read before. It follows when the file is there again; click to look now.")
-                  .arg(toQString(made->problem.empty() ? made->meshProblem : made->problem)));
+        say(*m_kept, tr("As last read: %1").arg(names.join(QStringLiteral(", "))),
+            tr("%1\nThe picture shows what was read before. It follows when the file is there again; click to look now.")
+                .arg(toQString(made->problem.empty() ? made->meshProblem : made->problem)));
 }
 
 void PictureBadges::place()
