@@ -289,6 +289,7 @@ void MainWindow::arrange()
     resize(QSize(1440, 900).boundedTo(screen()->availableSize() - QSize(16, 48)));
     resizeDocks({dock(QStringLiteral("probes")), dock(QStringLiteral("material"))}, {300, 340}, Qt::Horizontal);
     resizeDocks({dock(QStringLiteral("plan"))}, {height() / 5}, Qt::Vertical);
+    resizeDocks({dock(QStringLiteral("probes")), dock(QStringLiteral("map"))}, {2 * height() / 5, 3 * height() / 5}, Qt::Vertical);
     m_firstLayout = saveState(layoutVersion);
     const QSettings settings;
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());

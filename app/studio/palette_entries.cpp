@@ -79,8 +79,10 @@ bool isControl(const QWidget& widget)
     return isOne && !isPart && widget.focusPolicy() != Qt::NoFocus;
 }
 
-QString nameOf(const QWidget& widget)
+QString nameOf(QWidget& widget)
 {
+    if (auto* number = qobject_cast<NumberField*>(&widget))
+        return number->box()->accessibleName();
     if (!widget.accessibleName().isEmpty())
         return widget.accessibleName();
     if (const auto* button = qobject_cast<const QAbstractButton*>(&widget))

@@ -4,7 +4,11 @@
 #include <QStyleFactory>
 
 // The macro must stand outside of namespaces.
-static void initializeResources() { Q_INIT_RESOURCE(studio); }
+static void initializeResources()
+{
+    Q_INIT_RESOURCE(studio);
+    Q_INIT_RESOURCE(shipped);
+}
 
 namespace mirrorball::studio {
 

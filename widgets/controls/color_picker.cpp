@@ -148,7 +148,7 @@ void ColorPicker::makeNumbers()
     connect(m_kelvin, &NumberField::edited, this,
             [this](double kelvin) { choose(glm::round(blackBody(kelvin) * std::exp2(m_ev->value()) * 1e5) / 1e5); });
     connect(m_hex, &QLineEdit::editingFinished, this, [this] {
-        if (const std::optional<QColor> typed = colorOfHex(m_hex->text()); typed && *typed != m_shown) {
+        if (const std::optional<QColor> typed = colorOfHex(m_hex->text()); typed && typed->rgb() != m_shown.rgb()) {
             chooseShown(*typed);
             finish();
         }
@@ -235,6 +235,7 @@ void ColorPicker::edit(ColorButton& button)
             show(linear);
     });
     connect(&button, &QObject::destroyed, this, [this] {
+        m_target.clear(); // a field that loses the keys below must not write to it
         setEnabled(false);
         m_name->setText(tr("Click a swatch to choose its color here."));
     });

@@ -183,7 +183,7 @@ QWidget* MapPanel::makeLayoutRow()
     m_kind->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_kind->setMinimumContentsLength(8);
     m_compare->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_compare->setMinimumContentsLength(9);
+    m_compare->setMinimumContentsLength(8);
     layout->addWidget(m_kind, 0, 0);
     layout->addWidget(m_size, 0, 1, 1, 2);
     layout->addWidget(m_compare, 1, 0);
@@ -250,7 +250,7 @@ QWidget* MapPanel::makeViewRow()
     first->addWidget(fit);
     for (QComboBox* list : {m_colors, m_tint}) {
         list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        list->setMinimumContentsLength(7);
+        list->setMinimumContentsLength(5);
     }
     m_exposure =
         new NumberField({.low = -64, .high = 64, .sliderLow = -10, .sliderHigh = 10, .initial = 0.0, .step = 0.25, .unit = tr("EV")});
@@ -258,7 +258,7 @@ QWidget* MapPanel::makeViewRow()
     m_exposure->describe(tr("Map exposure"), tr("Brightness of the map here; in false colors it moves the scale"));
     layout->addLayout(first);
     auto* exposure = new QHBoxLayout;
-    exposure->addWidget(new QLabel(tr("Map exposure")));
+    exposure->addWidget(new QLabel(tr("Exposure"))); // of the map, as its control's own name says
     exposure->addWidget(m_exposure, 1);
     layout->addLayout(exposure);
 

@@ -14,6 +14,7 @@
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSplitter>
+#include <QStyle>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -145,7 +146,7 @@ ReportPanel::ReportPanel(Workspace& workspace, QWidget* parent)
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setMinimumWidth(216);
+    scroll->setMinimumWidth(std::max(216, side->minimumSizeHint().width() + style()->pixelMetric(QStyle::PM_ScrollBarExtent) + 2));
     scroll->setMinimumHeight(90);
     // Side by side below the picture, one above the other in a narrow dock.
     m_splitter->setChildrenCollapsible(false);

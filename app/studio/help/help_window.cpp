@@ -39,11 +39,13 @@ void fitPictures(QTextBrowser& browser)
             QTextImageFormat format = part.fragment().charFormat().toImageFormat();
             if (!format.isValid())
                 continue;
-            const QImage picture = browser.document()->resource(QTextDocument::ImageResource, QUrl(format.name())).value<QImage>();
-            if (picture.width() <= widest)
+            const QVariant picture = browser.document()->resource(QTextDocument::ImageResource, QUrl(format.name()));
+            const QSizeF size =
+                picture.canConvert<QPixmap>() ? QSizeF(picture.value<QPixmap>().size()) : QSizeF(picture.value<QImage>().size());
+            if (size.width() <= widest)
                 continue;
             format.setWidth(widest);
-            format.setHeight(widest * picture.height() / picture.width());
+            format.setHeight(widest * size.height() / size.width());
             QTextCursor cursor(browser.document());
             cursor.setPosition(part.fragment().position());
             cursor.setPosition(part.fragment().position() + part.fragment().length(), QTextCursor::KeepAnchor);
