@@ -46,6 +46,11 @@ static bool operate(QWidget* control)
         emit color->finished();
         return true;
     }
+    if (auto* line = qobject_cast<QLineEdit*>(control)) { // the only text of these panels is a BRDF
+        line->setText(QStringLiteral("ggx:alpha=0.25"));
+        emit line->editingFinished();
+        return true;
+    }
     if (auto* box = control->findChild<NumberBox*>()) { // three numbers
         box->stepUp();
         return true;
