@@ -382,6 +382,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>bounds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>blurred</source>
         <translation type="unfinished"></translation>
     </message>
@@ -586,7 +590,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>curve that brings radiance to the display</source>
+        <source>curve that brings radiance to the display; auto: a sphere map that replaces the material is shown as it was painted, all else through filmic</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1314,6 +1318,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>normal-lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>normals</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2030,7 +2038,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the material, or what it is computed from: triangles, normals, texture coordinates, seams or levels of the map</source>
+        <source>the material, or what it is computed from: triangles, normals as colors or as lines, texture coordinates, seams or levels of the map, the bounding box</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -55,6 +55,7 @@ QPushButton* PictureBadges::add(const char* name, const QString& spoken, std::fu
     badge->setProperty("role", QStringLiteral("badge"));
     badge->setCursor(Qt::PointingHandCursor);
     badge->setAutoDefault(false);
+    badge->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the picture
     layout()->addWidget(badge);
     layout()->setAlignment(badge, Qt::AlignLeft);
     connect(badge, &QPushButton::clicked, this, std::move(act));
@@ -74,8 +75,7 @@ void PictureBadges::follow()
               tr("The sphere map is shown as light, through the tone curve: its colors are not those that were painted. Click to see "
                  "those."));
     label(*m_level, m_workspace.sphereMap.onlyLevelText(),
-          tr("Every lookup reads this level of the sphere map, however small it is on the screen, and strokes go to it alone. Click, or "
-             "press "
+          tr("Every lookup reads this level of the sphere map, whatever its size on the screen, and strokes go to it alone. Click, or press "
              "Escape, to show all levels."));
     showKept();
     place();

@@ -44,7 +44,7 @@ void SphereMapEditor::showOnly(std::optional<int> level)
 void SphereMapEditor::showLevel(Image average)
 {
     const int level = m_onlyLevel.value_or(0);
-    if (level == 0)
+    if (level == 0 || !m_map)
         return;
     const int size = m_size >> level;
     const auto coarser = static_cast<size_t>(level - 1);
