@@ -74,9 +74,10 @@ void PictureBadges::follow()
         label(*m_paint, tr("Colors through a tone curve"),
               tr("The sphere map is shown as light, through the tone curve: its colors are not those that were painted. Click to see "
                  "those."));
-    label(*m_level, m_workspace.sphereMap.onlyLevelText(),
-          tr("Every lookup reads this level of the sphere map, whatever its size on the screen, and strokes go to it alone. Click, or press "
-             "Escape, to show all levels."));
+    label(
+        *m_level, m_workspace.sphereMap.onlyLevelText(),
+        tr("Every lookup reads this level of the sphere map, whatever its size on the screen, and strokes go to it alone. Click, or press "
+           "Escape, to show all levels."));
     showKept();
     place();
 }
