@@ -149,7 +149,8 @@ void addReportCommand(CLI::App& program, int argc, const char* const* argv)
     command->add_option("--to", o->to, "parameterization of the filtered maps (KIND)");
     command->add_option("--size", o->size, "size of the filtered maps, as in filter")->check(anEdge());
     command->add_flag("--stability", o->stability, "add the tables of extreme cases to the parts");
-    command->add_flag("--quick", o->quick, "few settings and repeats, a coarse reference, no growth of cost: seconds instead of minutes");
+    command->add_flag("--quick", o->quick,
+                      "few settings and repeats, a coarse reference, no growth of cost: some seconds for one probe and one lobe");
     ReportOptions::visitFields(o->report, [&](const Field& field, auto& member) {
         std::string help(field.help);
         if (!field.unit.empty())

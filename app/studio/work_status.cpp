@@ -29,9 +29,9 @@ WorkStatus::WorkStatus(QStatusBar& bar, Workspace& workspace, PreviewWidget& pre
         if (!m_soon.isActive())
             m_soon.start();
     };
-    connect(&m_workspace.document, &Document::changed, this, [this, soon] {
+    connect(&m_workspace.document, &Document::changed, this, [this] { // maps and picture know of it already
         m_wasStopped = false;
-        soon();
+        look();
     });
     connect(&m_workspace.document, &Document::dragFinished, this, soon);
     connect(&m_workspace.live, &LiveScene::updated, this, soon);

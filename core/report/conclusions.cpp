@@ -223,7 +223,7 @@ void parameterizations(const Report& report, std::vector<std::string>& sentences
                      milliseconds(*draw.back()->drawSeconds) + " (" + kind(draw.back()) + ")";
         sentences.push_back(costs + ".");
         std::string evenness = "Texels are most even in area in the " + kind(even) + " map (" + shortNumber(even->densityRatio, 3) +
-                               " to 1), where on a hundredth of the sphere they are stretched by " + shortNumber(even->anisotropyP99, 2) +
+                               " to 1), where on a hundredth of the sphere they are stretched by " + shortNumber(even->anisotropyP99) +
                                " to 1 and more";
         evenness += even == least ? "; its filtered lookups lose least, too."
                                   : ", and its filtered lookups lose " + times(even->filteredError / least->filteredError) +

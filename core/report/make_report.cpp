@@ -108,7 +108,7 @@ void measureFirstProbe(const ReportOptions& options, const FilterSource& probe, 
                   [&](const JobControl& job) { report.kernelTable = measureKernelTable(probe, kernelTableOptions(options), job); });
     if (options.has(ReportPart::Comparison))
         times.run(ReportPart::Comparison, 1,
-                  [&](const JobControl& job) { report.comparison = compareMethods(*probe.latlong(), options.device, job); });
+                  [&](const JobControl& job) { report.comparison = compareMethods(*probe.latlong(), comparisonOptions(options), job); });
 }
 
 void measure(const ReportOptions& options, PartTimes& times, const JobControl& job, Report& report)

@@ -11,7 +11,9 @@ namespace mirrorball {
 
 namespace {
 
-constexpr MapLayout original{Parameterization::Paraboloid, 128, 16};
+MapLayout originalLayout(const MethodComparisonOptions& options) { return {Parameterization::Paraboloid, options.size, options.border}; }
+/// What the methods are handed: as many texels as the original has.
+MapLayout summedLayout(const MethodComparisonOptions& options) { return {Parameterization::Latlong, options.size, 0}; }
 constexpr double exponent = 100.0;
 constexpr double hierarchicalTolerance = 1e-2; ///< what an eye does not see
 
@@ -25,13 +27,14 @@ ComparedMap filtered(FilterSource source, const PrefilterOptions& options, std::
 
 } // namespace
 
-MethodComparison compareMethods(const EnvironmentMap& probe, std::shared_ptr<ParaboloidDevice> device, const JobControl& job)
+MethodComparison compareMethods(const EnvironmentMap& probe, const MethodComparisonOptions& options, const JobControl& job)
 {
+    const MapLayout original = originalLayout(options);
     const JobControl inner{.stop = job.stop, .threads = job.threads};
     MethodComparison comparison{.lobe = phongLobe(exponent), .target = original};
     const EnvironmentMap unfiltered = reproject(probe, {.target = original}, inner);
-    FilterSource source(unfiltered, inner);
-    source.useParaboloidDevice(std::move(device));
+    FilterSource source(reproject(unfiltered, {.target = summedLayout(options)}, inner));
+    source.useParaboloidDevice(options.device);
     const PrefilterOptions classic{.lobe = comparison.lobe, .target = original, .method = Method::Reference};
     PrefilterOptions hierarchical = classic, hardware = classic;
     hierarchical.method = Method::Hierarchical;
@@ -63,10 +66,10 @@ MethodComparison compareMethods(const EnvironmentMap& probe, std::shared_ptr<Par
     return comparison;
 }
 
-double expectedComparisonSeconds(const Pace& pace)
+double expectedComparisonSeconds(const MethodComparisonOptions& options, const Pace& pace)
 {
-    const PrefilterOptions classic{.lobe = phongLobe(exponent), .target = original, .method = Method::Reference};
-    return pace.seconds(predictedSeconds(Method::Reference, classic, {.width = 2 * latlongHeight(original)}));
+    const PrefilterOptions classic{.lobe = phongLobe(exponent), .target = originalLayout(options), .method = Method::Reference};
+    return pace.seconds(predictedSeconds(Method::Reference, classic, {.width = summedLayout(options).width()}));
 }
 
 } // namespace mirrorball

@@ -1,5 +1,7 @@
 #include "method_race.h"
 
+#include "pace.h"
+
 #include "core/base/error.h"
 #include "core/filter/prefilter.h"
 #include "core/image/map_picture.h"
@@ -27,9 +29,12 @@ MethodRace::MethodRace(FilterSource probe, Lobe lobe, const MethodRaceOptions& o
         const PrefilterOptions filter = setting.options(m_lobe, options.target);
         return refusal(setting.method, filter, traits(m_probe)).empty() ? planPrefilter(filter, traits(m_probe)).predictedSeconds : 0.0;
     };
+    const Pace pace = measurePace(job);
     std::vector<std::pair<double, MethodSetting>> order;
     for (MethodSetting& setting : m_settings) {
-        const double seconds = predicted(setting);
+        const double seconds = predicted(setting), run = pace.seconds(seconds);
+        if (seconds <= m_options.longest)
+            m_expectedSeconds += repeats(m_options.repeats, m_options.longest, run) * run;
         order.emplace_back(seconds, std::move(setting));
     }
     std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });

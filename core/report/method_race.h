@@ -46,6 +46,8 @@ public:
     RacePoint reference() const;
     /// @throws Cancelled
     RacePoint measure(const MethodSetting& setting, const JobControl& job = {}) const;
+    /// What measuring all settings is expected to take, in seconds of the clock, as busy as the machine was when the race was made.
+    double expectedSeconds() const { return m_expectedSeconds; }
     const Lobe& lobe() const { return m_lobe; }
     const MethodRaceOptions& options() const { return m_options; }
 
@@ -55,6 +57,7 @@ private:
     MethodRaceOptions m_options;
     ReferenceSamples m_reference{};
     std::vector<MethodSetting> m_settings{};
+    double m_expectedSeconds = 0.0;
 };
 
 /// A map minus the best that is known of it: mostExactMap() in the map's layout. @throws as that

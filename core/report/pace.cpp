@@ -1,27 +1,37 @@
 #include "pace.h"
 
-#include "reference_samples.h"
 #include "run_times.h"
 
-#include "core/filter/prediction.h"
-#include "core/filter/reference.h"
+#include "core/filter/prefilter.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
 
 namespace mirrorball {
 
 Pace measurePace(const JobControl& job)
 {
-    constexpr MapLayout layout{Parameterization::Latlong, 64, 0};
-    const MapLayout target{Parameterization::Octahedral, 16, 0};
+    constexpr MapLayout layout{Parameterization::Latlong, 128, 0};
+    const MapLayout target{Parameterization::Cube, 16, 0};
     const JobControl quiet{.stop = job.stop, .threads = job.threads};
-    EnvironmentMap probe(layout);
-    std::fill(probe.image.texels.begin(), probe.image.texels.end(), 1.0f);
-    const Lobe lobe = phongLobe(50.0);
-    const std::vector<glm::dvec3> directions = evenDirections(target.width() * target.height());
-    const auto sum = [&] { return secondsOf([&] { referenceSum(probe, lobe, directions, quiet); }); };
-    sum(); // warms up
-    const double measured = repeated(5, 0.5, sum).median();
-    const PrefilterOptions options{.lobe = lobe, .target = target, .method = Method::Reference};
-    return {measured / predictedSeconds(Method::Reference, options, {.width = layout.width()})};
+    EnvironmentMap map(layout);
+    std::fill(map.image.texels.begin(), map.image.texels.end(), 1.0f);
+    const FilterSource probe(std::move(map), quiet);
+    double measured = 0.0, predicted = 0.0;
+    // Long vectors, lookups that jump about, and transforms: each some hundredths of a second.
+    constexpr std::array<std::pair<Method, int>, 3> filters{{{Method::Reference, 1}, {Method::Importance, 1}, {Method::Spectral, 8}}};
+    for (const auto& [method, share] : filters) {
+        const PrefilterOptions options{.lobe = phongLobe(50.0), .target = target, .method = method, .knobs = {.samples = 64}};
+        FilterSource source = probe;
+        const auto run = [&] {
+            source = probe;
+            return secondsOf([&] { prefilter(source, options, quiet); });
+        };
+        measured += share * repeated(3, 0.2, run).median();
+        predicted += share * predictedSeconds(method, options, traits(probe));
+    }
+    return {measured / predicted};
 }
 
 } // namespace mirrorball

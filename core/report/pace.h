@@ -11,7 +11,7 @@ struct Pace {
     double seconds(double predicted) const { return slowness * predicted; }
 };
 
-/// Times a small reference sum, a few hundredths of a second of work. @throws Cancelled
+/// Times three small filters, some hundredths of a second each. @throws Cancelled
 Pace measurePace(const JobControl& job = {});
 
 } // namespace mirrorball

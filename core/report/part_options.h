@@ -49,6 +49,8 @@ inline KernelTableOptions kernelTableOptions(const ReportOptions& options)
     return {.tolerance = options.tolerance, .repeats = options.repeats, .longest = options.longest, .drawer = options.drawer};
 }
 
+inline MethodComparisonOptions comparisonOptions(const ReportOptions& options) { return {.device = options.device}; }
+
 inline StabilityScale stabilityScale(const ReportOptions& options)
 {
     return options.sweep == Sweep::Few ? StabilityScale::Small : StabilityScale::Large;

@@ -69,7 +69,7 @@ ReportForecast forecastReport(const ReportOptions& options, const Pace& pace)
             seconds = expectedKernelTableSeconds(probes.front().traits, kernelTableOptions(options), pace);
             break;
         case ReportPart::Comparison:
-            seconds = expectedComparisonSeconds(pace);
+            seconds = expectedComparisonSeconds(comparisonOptions(options), pace);
             break;
         case ReportPart::Distortion:
             break;
@@ -93,6 +93,8 @@ std::string durationText(double seconds)
 
 std::string describe(const ReportForecast& forecast)
 {
+    if (forecast.seconds() < 0.1)
+        return "a moment";
     std::string text = "about " + durationText(forecast.seconds());
     if (forecast.parts.size() < 2)
         return text;

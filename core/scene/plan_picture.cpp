@@ -63,10 +63,12 @@ PlannedMaterial planMaterial(const Material& material, PlanExtent extent)
                             .diffuse = material.diffuse.weight * material.diffuse.color,
                             .fresnel = material.brdf.isNone() ? fresnelTerm(material.fresnel) : Fresnel{},
                             .combine = material.combine};
-    if (!material.brdf.isNone()) // its albedo takes the place of F, and changes with the view
-        return planned;
     if (extent == PlanExtent::Everything)
-        return withNothingFolded(planned);
+        planned = withNothingFolded(planned);
+    if (!material.brdf.isNone()) // its albedo takes the place of F, and changes with the view
+        planned.fresnel = {};
+    if (extent == PlanExtent::Everything || !material.brdf.isNone())
+        return planned;
     if (const auto f = constantReflectance(planned.fresnel)) {
         planned.specular *= *f;
         if (planned.combine == Combine::Coat)

@@ -4901,7 +4901,7 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Measuring %1 ...</source>
+        <source>Measuring %1 ... (about %2 for all settings)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -11,6 +11,7 @@
 #include "app/studio/samples.h"
 #include "core/image/builtin_probes.h"
 #include "core/image/image_io.h"
+#include "widgets/controls/color_button.h"
 #include "widgets/controls/number_field.h"
 #include "widgets/controls/text.h"
 #include "widgets/exports/export_dialog.h"
@@ -71,14 +72,16 @@ void HelpTest::everyDockOpensAPageByF1()
 {
     StudioWindow window;
     window.show();
+    QTest::mouseClick(window->findChild<ColorButton*>(QStringLiteral("material.diffuse.color")), Qt::LeftButton); // the picker has work
     for (const DockEntry& entry : dockEntries()) {
         QDockWidget* dock = window->dock(QLatin1String(entry.id));
         dock->show();
         dock->raise();
         QTRY_VERIFY(dock->widget()->isVisible());
         const auto controls = dock->widget()->findChildren<QWidget*>();
-        const auto control = std::find_if(controls.begin(), controls.end(),
-                                          [](const QWidget* w) { return w->isVisible() && w->focusPolicy() & Qt::TabFocus; });
+        const auto control = std::find_if(controls.begin(), controls.end(), [](const QWidget* w) {
+            return w->isVisible() && w->isEnabled() && w->focusPolicy() & Qt::TabFocus;
+        });
         QVERIFY2(control != controls.end(), entry.id);
         (*control)->setFocus();
         QTest::keyClick(*control, Qt::Key_F1);

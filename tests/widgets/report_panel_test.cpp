@@ -128,6 +128,7 @@ void ReportPanelTest::givesWayToADragAndGoesOnAfterIt()
 {
     ShownPanel shown;
     QVERIFY(shown.isReady);
+    QTRY_VERIFY_WITH_TIMEOUT(shown.panel->statusText().contains(QStringLiteral("for all settings")), patience); // how long it will take
     QTRY_VERIFY_WITH_TIMEOUT(shown.panel->points().size() >= 2, patience);
     const size_t before = shown.panel->points().size();
     shown.workspace.document.edit(QStringLiteral("orbit"), QStringLiteral("orbit"), [](Scene& s) { s.view.camera.yawDeg += 1.0; });

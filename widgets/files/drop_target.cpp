@@ -35,9 +35,13 @@ void DropTarget::addPlace(QWidget& widget, PlaceOf place)
     m_places.push_back({&widget, std::move(place), new DropMark(widget)});
 }
 
+/// Floating docks are windows of their own, and still of this one; dialogs take their own drops.
 bool DropTarget::isOfWindow(const QWidget& widget) const
 {
-    return &widget == &m_window || (m_window.isAncestorOf(&widget) && !qobject_cast<const QDialog*>(widget.window()));
+    for (const QWidget* at = &widget; at && !qobject_cast<const QDialog*>(at); at = at->parentWidget())
+        if (at == &m_window)
+            return true;
+    return false;
 }
 
 /// The innermost place at a position of a widget; null: none.

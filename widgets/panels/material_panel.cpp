@@ -14,6 +14,7 @@
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -212,9 +213,10 @@ void MaterialPanel::addBrdf()
                          .isText = true,
                          .suggestions = {QStringLiteral("ggx:roughness=0.5,metal=gold"), QStringLiteral("ggx:roughness=0.4,ior=1.5"),
                                          QStringLiteral("beckmann:alpha=0.25,metal=aluminium"),
-                                         QStringLiteral("ward:alpha=0.2,metal=copper"), QStringLiteral("phong:exponent=50")},
-                         .fileFilter = tr("Measured BRDFs (*.binary *.brdf *.csv *.txt)")}},
+                                         QStringLiteral("ward:alpha=0.2,metal=copper"), QStringLiteral("phong:exponent=50")}}},
                        {"lookups", {.label = tr("Lookups"), .isShown = [](const Scene& scene) { return !hasNoBrdf(scene); }}}});
+    if (auto* model = qobject_cast<QLineEdit*>(m_form->control(QStringLiteral("material.brdf.model"))))
+        model->setPlaceholderText(tr("none: a model or a measured file"));
 }
 
 // Kind and size of the map have their place in the map's dock.

@@ -4,6 +4,7 @@
 #include "widgets/controls/options_form.h"
 #include "widgets/controls/text.h"
 
+#include "core/report/report_forecast.h"
 #include "core/scene/scene_dependencies.h"
 
 #include <QClipboard>
@@ -334,7 +335,8 @@ void ReportPanel::measureNext(size_t setting)
                    .arg(measured));
         return;
     }
-    m_status->setText(tr("Measuring %1 ...").arg(toQString(name(m_race->settings()[setting].method))));
+    m_status->setText(tr("Measuring %1 ... (about %2 for all settings)")
+                          .arg(toQString(name(m_race->settings()[setting].method)), toQString(durationText(m_race->expectedSeconds()))));
     m_runner.start([race = m_race, setting](const JobControl& job) { return race->measure(race->settings()[setting], job); },
                    [this, setting](const RacePoint& point) {
                        add(point);

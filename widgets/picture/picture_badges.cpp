@@ -15,7 +15,7 @@ namespace {
 constexpr int fromCorner = 8; ///< pixels
 
 /// Text and explanation of a badge; without a text it is not there.
-void label(QPushButton& badge, const QString& text, const QString& help)
+void say(QPushButton& badge, const QString& text, const QString& help)
 {
     badge.setText(text);
     if (!text.isEmpty())
@@ -66,16 +66,15 @@ void PictureBadges::follow()
 {
     const Scene& scene = m_workspace.document.scene();
     if (!showsPaint(scene) || !scene.view.display.config.empty())
-        label(*m_paint, {}, {});
+        say(*m_paint, {}, {});
     else if (displayCurves(scene).object == ToneCurve::None)
-        label(*m_paint, tr("Colors as painted"),
-              tr("The sphere map is shown in the colors that were painted. Click to see it through the filmic curve, as light."));
+        say(*m_paint, tr("Colors as painted"),
+            tr("The sphere map is shown in the colors that were painted. Click to see it through the filmic curve, as light."));
     else
-        label(*m_paint, tr("Colors through a tone curve"),
-              tr("The sphere map is shown as light, through the tone curve: its colors are not those that were painted. Click to see "
-                 "those."));
-    label(
-        *m_level, m_workspace.sphereMap.onlyLevelText(),
+        say(*m_paint, tr("Colors through a tone curve"),
+            tr("The sphere map is shown as light, through the tone curve: its colors are not those that were painted. Click to see "
+               "those."));
+    say(*m_level, m_workspace.sphereMap.onlyLevelText(),
         tr("Every lookup reads this level of the sphere map, whatever its size on the screen, and strokes go to it alone. Click, or press "
            "Escape, to show all levels."));
     showKept();
@@ -90,11 +89,11 @@ void PictureBadges::showKept()
         for (const std::string& file : made->keptFiles)
             names << QFileInfo(toQString(file)).fileName();
     if (names.isEmpty())
-        label(*m_kept, {}, {});
+        say(*m_kept, {}, {});
     else
-        label(*m_kept, tr("As last read: %1").arg(names.join(QStringLiteral(", "))),
-              tr("%1\nThe picture shows what was read before. It follows when the file is there again; click to look now.")
-                  .arg(toQString(made->problem.empty() ? made->meshProblem : made->problem)));
+        say(*m_kept, tr("As last read: %1").arg(names.join(QStringLiteral(", "))),
+            tr("%1\nThe picture shows what was read before. It follows when the file is there again; click to look now.")
+                .arg(toQString(made->problem.empty() ? made->meshProblem : made->problem)));
 }
 
 void PictureBadges::place()
@@ -107,12 +106,13 @@ bool PictureBadges::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::Resize)
         place();
-    else if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape &&
-             m_workspace.sphereMap.onlyLevel()) {
+    const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+    if (!isKey || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape || !m_workspace.sphereMap.onlyLevel())
+        return QWidget::eventFilter(watched, event);
+    event->accept(); // before the shortcut that stops work
+    if (event->type() == QEvent::KeyPress)
         m_workspace.sphereMap.showOnly(std::nullopt);
-        return true;
-    }
-    return QWidget::eventFilter(watched, event);
+    return true;
 }
 
 } // namespace mirrorball::studio

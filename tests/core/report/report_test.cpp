@@ -109,9 +109,10 @@ TEST(ParameterizationStudy, FindsNoErrorInAConstantAndTheKnownDensities)
         EXPECT_FALSE(r.drawSeconds) << "nobody draws";
     }
     // A sphere map is stretched by 1 / cos^2(t/2) = 2 / (1 + cos t) at the angle t from its middle: by 2 on the half of the sphere that is
-    // nearer than 90 degrees, by 100 on all but the hundredth of it with 1 + cos t below 0.02, as far as rows of texels resolve that.
+    // nearer than 90 degrees, by 100 on all but the hundredth of it with 1 + cos t below 0.02, as far as texels resolve that.
     EXPECT_NEAR(row(Parameterization::Sphere).anisotropyMedian, 2.0, 0.05);
-    EXPECT_NEAR(row(Parameterization::Sphere).anisotropyP99, 100.0, 15.0);
+    EXPECT_GT(row(Parameterization::Sphere).anisotropyP99, 50.0); // a hundredth is a dozen texels of 39 x 39
+    EXPECT_LT(row(Parameterization::Sphere).anisotropyP99, 200.0);
     EXPECT_NEAR(row(Parameterization::Paraboloid).anisotropyP99, 1.0, 1e-4) << "circles stay circles";
     EXPECT_NEAR(row(Parameterization::Sphere).densityRatio, 1.0, 1e-9); // equal areas
     // 000 section 3.1: outer pixels of a paraboloid cover a quarter of a central one's solid angle.

@@ -108,7 +108,7 @@ Scene changed(const Scene& scene, const FieldEntry& entry)
         values.push_back(std::to_string(low + share * (high - low)));
     for (const double share : {0.25, 0.5, 0.75})
         values.push_back(std::to_string(static_cast<int>(low + share * (high - low))));
-    for (const char* word : {"torus", "silver", "jade", "[0.125, 0.25, 0.5]"})
+    for (const char* word : {"torus", "silver", "jade", "ggx:alpha=0.25", "[0.125, 0.25, 0.5]"})
         values.emplace_back(word);
     for (const std::string& value : values) {
         Scene other = scene;

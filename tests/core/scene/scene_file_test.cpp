@@ -60,7 +60,10 @@ struct Changer {
     }
     void operator()(const Field&, int& value) { value += 3; }
     void operator()(const Field&, bool& value) { value = !value; }
-    void operator()(const Field&, std::string& value) { value = value == "gold" ? "custom" : value + "é \" x"; }
+    void operator()(const Field& field, std::string& value)
+    {
+        value = value == "gold" ? "custom" : field.name == "model" ? "ggx:alpha=0.25" : value + "é \" x";
+    }
     void operator()(const Field&, glm::dvec3& value) { value += glm::dvec3(0.1, 1.0 / 3, 2e-7); }
     void operator()(const Field&, std::optional<Parameterization>& value) { value = Parameterization::Angular; }
     void operator()(const Field&, Parameterization& value) { value = Parameterization::Paraboloid; }
