@@ -117,6 +117,7 @@ void PaintedLevelTest::aStrokeOnTheModelIsSeenWhileItIsDrawn()
     Brush brush = levels.editor().brush();
     brush.color = {1.0, 0.0, 0.0};
     brush.radius = 0.2;
+    brush.flow = brush.hardness = 1.0; // one dab covers
     levels.editor().setBrush(brush);
     PreviewWidget& preview = levels.window().preview();
     const QPoint middle = preview.rect().center();

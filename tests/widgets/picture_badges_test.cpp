@@ -69,6 +69,7 @@ void PictureBadgesTest::aProbeThatVanishesStaysInThePictureUnderItsName()
     window.show();
     QVERIFY(dropFiles(*window, {QString::fromStdString(probe.string())}));
     const QImage good = window.picture();
+    const MapLevels maps = window->workspace().live.made()->maps.specular;
     auto* badge = window.preview().findChild<QPushButton*>(QStringLiteral("keptBadge"));
     QVERIFY(badge && !badge->isVisible());
 
@@ -76,16 +77,17 @@ void PictureBadgesTest::aProbeThatVanishesStaysInThePictureUnderItsName()
     QTRY_VERIFY_WITH_TIMEOUT(badge->isVisible(), 10000);
     QVERIFY2(badge->text().contains(QStringLiteral("room.hdr")), qPrintable(badge->text()));
     QVERIFY2(badge->toolTip().contains(QStringLiteral("room.hdr")), qPrintable(badge->toolTip()));
-    QCOMPARE(largestDifference(window.picture(), good), 0);
+    const QImage kept = window.picture(); // a little lower: the problem is named above it
+    QVERIFY(window->workspace().live.made()->maps.specular == maps);
     keepScreenshot(*window, QStringLiteral("probe-as-last-read"));
     window.document().edit(QStringLiteral("glossy"), {}, [](Scene& scene) { scene.material.specular.lobe = SurfaceLobe::Phong; });
-    QVERIFY(largestDifference(window.picture(), good) > 20); // work goes on
+    QVERIFY(largestDifference(window.picture(), kept) > 20); // work goes on
     window.document().undoStack().undo();
 
     std::filesystem::rename(away, probe);
     QTest::mouseClick(badge, Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(!badge->isVisible(), 10000);
-    QCOMPARE(largestDifference(window.picture(), good), 0);
+    QTRY_COMPARE_WITH_TIMEOUT(largestDifference(window.picture(), good), 0, 10000);
 }
 
 } // namespace mirrorball::test

@@ -106,12 +106,13 @@ bool PictureBadges::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::Resize)
         place();
-    else if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape &&
-             m_workspace.sphereMap.onlyLevel()) {
+    const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+    if (!isKey || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape || !m_workspace.sphereMap.onlyLevel())
+        return QWidget::eventFilter(watched, event);
+    event->accept(); // before the shortcut that stops work
+    if (event->type() == QEvent::KeyPress)
         m_workspace.sphereMap.showOnly(std::nullopt);
-        return true;
-    }
-    return QWidget::eventFilter(watched, event);
+    return true;
 }
 
 } // namespace mirrorball::studio

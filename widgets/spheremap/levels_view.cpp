@@ -161,6 +161,8 @@ void LevelsView::keyPressEvent(QKeyEvent* event)
 
 bool LevelsView::event(QEvent* event)
 {
+    if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && m_editor.onlyLevel())
+        event->accept(); // before the shortcut that stops work
     if (event->type() != QEvent::ToolTip)
         return QWidget::event(event);
     const auto* help = static_cast<QHelpEvent*>(event);

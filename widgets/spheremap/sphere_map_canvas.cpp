@@ -405,6 +405,9 @@ void SphereMapCanvas::focusOutEvent(QFocusEvent* event)
 /// Tooltips of handles.
 bool SphereMapCanvas::event(QEvent* event)
 {
+    const bool usesEscape = m_editor.onlyLevel() || m_drag == Drag::Stroke || m_drag == Drag::Handle;
+    if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && usesEscape)
+        event->accept(); // before the shortcut that stops work
     if (event->type() == QEvent::ToolTip && m_handles.isActive()) {
         const auto* help = static_cast<QHelpEvent*>(event);
         const int handle = m_handles.at(help->pos());
