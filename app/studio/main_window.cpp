@@ -287,7 +287,7 @@ void MainWindow::arrange()
 {
     // At first the window is large, but leaves a small screen's edges and a frame's title free.
     resize(QSize(1440, 900).boundedTo(screen()->availableSize() - QSize(16, 48)));
-    resizeDocks({dock(QStringLiteral("probes")), dock(QStringLiteral("material"))}, {300, 340}, Qt::Horizontal);
+    resizeDocks({dock(QStringLiteral("probes")), dock(QStringLiteral("material"))}, {314, 340}, Qt::Horizontal);
     resizeDocks({dock(QStringLiteral("plan"))}, {height() / 5}, Qt::Vertical);
     resizeDocks({dock(QStringLiteral("probes")), dock(QStringLiteral("map"))}, {2 * height() / 5, 3 * height() / 5}, Qt::Vertical);
     m_firstLayout = saveState(layoutVersion);
