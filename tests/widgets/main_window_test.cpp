@@ -181,7 +181,7 @@ void MainWindowTest::everyCommandOfTheViewMenuCanBeUndone()
         QVERIFY2(window.document().scene() != start, qPrintable(command->text()));
     }
     QCOMPARE(changing,
-             18); // 4 of 5 bodies, 5 of 6 shadings, lookup, 1 of 2 projections, 3 of 4 backgrounds, frame, reset, brighter, darker
+             20); // 4 of 5 bodies, 7 of 8 shadings, lookup, 1 of 2 projections, 3 of 4 backgrounds, frame, reset, brighter, darker
 }
 
 // A panel that nobody sees does no work; Qt itself counts a dock behind a tab as visible.

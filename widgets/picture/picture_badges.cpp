@@ -18,9 +18,10 @@ constexpr int fromCorner = 8; ///< pixels
 void say(QPushButton& badge, const QString& text, const QString& help)
 {
     badge.setText(text);
-    if (!text.isEmpty())
+    if (!text.isEmpty()) {
         badge.setAccessibleName(text);
-    badge.setToolTip(help);
+        badge.setToolTip(help);
+    }
     badge.setVisible(!text.isEmpty());
 }
 
@@ -52,6 +53,7 @@ QPushButton* PictureBadges::add(const char* name, const QString& spoken, std::fu
     auto* badge = new QPushButton;
     badge->setObjectName(QLatin1String(name));
     badge->setAccessibleName(spoken);
+    badge->setToolTip(spoken);
     badge->setProperty("role", QStringLiteral("badge"));
     badge->setCursor(Qt::PointingHandCursor);
     badge->setAutoDefault(false);
