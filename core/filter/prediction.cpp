@@ -19,7 +19,7 @@ namespace {
 
 /// Seconds of one thread. `build/ci/bin/method_table methods` shows them beside what is measured.
 namespace cost {
-constexpr double referenceTerm = 5e-9; // a texel of the probe under a texel of the target
+constexpr double referenceTerm = 1e-8; // a texel of the probe under a texel of the target
 constexpr double directTexel = 2e-7, directTerm = 1.2e-8;
 constexpr double treeTexel = 1.8e-7, treeTerm = 4e-8;
 constexpr double lookupTexel = 9e-8, lookupSample = 4e-8;

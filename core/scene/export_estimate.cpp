@@ -2,7 +2,6 @@
 
 #include "core/image/image_format.h"
 #include "core/image/map_file.h"
-#include "core/image/mip_pyramid.h"
 
 #include <algorithm>
 #include <array>
@@ -25,20 +24,6 @@ double ratioOf(const ExportTarget& target, bool smooth)
     return target.kind == ExportKind::Painted ? ratios.painted : smooth ? ratios.smooth : ratios.plain;
 }
 
-std::vector<MapLayout> levelLayouts(const ExportPlan& plan)
-{
-    std::vector<MapLayout> layouts;
-    if (plan.painted)
-        for (int size = plan.target.size; size >= 1; size = plan.target.mips ? size / 2 : 0)
-            layouts.push_back({Parameterization::Sphere, size, 0});
-    for (const PlannedFilter& filter : plan.map.filters)
-        layouts.push_back(filter.options.target);
-    if (plan.map.pyramid)
-        for (int i = 1; i < levelCount(layouts.front()); ++i)
-            layouts.push_back(levelLayout(layouts.front(), i));
-    return layouts;
-}
-
 constexpr std::int64_t headerBytes = 600; ///< of an image file
 constexpr std::int64_t sidecarBytes = 1500;
 constexpr std::int64_t sidecarLevelBytes = 160;
@@ -51,15 +36,15 @@ std::vector<ExportEstimate> estimateExports(const Plan& plan)
     for (const ExportPlan& planned : plan.exports) {
         const ExportTarget& target = planned.target;
         const std::vector<MapLayout> layouts = levelLayouts(planned);
-        ExportEstimate estimate{.name = target.name, .levels = static_cast<int>(layouts.size())};
+        ExportEstimate estimate{.name = target.name,
+                                .levels = static_cast<int>(layouts.size()),
+                                .isPainted = planned.painted.has_value(),
+                                .seconds = planned.seconds};
         for (const std::filesystem::path& file : mapFiles(target.fileName(), layouts))
             estimate.files.push_back(file.string());
         bool smooth = false;
-        for (const PlannedFilter& filter : planned.map.filters) {
+        for (const PlannedFilter& filter : planned.map.filters)
             smooth |= filter.plan.filtered;
-            estimate.seconds += filter.plan.filtered ? filter.plan.predictedSeconds : 0.0;
-        }
-        estimate.seconds += planned.paintingSeconds;
         const std::int64_t texel = texelBytes(formatOf(target), samplesOf(target));
         for (const MapLayout& layout : layouts)
             estimate.texelBytes += texel * layout.width() * layout.height();

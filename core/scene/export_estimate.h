@@ -13,11 +13,13 @@ struct ExportEstimate {
     std::string name{};               ///< of the target
     std::vector<std::string> files{}; ///< names that exportScene() will write, in its order, without the folder; NAME.json last
     int levels = 1;
+    bool isPainted = false;      ///< it needs no probe
     std::int64_t texelBytes = 0; ///< all levels as the format stores a texel, before compression; exact but for opacity
     /// Size on disk. Formats that compress are taken at the mean ratio measured on filtered and unfiltered maps of real probes: right to
     /// a factor of two or so, and never above texelBytes by more than headers.
     std::int64_t fileBytes = 0;
-    double seconds = 0.0; ///< of filtering or painting, as the planner predicts it; reading and saving come on top
+    double seconds =
+        0.0; ///< CPU time of making and saving it, within a factor of two; reading the probe, Plan::sharedSeconds, comes on top
 };
 
 /// @throws InvalidArgument for a target out of range, an extension that cannot be written, or %s in the name of a map that is no cube

@@ -63,7 +63,8 @@ void Planner::addLevel(MapPlan& map, PlannedFilter planned, const std::string& n
         if (same)
             leaveOut("resample " + name, text("the probe already is ", sizeText(m_probe)));
         else
-            need("resample " + name, text(sizeText(m_probe), " to ", sizeText(filter.target), note), resamplingCost(filter.target));
+            need("resample " + name, text(sizeText(m_probe), " to ", sizeText(filter.target), note),
+                 resamplingCost(m_probe, filter.target));
     }
     map.filters.push_back(std::move(planned));
 }
@@ -109,6 +110,8 @@ void Planner::planReading()
                               .leftOut = true,
                               .why = filtered == 0 ? "nothing is filtered" : "direct sums are cheaper for these lobes"});
     }
+    for (const Stage& stage : stages)
+        m_plan.sharedSeconds += stage.expected.seconds;
     stages.insert(stages.end(), std::make_move_iterator(m_later.begin()), std::make_move_iterator(m_later.end()));
 }
 

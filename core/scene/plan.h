@@ -54,8 +54,11 @@ struct ExportPlan {
     MapPlan map{};
     ExportTarget target{};
     std::optional<SphereMapPlan> painted{}; ///< what is written in place of a map of the probe
-    double paintingSeconds = 0.0;           ///< about
+    double seconds = 0.0;                   ///< of its own stages, CPU time, about: what other exports share is in Plan::sharedSeconds
 };
+
+/// The maps that an export writes, largest first.
+std::vector<MapLayout> levelLayouts(const ExportPlan& plan);
 
 /// How much a plan makes.
 enum class PlanExtent {
@@ -100,6 +103,7 @@ struct Plan {
     std::vector<SphereMapPlan> sphereMaps{}; ///< the material's, and behind it the layers of a window
     std::vector<MapPlan> others{};           ///< PlanExtent::Everything: the specular map in every other parameterization; not shown
     std::vector<ExportPlan> exports{};
+    double sharedSeconds = 0.0; ///< of reading the probe and of its spectrum, CPU time, about
 
     bool needsProbe() const;
     /// Every filter of the plan, for openFilterSource.

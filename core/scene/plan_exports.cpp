@@ -23,8 +23,8 @@ Plan Planner::makeFilters(const std::vector<PrefilterOptions>& levels, const std
         addLevel(map, planned(levels[i]), levels.size() == 1 ? map.name : text(map.name, " level ", i), "", "the lobe is a mirror");
     if (levels.size() == 1)
         leaveOut("mip levels of " + map.name, "not asked for");
-    need("save map", file, savingCost(levels.front().target));
     m_plan.exports.push_back({.map = std::move(map)});
+    need("save map", file, savingCost(file, levelLayouts(m_plan.exports.back())));
     planReading();
     return std::move(m_plan);
 }
@@ -39,12 +39,33 @@ void Planner::planExports(const std::vector<std::string>& only)
             throw InvalidArgument("--only: the scene has no export '" + name + "'; it has " + (known.empty() ? "none" : known));
         }
     for (const ExportTarget& target : m_scene.exports)
-        if (!isAskedFor(target, only))
+        if (!isAskedFor(target, only)) {
             leaveOut("export " + target.name, "not among those asked for");
-        else if (target.kind == ExportKind::Painted)
-            planPainted(target);
-        else
-            planExport(target);
+        } else {
+            const size_t firstStage = m_later.size();
+            if (target.kind == ExportKind::Painted)
+                planPainted(target);
+            else
+                planExport(target);
+            ExportPlan& planned = m_plan.exports.back();
+            need("save " + target.name, target.fileName(), savingCost(target.fileName(), levelLayouts(planned)));
+            for (size_t i = firstStage; i < m_later.size(); ++i)
+                planned.seconds += m_later[i].expected.seconds;
+        }
+}
+
+std::vector<MapLayout> levelLayouts(const ExportPlan& plan)
+{
+    std::vector<MapLayout> layouts;
+    if (plan.painted)
+        for (int size = plan.target.size; size >= 1; size = plan.target.mips ? size / 2 : 0)
+            layouts.push_back({Parameterization::Sphere, size, 0});
+    for (const PlannedFilter& filter : plan.map.filters)
+        layouts.push_back(filter.options.target);
+    if (plan.map.pyramid)
+        for (int i = 1; i < levelCount(layouts.front()); ++i)
+            layouts.push_back(levelLayout(layouts.front(), i));
+    return layouts;
 }
 
 void Planner::planPainted(const ExportTarget& target)
@@ -57,10 +78,9 @@ void Planner::planPainted(const ExportTarget& target)
     const SphereMapPlan painted{"material.sphere_map.source", map.source, map.document, target.size - 2 * target.border, map.levels};
     const SphereMapDocument* document = documentAtHand(painted);
     const bool isAuthored = target.mips && document && map.levels == SphereMapLevels::Authored && hasAuthoredLevels(*document);
-    const StageCost cost = paintingCost(painted.size, document ? document->layers.size() : 1, isAuthored);
-    need("paint " + target.name, paintedText(painted, target), cost);
-    need("save " + target.name, target.fileName(), savingCost(target.layout()));
-    m_plan.exports.push_back({.map = {.name = target.name}, .target = target, .painted = painted, .paintingSeconds = cost.seconds});
+    need("paint " + target.name, paintedText(painted, target),
+         paintingCost(painted.size, document ? document->layers.size() : 1, isAuthored));
+    m_plan.exports.push_back({.map = {.name = target.name}, .target = target, .painted = painted});
 }
 
 void Planner::planExport(const ExportTarget& target)
@@ -102,7 +122,6 @@ void Planner::planExport(const ExportTarget& target)
                      target.mips ? target.fileName() + " holds none; .exr and .tif do, and a %d in the name makes one file a level"
                                  : "not asked for");
     }
-    need("save " + map.name, target.fileName(), savingCost(filter.target));
     m_plan.exports.push_back({.map = std::move(map), .target = target});
 }
 

@@ -1,5 +1,6 @@
 #include "stage_cost.h"
 
+#include "core/image/image_format.h"
 #include "core/spheremap/evaluation/evaluate.h"
 
 #include <algorithm>
@@ -27,23 +28,38 @@ StageCost readingCost(const MapLayout& probe, bool isBuiltin, bool isStreamed)
     return cost;
 }
 
-StageCost resamplingCost(const MapLayout& target) { return mapCost(target, 1.5e-7); }
+// Every texel of both maps is met once.
+StageCost resamplingCost(const MapLayout& probe, const MapLayout& target)
+{
+    StageCost cost = mapCost(target, 4e-8);
+    cost.seconds += 3e-8 * texels(probe);
+    return cost;
+}
 
 StageCost pyramidCost(const MapLayout& base)
 {
-    const StageCost whole = mapCost(base, 2e-8);
+    const StageCost whole = mapCost(base, 9e-8);
     return {whole.seconds, whole.bytes / 3};
 }
 
 StageCost paintingCost(int size, size_t layers, bool isAuthored)
 {
-    const StageCost layer = mapCost({Parameterization::Sphere, size, 0}, 1.5e-8);
+    const StageCost layer = mapCost({Parameterization::Sphere, size, 0}, 3.5e-8);
     return {static_cast<double>(std::max<size_t>(layers, 1)) * layer.seconds *
                 (isAuthored ? 1.0 + levelOversampling * levelOversampling / 3.0 : 1.0),
             layer.bytes};
 }
 
-StageCost savingCost(const MapLayout& map) { return {3e-8 * texels(map), 0}; }
+StageCost savingCost(const std::filesystem::path& file, std::span<const MapLayout> levels)
+{
+    constexpr double perFile = 1e-3;
+    const ImageFormat* format = findFormat(file);
+    const double texel = format ? format->writingSeconds : ImageFormat{}.writingSeconds;
+    double sum = perFile;
+    for (const MapLayout& level : levels)
+        sum += texel * texels(level);
+    return {sum, 0};
+}
 
 // Of the renderer without a GPU; its shaders take a fifth of a second to compile.
 StageCost drawingCost(int width, int height)

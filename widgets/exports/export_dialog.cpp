@@ -627,9 +627,13 @@ void ExportDialog::estimate()
     m_estimator.start(
         [scene = m_workspace.document.scene()](const JobControl&) {
             const PlanRequest request{.picture = false, .exports = std::vector<std::string>{}};
-            return estimateExports(makePlan(scene, probeLayout(scene, request), request));
+            const Plan plan = makePlan(scene, probeLayout(scene, request), request);
+            return std::pair(estimateExports(plan), plan.sharedSeconds);
         },
-        [this](const std::vector<ExportEstimate>& estimates) { showEstimates(estimates); });
+        [this](const std::pair<std::vector<ExportEstimate>, double>& made) {
+            m_sharedSeconds = made.second;
+            showEstimates(made.first);
+        });
 }
 
 void ExportDialog::showEstimates(const std::vector<ExportEstimate>& estimates)
@@ -639,6 +643,7 @@ void ExportDialog::showEstimates(const std::vector<ExportEstimate>& estimates)
     const ExportTarget* target = selected();
     std::int64_t bytes = 0;
     double seconds = 0.0;
+    bool readsProbe = false;
     int files = 0;
     m_files->clear();
     for (int row = 0; row < m_list->topLevelItemCount(); ++row) {
@@ -656,9 +661,12 @@ void ExportDialog::showEstimates(const std::vector<ExportEstimate>& estimates)
         if (item->checkState(NameColumn) == Qt::Checked) {
             bytes += found->fileBytes;
             seconds += found->seconds;
+            readsProbe |= !found->isPainted;
             files += static_cast<int>(found->files.size());
         }
     }
+    if (readsProbe)
+        seconds += m_sharedSeconds;
     if (m_list->topLevelItemCount() == 0)
         m_total->setText(tr("The scene exports nothing yet. Add a map to begin."));
     else if (files == 0)

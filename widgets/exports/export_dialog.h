@@ -118,7 +118,8 @@ private:
     QLabel* m_status;
     QPushButton *m_export, *m_cancel, *m_close, *m_open;
     std::vector<ExportEstimate> m_estimates;
-    QStringList m_unchecked; ///< names of targets that are not to be written now
+    double m_sharedSeconds = 0.0; ///< of reading the probe, once for all that need it
+    QStringList m_unchecked;      ///< names of targets that are not to be written now
 };
 
 } // namespace mirrorball::studio

@@ -85,9 +85,40 @@ TEST(ExportEstimate, CountsTexelsOfAllLevels)
     EXPECT_EQ(all[9].levels, 8);
     EXPECT_EQ(all[8].texelBytes, 3 * 256 * 256);
     EXPECT_EQ(all[9].texelBytes, 6 * (4 * 128 * 128 - 1) / 3);
-    EXPECT_GT(all[9].seconds, 0.0);
-    EXPECT_EQ(all[0].seconds, 0.0); // nothing is filtered
-    EXPECT_GT(all[1].seconds, 0.0);
+}
+
+/// The times: everything that the plan expects to be done is in one export's or in what they share, once. (How near they come to what is
+/// taken, build/ci/bin/export_table shows.)
+TEST(ExportEstimate, TimesAddUpToThePlans)
+{
+    const Scene scene = manyTargets();
+    const Plan plan = makePlan(scene, probeLayout(scene), {.picture = false, .exports = std::vector<std::string>{}});
+    double stages = 0.0, exports = plan.sharedSeconds;
+    for (const Stage& stage : plan.stages)
+        stages += stage.expected.seconds;
+    for (const ExportEstimate& estimate : estimateExports(plan)) {
+        EXPECT_GT(estimate.seconds, 0.0) << estimate.name; // saving, if nothing else
+        exports += estimate.seconds;
+    }
+    EXPECT_GT(plan.sharedSeconds, 0.0);
+    EXPECT_NEAR(exports, stages, 1e-9 * stages);
+}
+
+TEST(ExportEstimate, TimesGrowWithLevelsTexelsAndWhatCompressionTakes)
+{
+    const auto seconds = [](const ExportTarget& target) {
+        Scene scene = manyTargets();
+        scene.exports = {target};
+        return estimates(scene).front().seconds;
+    };
+    const ExportTarget plain{.name = "x", .kind = ExportKind::Source, .size = 256, .file = "x.exr"};
+    ExportTarget levels = plain, tiff = plain, large = plain;
+    levels.mips = true;
+    tiff.file = "x.tif"; // deflated floats
+    large.size = 512;
+    EXPECT_GT(seconds(levels), 1.3 * seconds(plain));
+    EXPECT_GT(seconds(tiff), 3.0 * seconds(plain));
+    EXPECT_GT(seconds(large), 2.0 * seconds(plain));
 }
 
 TEST(ExportEstimate, RefusesFacesOfAMapThatIsNoCube)
