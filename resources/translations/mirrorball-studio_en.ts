@@ -31,6 +31,10 @@
         <source>Sphere map</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Color</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ExportFormat</name>
@@ -2714,119 +2718,160 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>OpenEXR: display is the picture, black where the file holds no data; data is only what it holds</source>
+        <source>Cast aluminium: rough, with the tail of ggx.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>a picture of one that is not square: stretched, padded, or cropped about its middle; none: refused</source>
+        <source>Dark green satin lacquer: a dull layer over paint, mirroring at grazing angles.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>a picture that is not square: stretched, padded, or cropped about its middle; none: refused</source>
+        <source>Sand-blasted copper: Beckmann&apos;s facets, which shift the color at grazing angles.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>a picture whose shape is not its map&apos;s: stretched, padded with black to its angles of view, or cropped</source>
+        <source>Satin gold: a wide lobe that stretches and brightens towards grazing angles.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>beyond</source>
+        <source>a lobe that knows the view</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>black</source>
+        <source>blasted-copper</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>color_space</source>
+        <source>brdf</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>crop</source>
+        <source>cast-aluminium</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>cube faces in the order in which the file has them, px nx py ny pz nz, each with :90, :180 or :270 where it lies turned; empty: as the arrangement has them</source>
+        <source>ggx:roughness=0.5,metal=gold, another model, or a measured file (.binary .brdf .csv .txt), in place of the specular lobe and the Fresnel term; empty: those</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>data</source>
+        <source>into a ggx chain that stand for the lobe at each angle of view; 0: the split sum of engines</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>faces</source>
+        <source>lookups</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>fit</source>
+        <source>satin-gold</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>horizontal_angle</source>
+        <source>satin-lacquer</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FileKind</name>
+    <message>
+        <source>scene</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>image file, six or two with a %s, or builtin:NAME</source>
+        <source>Scenes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>layer</source>
+        <source>material</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>of the file&apos;s colours: linear, srgb, gamma1.8, gamma2.2, display-p3, adobe-rgb, acescg, ..., or a space of the OpenColorIO configuration that $OCIO names; empty: as the file says</source>
+        <source>Materials</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>outside the angles of view: black, or mirrored from the other side, as for a fisheye hemisphere</source>
+        <source>sphere map</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>pad</source>
+        <source>Sphere maps</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>paraboloid: texels kept free outside each disc; cube: texels of its neighbours around each face; painted: texels between the disc and the picture&apos;s edge</source>
+        <source>mesh</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>part</source>
+        <source>Meshes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>rotate</source>
+        <source>picture</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>stretch</source>
+        <source>Light probes and pictures</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>that the picture spans; 0: found from the shape</source>
+        <source>OpenColorIO configuration</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the axis whose sign the file has the other way round</source>
+        <source>OpenColorIO configurations</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>turns the probe about Y, X and Z, Z first: levels a horizon</source>
+        <source>folder</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>vertical_angle</source>
+        <source>Folders</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>which layer&apos;s channels are the colours; empty: chosen, default: those without a name</source>
+        <source>All files (*)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>which picture of a file that holds several: its number, from 0, or its name; empty: the one with the colours</source>
+        <source>Everything that can be opened (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ProbeGuesses</name>
+    <message>
+        <source>mirror ball</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>UseFile</name>
+    <message>
+        <source>Probe</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>z</source>
+        <source>Open mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a sphere map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Link a sphere map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change display</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2837,7 +2882,129 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A scene (.mirrorball), a light probe (.hdr, .exr, ...) or a mesh to open.</source>
+        <source>What to open: a scene, a light probe or another picture, a folder of them, a mesh, a sphere map, a material.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::ColorButton</name>
+    <message>
+        <source>Copy %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy as linear numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paste %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::ColorPicker</name>
+    <message>
+        <source>Eyedropper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes the next click&apos;s color from anywhere on the screen; Escape ends it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Color wheel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hue around, saturation from the middle to the rim; arrow keys turn and move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hex</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Red, green and blue as the screen shows them, #rrggbb</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click a swatch to choose its color here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Around the wheel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saturation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From grey to a pure color</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From black to the brightest that a screen shows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Intensity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stops above what a screen shows: a highlight or a lamp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>EV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kelvin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The color of a glowing body of this temperature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep this color</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Puts this color among those that are kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recent color %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kept color %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2871,15 +3038,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Type a command</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Command</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Letters of the command, in their order</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2887,7 +3046,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Enter or click runs the command</source>
+        <source>Type a command, or the name of a control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Letters of it, in their order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter or click runs the command, or goes to the control</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2907,6 +3074,10 @@
     </message>
     <message>
         <source>Images (%1);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brightness</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2992,6 +3163,65 @@
     </message>
 </context>
 <context>
+    <name>mirrorball::studio::DoctorDialog</name>
+    <message>
+        <source>What is this map? - %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Made from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The light probe that the map was filtered from: with it the doctor measures orientation and errors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the scene&apos;s probe, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a file…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the doctor says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the map is, and what is wrong with it; the command &quot;doctor&quot; says the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The map is examined…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Made from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copies the words</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the map was made from</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>mirrorball::studio::Document</name>
     <message>
         <source>Untitled</source>
@@ -3001,11 +3231,50 @@
 <context>
     <name>mirrorball::studio::DropTarget</name>
     <message>
-        <source>%1: is neither an image nor a folder nor anything else that can be opened; drop .hdr, .exr or another image, or a folder of them</source>
+        <source>Picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::EditActions</name>
+    <message>
+        <source>Undo</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Probe</source>
+        <source>Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the chosen layer while the sphere map has the keys, else the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paste layers, a picture or files: what a drop at the place of the keys would do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the chosen layer of the sphere map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was pasted: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture cannot be kept: its folder cannot be written; save the scene in another one</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3558,10 +3827,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open a scene file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Open &amp;recent</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3579,14 +3844,6 @@
     </message>
     <message>
         <source>Save the scene under another name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open scene</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mirrorball scenes (*.mirrorball);;All files (*)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3629,6 +3886,73 @@
         <source>No files yet</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Open a scene, a light probe or another picture, a mesh, a sphere map or a material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a sa&amp;mple</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1  (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scene to begin from; it has no file until it is saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A sphere map to begin from: it becomes the scene&apos;s own</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::FileOpener</name>
+    <message>
+        <source>%1: there is no such file; it may have been moved or renamed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: is nothing that can be opened here; choose a scene, a light probe or another picture, a folder of them, a mesh, a sphere map or a material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opens %1 files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks what %1 is: light or the picture of a ball</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light probe: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sphere map of the material: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Image layer: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder of light probes: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opens the %1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>mirrorball::studio::FresnelCurve</name>
@@ -3659,14 +3983,6 @@
 <context>
     <name>mirrorball::studio::GradientEditor</name>
     <message>
-        <source>Stop colour</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Colour of the chosen stop</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Stop position</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3680,6 +3996,116 @@
     </message>
     <message>
         <source>Opacity of the chosen stop: below 100 % what lies under the layer shows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop color</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Color of the chosen stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::HelpActions</name>
+    <message>
+        <source>&amp;Help on this panel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the guide at the page of the panel that has the keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;What&apos;s this?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click anything next: the guide opens where it is explained</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The &amp;guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All pages of the guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every key of the studio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Tour of the studio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Five steps from a light to maps for an engine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;About Mirrorball Studio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Version and licence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirrorball Studio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Mirrorball Studio %1&lt;/b&gt;&lt;p&gt;Materials with environment maps.&lt;p&gt;GPL-3.0-or-later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click what you want to know about; Escape ends this</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::HelpWindow</name>
+    <message>
+        <source>Page of the guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pages of the guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find in this page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter finds the next place (Ctrl+F)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The page before (Alt+Left)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 - Mirrorball&apos;s guide</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3710,6 +4136,42 @@
     </message>
     <message>
         <source>The layers, the topmost first: drag to reorder, double-click to rename</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paste above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3755,15 +4217,23 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Made level by level: a layer has its width in pixels, or levels of its own.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Each level averages the one above. Give a layer a width in pixels to author them.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Made level by level: a layer has its width in pixels, or levels of its own. Click a level to paint it alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each level averages the one above. Click a level to paint it alone; a layer with a width in pixels is made for each, too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click or Escape: show all levels again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click: show and paint this level alone, on the disc and on the model</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3802,14 +4272,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Undo</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Command &amp;palette…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3842,42 +4304,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;About Mirrorball Studio</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mirrorball Studio</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Mirrorball Studio %1&lt;/b&gt;&lt;p&gt;Materials with environment maps.&lt;p&gt;GPL-3.0-or-later</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>State of the work</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Progress</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Progress of the work in the background</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop the work in the background (Esc)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stopped</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Choose another…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3891,18 +4317,6 @@
     </message>
     <message>
         <source>Change geometry</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Saving the picture…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Making maps…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Up to date. Drawn in %1 ms at %2 × %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3931,6 +4345,30 @@
     </message>
     <message>
         <source>Display picture (%1);;Linear radiance (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 holds %2 levels: it may be a map that was filtered already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is this map?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brings the dock to the front, or closes it where it is there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;What is this map?…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tell what a prefiltered map of anyone is: orientation, roughness law, lobe, scale, errors and faults</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>picture</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4041,19 +4479,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Colours</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>As a display shows it, or luminance in false colours</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Display</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>False colour</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4106,10 +4532,6 @@
     </message>
     <message>
         <source>Map exposure</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Brightness of the map here; in false colours it moves the scale</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4167,6 +4589,34 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
     </message>
     <message>
         <source>, shown at %1%</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As a display shows it, or luminance in false colors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>False color</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brightness of the map here; in false colors it moves the scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the texel&apos;s values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the view as a picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the whole map</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4382,6 +4832,42 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <source>Space</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>untitled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sphere map is shown in place of this material: nothing below changes the picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lay it over the material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uses the sphere map over the reflecting material; the Sphere map dock has the other uses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change use of the map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lobe that knows the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>BRDF</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lookups</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none: a model or a measured file</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>mirrorball::studio::MethodChart</name>
@@ -4487,6 +4973,101 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
     </message>
 </context>
 <context>
+    <name>mirrorball::studio::PictureBadges</name>
+    <message>
+        <source>Colors of the paint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change tone curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Level that is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files shown as they were</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colors as painted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sphere map is shown in the colors that were painted. Click to see it through the filmic curve, as light.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colors through a tone curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sphere map is shown as light, through the tone curve: its colors are not those that were painted. Click to see those.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every lookup reads this level of the sphere map, whatever its size on the screen, and strokes go to it alone. Click, or press Escape, to show all levels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As last read: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1
+The picture shows what was read before. It follows when the file is there again; click to look now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::PictureQuestion</name>
+    <message>
+        <source>Reading the picture…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is this picture?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is square: it may be the light of a place, or the picture of a ball. Choose what looks right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leaves the scene as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light: the environment looks like this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A ball: the material looks like this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reads the file as this kind of map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sphere map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The material looks like the ball; the picture stays in its file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>image layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A layer of the sphere map that the scene has</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>mirrorball::studio::PlanView</name>
     <message>
         <source>Stages of the plan</source>
@@ -4586,6 +5167,10 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <source>Zoom</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Reset exposure</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>mirrorball::studio::ProbesPanel</name>
@@ -4603,10 +5188,6 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
     </message>
     <message>
         <source>Probes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Click a probe, or press Enter on it, to light the scene with it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4774,19 +5355,55 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Images (%1);;All files (*)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>note</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>mirror ball</source>
+        <source>Finds a mirror ball in the photograph and reads it as a sphere map</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Finds a mirror ball in the photograph and reads it as a sphere map</source>
+        <source>Click a probe, or press Enter on it, to light the scene with it; Delete takes a single file off the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the selected file from the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove missing files from the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light the scene with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read its picture anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is this map?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy its path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open its folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove from the list</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5029,6 +5646,18 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <source>Paint</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Paste layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Level %1 only: %2 x %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Level %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>mirrorball::studio::SphereMapForm</name>
@@ -5104,10 +5733,6 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Sphere maps (*.spheremap *.strokes)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Choose a sphere map</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5148,27 +5773,11 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pick a colour</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pick a colour from the map; Alt does it with every tool</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Paint on the model</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Paint on the model in the preview; Alt and left drag then turns it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Brush colour</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Colour of the paint</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5316,10 +5925,6 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Right drag changes radius and hardness, [ and ] step the radius, Alt picks a colour on the disc.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Copy a sphere map or recorded strokes from a file into the scene</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5387,6 +5992,26 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <source>Export the picture...</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Pick a color</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pick a color from the map; Alt does it with every tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brush color</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Color of the paint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right drag changes radius and hardness, [ and ] step the radius, Alt picks a color on the disc.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>mirrorball::studio::SphereMapSourceField</name>
@@ -5434,11 +6059,66 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Surface colour below the map</source>
+        <source>Surface color below the map</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Change surface colour</source>
+        <source>Change surface color</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::Tour</name>
+    <message>
+        <source>Choose a light: click a probe at the left, or drop an .hdr or .exr file on the window.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the light: hold Shift and drag with the right button in the picture, or drag &quot;Turn&quot; in the View dock.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a material: another preset, or change lobe, exponent or Fresnel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the kind of the map that the engine will read: a dual paraboloid, a cube, an octahedron.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the maps: File &gt; Export maps (Ctrl+E), choose an engine or add maps, then Export.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show me</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brings the place to the front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes on without doing this step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Help &gt; Tour of the studio begins it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tour, step %1 of %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5546,10 +6226,6 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
     </message>
     <message>
         <source>Environment, blurred</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>One colour</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5668,6 +6344,42 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <source>Change lookup</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Change exposure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset exposure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. Ctrl+Z takes it back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exposure %1 EV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normals as lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bounding box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset e&amp;xposure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exposure back to 0 EV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One color</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>mirrorball::studio::ViewPanel</name>
@@ -5744,10 +6456,6 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Meshes (%1);;All files (*)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Change geometry</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5765,10 +6473,6 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
     </message>
     <message>
         <source>Open OpenColorIO configuration</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>OpenColorIO (*.ocio);;All files (*)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5797,6 +6501,53 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
     </message>
     <message>
         <source>Far depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::WorkStatus</name>
+    <message>
+        <source>State of the work</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress of the work in the background</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the work in the background (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saving the picture…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Making maps…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not made: the notice above the picture says why</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Up to date. Drawn in %1 ms at %2 × %3</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
