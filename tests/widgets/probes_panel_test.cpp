@@ -10,6 +10,7 @@
 #include "widgets/panels/probes_panel.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QDir>
 #include <QFile>
 #include <QSettings>
@@ -321,6 +322,8 @@ void ProbesPanelTest::filesThatAreGoneCanBeTakenOffTheList()
     QCOMPARE(shown.workspace.library.missingFiles(), (QStringList{files[0], files[1]}));
 
     QListView& list = shown.panel->list();
+    QApplication::setActiveWindow(list.window()); // as a window manager would
+    list.setFocus();
     list.setCurrentIndex(shown.row(QStringLiteral("one.exr")));
     QTest::keyClick(&list, Qt::Key_Delete);
     QVERIFY(!shown.row(QStringLiteral("one.exr")).isValid());
