@@ -89,6 +89,7 @@ private:
 /// Ctrl+O, as the user does it.
 QString openByKeys(StudioWindow& window, const QString& path)
 {
+    QApplication::setActiveWindow(&*window); // as a window manager would, when the dialog before has closed
     Answer answer(path);
     QTest::keyClick(&*window, Qt::Key_O, Qt::ControlModifier);
     return answer.isDone() ? answer.folder() : QStringLiteral("no dialog");
