@@ -1,5 +1,6 @@
 #include "edit_actions.h"
 
+#include "menu_action.h"
 #include "theme.h"
 
 #include "widgets/files/kept_picture.h"
@@ -31,14 +32,7 @@ void EditActions::addTo(QMenu& menu)
     menu.addActions({undo, redo});
     menu.addSeparator();
     const auto add = [&](const char* id, const char* iconName, const QString& text, const QString& help, const QKeySequence& key,
-                         auto slot) {
-        QAction* action = menu.addAction(icon(iconName), text, this, slot);
-        action->setObjectName(QLatin1String(id));
-        action->setShortcut(key);
-        action->setToolTip(help);
-        action->setStatusTip(help);
-        return action;
-    };
+                         auto slot) { return addCommand(menu, id, icon(iconName), text, help, key, this, slot); };
     add("edit.copy", "duplicate", tr("&Copy"), tr("Copy the chosen layer while the sphere map has the keys, else the picture"),
         QKeySequence::Copy, &EditActions::copy);
     add("edit.paste", "add", tr("&Paste"), tr("Paste layers, a picture or files: what a drop at the place of the keys would do"),

@@ -1,5 +1,6 @@
 #include "file_actions.h"
 
+#include "menu_action.h"
 #include "samples.h"
 #include "theme.h"
 
@@ -26,14 +27,7 @@ FileActions::FileActions(QWidget& window, Workspace& workspace)
 void FileActions::addTo(QMenu& menu)
 {
     const auto add = [&](const char* id, const char* iconName, const QString& text, const QString& help, const QKeySequence& key,
-                         auto slot) {
-        QAction* action = menu.addAction(icon(iconName), text, this, slot);
-        action->setObjectName(QLatin1String(id));
-        action->setShortcut(key);
-        action->setToolTip(help);
-        action->setStatusTip(help);
-        return action;
-    };
+                         auto slot) { return addCommand(menu, id, icon(iconName), text, help, key, this, slot); };
     add("file.new", "new", tr("&New scene"), tr("Start a new scene"), QKeySequence::New, &FileActions::newScene);
     add("file.open", "open", tr("&Open…"), tr("Open a scene, a light probe or another picture, a mesh, a sphere map or a material"),
         QKeySequence::Open, &FileActions::askAndOpen);

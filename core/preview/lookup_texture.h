@@ -14,6 +14,8 @@ class LookupTexture {
 public:
     /// @throws InvalidArgument when there is none
     void update(const std::shared_ptr<const Image>& table);
+    /// How many lookups the table has; 0 without one.
+    int count() const { return m_source ? m_source->height / 2 : 0; }
     void bind(GLuint unit) const { glBindTextureUnit(unit, m_texture); }
     void release();
 

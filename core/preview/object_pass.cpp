@@ -130,7 +130,10 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
         addMapDefines(defines, "SPECULAR", specular.update(maps.specular, format, "specular"));
         defines.emplace_back("SPECULAR_ANISOTROPY", number(material.anisotropy));
     }
-    defines.emplace_back("BRDF_LOOKUPS", needed.specular ? number(material.brdfLookups) : "0");
+    const bool readsBrdf = needed.specular && material.hasBrdf;
+    if (readsBrdf)
+        brdfLookups.update(maps.brdfLookups);
+    defines.emplace_back("BRDF_LOOKUPS", number(readsBrdf ? brdfLookups.count() : 0));
     if (needed.diffuse)
         addMapDefines(defines, "DIFFUSE", diffuse.update(maps.diffuse, format, "diffuse"));
 
@@ -139,8 +142,7 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
     if (needed.specular) {
         bindMap(shader, "specular", 0, *specular.texture(), mapRotation(settings), material.lodBias);
         shader.set("specularColor", material.specular);
-        if (material.brdfLookups > 0) {
-            brdfLookups.update(maps.brdfLookups);
+        if (readsBrdf) {
             brdfLookups.bind(7);
             shader.set("brdfTable", 7);
         }

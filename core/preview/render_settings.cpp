@@ -29,7 +29,6 @@ void validate(const RenderSettings& settings)
     require(std::isfinite(settings.material.lambdaGrazing) && settings.material.lambdaGrazing >= 0.0f, "lambda grazing must be 0 or more");
     require(std::isfinite(settings.material.lodBias), "LOD bias must be finite");
     require(settings.material.anisotropy >= 1 && settings.material.anisotropy <= 16, "anisotropy must be 1 to 16");
-    require(settings.material.brdfLookups >= 0 && settings.material.brdfLookups <= 8, "BRDF lookups must be 0 to 8");
     const PaintSettings& paint = settings.material.paint;
     require(paint.anisotropy >= 1 && paint.anisotropy <= 16, "anisotropy of the sphere map must be 1 to 16");
     require(paint.opacity >= 0.0f && paint.opacity <= 1.0f, "opacity of the sphere map must be 0 to 1");
@@ -66,7 +65,7 @@ NeededMaps neededMaps(const RenderSettings& settings)
     const bool isShown = settings.shading == Shading::Material;
     const bool isMaterial = isShown && !isWindow && paint != PaintUse::Replace && paint != PaintUse::Multiply;
     const bool isLevels = settings.shading == Shading::Mips;
-    const bool hidden = material.combine == Combine::Coat && material.fresnel.kind == FresnelKind::None && material.brdfLookups == 0;
+    const bool hidden = material.combine == Combine::Coat && material.fresnel.kind == FresnelKind::None && !material.hasBrdf;
     return {.specular = (isMaterial || isLevels) && material.specular != glm::vec3(0.0f),
             .diffuse = isMaterial && material.diffuse != glm::vec3(0.0f) && !hidden,
             .background = settings.background.kind == BackgroundKind::Environment,

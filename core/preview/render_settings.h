@@ -70,9 +70,9 @@ enum class FaceEdges { Seamless, Clamped };
 struct MaterialSettings {
     glm::vec3 specular{1.0f};
     glm::vec3 diffuse{0.0f};
-    /// Lookups into the specular map, a ggx chain (chainRoughness()), at each pixel, as the table of the maps says: they stand for F L_m,
-    /// and their weights' sum for F. 0: one lookup by the mirror direction.
-    int brdfLookups = 0;
+    /// Whether the specular map is a ggx chain (chainRoughness()), read at each pixel by the lookups that the maps' table has: they stand
+    /// for F L_m, and their weights' sum for F. Otherwise one lookup by the mirror direction.
+    bool hasBrdf = false;
     Fresnel fresnel{};              ///< F; None: F = 1. Not with BRDF lookups
     Combine combine = Combine::Add; ///< Add: F L_m + L_d; Coat: F L_m + (1 - F) L_d
     float lambda = 0.0f;            ///< least mip level of the specular lookup: max(lod + lodBias, lambda). Source: 002 section 2

@@ -72,7 +72,7 @@ void Renderer::Resources::drawScene(const RenderSettings& settings, const Render
     const NeededMaps needed = neededMaps(settings);
     if (!needed.specular)
         specular.release();
-    if (!needed.specular || settings.material.brdfLookups == 0)
+    if (!needed.specular || !settings.material.hasBrdf)
         brdfLookups.release();
     if (!needed.diffuse)
         diffuse.release();

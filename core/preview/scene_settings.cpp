@@ -82,7 +82,7 @@ RenderSettings renderSettings(const Scene& scene, const Plan& plan, std::shared_
                                                                                                     : Projection::Perspective};
     settings.material = {.specular = plan.material.specular,
                          .diffuse = plan.material.diffuse,
-                         .brdfLookups = plan.brdf ? std::max(plan.brdf->lookups, 1) : 0,
+                         .hasBrdf = plan.brdf.has_value(),
                          .fresnel = plan.material.fresnel,
                          .combine = plan.material.combine,
                          .lambda = static_cast<float>(scene.material.lambda),

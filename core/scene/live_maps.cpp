@@ -279,7 +279,9 @@ std::shared_ptr<const Image> LiveMaps::brdfLookups(const Scene& scene, const Pla
         wanted.path = resolved(scene, wanted.plan.model);
         wanted.time = std::filesystem::last_write_time(wanted.path, ignored);
     }
-    if (m_brdf && m_brdf->plan == wanted.plan && m_brdf->path == wanted.path && m_brdf->time == wanted.time)
+    // A table of more views than are asked for serves as well: dragging another control fits none anew.
+    if (m_brdf && m_brdf->plan.model == wanted.plan.model && m_brdf->plan.lookups == wanted.plan.lookups &&
+        m_brdf->plan.columns >= wanted.plan.columns && m_brdf->path == wanted.path && m_brdf->time == wanted.time)
         return m_brdf->table;
     timedStage(record.stages, "BRDF lookups", [&] {
         try {

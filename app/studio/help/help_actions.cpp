@@ -3,6 +3,7 @@
 #include "guide.h"
 #include "shortcut_list.h"
 
+#include "app/studio/menu_action.h"
 #include "app/studio/theme.h"
 
 #include <QApplication>
@@ -29,12 +30,7 @@ HelpWindow& HelpActions::help()
 void HelpActions::addTo(QMenu& menu)
 {
     const auto add = [&](const char* id, const QString& text, const QString& tip, const QKeySequence& key, auto slot) {
-        QAction* action = menu.addAction(text, this, slot);
-        action->setObjectName(QLatin1String(id));
-        action->setShortcut(key);
-        action->setToolTip(tip);
-        action->setStatusTip(tip);
-        return action;
+        return addCommand(menu, id, {}, text, tip, key, this, slot);
     };
     add("help.page", tr("&Help on this panel"), tr("Open the guide at the page of the panel that has the keys"), QKeySequence(Qt::Key_F1),
         [this] { showFor(QApplication::focusWidget()); });

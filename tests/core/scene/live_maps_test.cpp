@@ -242,5 +242,31 @@ TEST(LiveMaps, ShowWhatALinkedSphereMapHeldBefore)
     EXPECT_THAT(gone.problem, HasSubstr("ball.exr"));
 }
 
+TEST(LiveMaps, FitNoLookupsAnewWhileAnotherControlIsDragged)
+{
+    Scene scene;
+    scene.material.brdf = {.model = "ggx:roughness=0.6", .lookups = 1};
+    LiveMaps live;
+    const auto full = live.update(scene, {}).maps.brdfLookups;
+    ASSERT_TRUE(full);
+    scene.material.diffuse.weight = 0.5;
+    EXPECT_EQ(live.update(scene, coarseDetail).maps.brdfLookups, full);
+    scene.material.brdf.model = "ggx:roughness=0.7";
+    const auto rough = live.update(scene, coarseDetail).maps.brdfLookups;
+    EXPECT_NE(rough, full);
+    EXPECT_NE(live.update(scene, {}).maps.brdfLookups, rough) << "at rest as the command line has it";
+}
+
+TEST(LiveMaps, NameAMeasurementThatIsNotThere)
+{
+    Scene scene;
+    scene.material.brdf.model = "/nowhere/lost.binary";
+    LiveMaps live;
+    const MadeScene made = live.update(scene, {});
+    EXPECT_THAT(made.problem, HasSubstr("lost.binary"));
+    ASSERT_TRUE(made.maps.brdfLookups);
+    EXPECT_EQ(made.maps.brdfLookups->height, 2) << "one lookup: as many are drawn as the table has";
+}
+
 } // namespace
 } // namespace mirrorball
