@@ -20,7 +20,7 @@ std::vector<double> ringColatitudes(int rings)
 std::vector<Geometry> ringBlocks(const std::vector<double>& theta, const std::vector<double>& weight, int ringLength, double phi0,
                                  size_t mostBlocks)
 {
-    constexpr size_t pairsInBlock = 32;
+    constexpr size_t pairsInBlock = 64; // each block prepares the Legendre recursions anew, at the cost of some four pairs
     const size_t n = theta.size(), pairs = (n + 1) / 2, count = std::clamp(pairs / pairsInBlock, size_t{1}, mostBlocks);
     std::vector<Geometry> blocks;
     for (size_t block = 0; block < count; ++block) {

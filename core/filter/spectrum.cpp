@@ -52,15 +52,22 @@ std::vector<glm::dvec3> Spectrum::channelPowerAboutMean() const
     for (int c = 0; c < 3; ++c) {
         const std::vector<Complex>& channel = coefficients[static_cast<size_t>(c)];
         const double mean = channel[0].real() / unit[0].real();
-        result[0][c] = std::norm(channel[0]);
+        std::vector<double> power(result.size()); // of one channel lie side by side, for vector instructions
         for (int m = 0; m <= bandLimit; ++m) {
-            const bool zonal = m % ringLength == 0;
             const double twice = m == 0 ? 1.0 : 2.0;
-            for (int l = std::max(m, 1); l <= bandLimit; ++l) {
-                const size_t i = index(l, m);
-                result[static_cast<size_t>(l)][c] += twice * std::norm(zonal ? channel[i] - mean * unit[i] : channel[i]);
+            const Complex* from = channel.data() + index(0, m);
+            if (m % ringLength == 0) {
+                const Complex* one = unit.data() + index(0, m);
+                for (int l = std::max(m, 1); l <= bandLimit; ++l)
+                    power[static_cast<size_t>(l)] += twice * std::norm(from[l] - mean * one[l]);
+            } else {
+                for (int l = m; l <= bandLimit; ++l)
+                    power[static_cast<size_t>(l)] += twice * (from[l].real() * from[l].real() + from[l].imag() * from[l].imag());
             }
         }
+        power[0] = std::norm(channel[0]);
+        for (size_t l = 0; l < power.size(); ++l)
+            result[l][c] = power[l];
     }
     return result;
 }

@@ -80,12 +80,19 @@ bool FileOpener::openOne(const QString& path, DropPlace place)
 
 void FileOpener::openPicture(const QString& path, DropPlace place)
 {
-    const PictureFacts facts = pictureFacts(path).value_or(PictureFacts{});
-    const std::optional<PictureUse> use = useOfPicture(facts, place);
+    const std::optional<PictureUse> use = useOfPicture(factsOf(path), place);
     if (!use && m_ask)
         m_ask(path);
     else
         usePicture(path, use.value_or(PictureUse::Probe));
+}
+
+PictureFacts FileOpener::factsOf(const QString& path)
+{
+    const QDateTime modified = QFileInfo(path).lastModified();
+    if (!m_known || m_known->path != path || m_known->modified != modified)
+        m_known = {path, modified, pictureFacts(path).value_or(PictureFacts{})};
+    return m_known->facts;
 }
 
 void FileOpener::usePicture(const QString& path, PictureUse use, const ProbeReading& reading)
@@ -104,7 +111,7 @@ void FileOpener::usePicture(const QString& path, PictureUse use, const ProbeRead
     emit opened(path, use == PictureUse::Probe ? FileKind::Picture : FileKind::SphereMap);
 }
 
-QString FileOpener::foretell(const QStringList& paths, DropPlace place) const
+QString FileOpener::foretell(const QStringList& paths, DropPlace place)
 {
     if (paths.size() != 1)
         return tr("Opens %1 files").arg(paths.size());
@@ -112,7 +119,7 @@ QString FileOpener::foretell(const QStringList& paths, DropPlace place) const
     const FileKind kind = fileKind(path);
     switch (kind) {
     case FileKind::Picture: {
-        const std::optional<PictureUse> use = useOfPicture(pictureFacts(path).value_or(PictureFacts{}), place);
+        const std::optional<PictureUse> use = useOfPicture(factsOf(path), place);
         if (!use)
             return tr("Asks what %1 is: light or the picture of a ball").arg(name);
         return (*use == PictureUse::Probe       ? tr("Light probe: %1")

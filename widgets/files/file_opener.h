@@ -5,10 +5,12 @@
 
 #include "widgets/workspace/workspace.h"
 
+#include <QDateTime>
 #include <QObject>
 #include <QStringList>
 
 #include <functional>
+#include <optional>
 
 namespace mirrorball::studio {
 
@@ -31,7 +33,7 @@ public:
     /// @param place  where they come to: it decides what a picture becomes
     void open(const QStringList& paths, DropPlace place = DropPlace::Elsewhere);
     /// What open() would do there, in a few words: "Light probe: sky.hdr".
-    QString foretell(const QStringList& paths, DropPlace place) const;
+    QString foretell(const QStringList& paths, DropPlace place);
     void usePicture(const QString& path, PictureUse use, const ProbeReading& reading = {});
 
 signals:
@@ -41,10 +43,19 @@ signals:
 private:
     bool openOne(const QString& path, DropPlace place);
     void openPicture(const QString& path, DropPlace place);
+    PictureFacts factsOf(const QString& path);
+
+    /// The picture asked about last: while one hovers, every place asks what it would become, and a header may take the helper's start.
+    struct KnownPicture {
+        QString path;
+        QDateTime modified;
+        PictureFacts facts;
+    };
 
     Workspace& m_workspace;
     OpenScene m_openScene{};
     AskForUse m_ask{};
+    std::optional<KnownPicture> m_known{};
 };
 
 } // namespace mirrorball::studio

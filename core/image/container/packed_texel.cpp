@@ -3,6 +3,7 @@
 #include <half.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace mirrorball {
@@ -17,17 +18,18 @@ glm::vec3 clamped(const glm::vec3& rgb, float largest)
 }
 
 /// An unsigned float of 5 exponent bits, bias 15, and `mantissaBits`: a value at or above 2^-14 has the mantissa's leading 1 left out,
-/// one below has the exponent 0. Rounding up into the next exponent comes out right, since that follows the largest mantissa.
+/// one below has the exponent 0. Rounded to the nearest, halves to even; rounding up into the next exponent comes out right, since that
+/// follows the largest mantissa. By the bits of the float, as functions of the library for each texel would be most of an export's time.
 std::uint32_t packSmallFloat(float value, int mantissaBits)
 {
-    const float largest = std::ldexp(2.0f - std::ldexp(1.0f, -mantissaBits), 15);
+    const int dropped = 23 - mantissaBits;
+    const float largest = std::bit_cast<float>(0x477fffffu >> dropped << dropped); // all of the mantissa's bits set, exponent 15
     const float v = clamped(value, largest);
     if (v < 0x1p-14f)
-        return static_cast<std::uint32_t>(std::lrint(std::ldexp(v, 14 + mantissaBits)));
-    int exponent = 0;
-    const float mantissa = std::frexp(v, &exponent); // [1/2, 1)
-    const auto bits = static_cast<std::uint32_t>(std::lrint(std::ldexp(mantissa, mantissaBits + 1)));
-    return (static_cast<std::uint32_t>(exponent + 13) << mantissaBits) + bits;
+        return static_cast<std::uint32_t>(std::lrint(v * static_cast<float>(1 << (14 + mantissaBits))));
+    const auto bits = std::bit_cast<std::uint32_t>(v);
+    const std::uint32_t rounded = bits + (1u << (dropped - 1)) - 1u + (bits >> dropped & 1u);
+    return (rounded >> dropped) - (112u << mantissaBits); // 127 - 15
 }
 
 float unpackSmallFloat(std::uint32_t bits, int mantissaBits)
