@@ -19,11 +19,11 @@ namespace {
 
 /// Seconds of one thread. `build/ci/bin/method_table methods` shows them beside what is measured.
 namespace cost {
-constexpr double referenceTerm = 1e-8; // a texel of the probe under a texel of the target
+constexpr double referencePower = 1e-8, referenceProducts = 2e-9; // a texel of the probe under a texel of the target
 constexpr double directTexel = 2e-7, directTerm = 1.2e-8;
 constexpr double treeTexel = 1.8e-7, treeTerm = 4e-8;
 constexpr double lookupTexel = 9e-8, lookupSample = 4e-8;
-constexpr double blurTexel = 4.5e-7, blurLookup = 4e-7;
+constexpr double blurTexel = 1.3e-7, blurLookup = 1.2e-7;
 constexpr double sh9Texel = 8e-8;
 } // namespace cost
 
@@ -237,8 +237,10 @@ double predictedSeconds(Method method, const PrefilterOptions& options, const Pr
         const BandLimitPlan plan = expectedSpectral(options, probe);
         return forward(plan.bandLimit) + inverseSeconds(plan.bandLimit, 4 * plan.bandLimit, options.target);
     }
-    case Method::Reference:
-        return cost::referenceTerm * sources * texels;
+    case Method::Reference: {
+        const bool isProduct = options.lobe.kind == LobeKind::Diffuse || options.lobe.kind == LobeKind::Ggx;
+        return (isProduct ? cost::referenceProducts : cost::referencePower) * sources * texels;
+    }
     case Method::Direct:
         if (isShortPolynomial(options.lobe))
             return rowSumsSeconds(probe.width, static_cast<int>(texels));

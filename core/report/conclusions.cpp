@@ -162,12 +162,12 @@ void predictions(const Report& report, std::vector<std::string>& sentences)
                 ++count;
                 optimistic += m.error.relRms > m.predictedError;
             }
-            if (m.predictedSeconds > 0.0 && m.times.median() > 0.0)
-                timeFactors.push_back(std::abs(std::log(m.times.median() / m.predictedSeconds)));
+            if (const double taken = m.times.cpuMedian(); m.predictedSeconds > 0.0 && taken > 0.0)
+                timeFactors.push_back(std::abs(std::log(taken / m.predictedSeconds)));
         }
     if (count > 0 && !timeFactors.empty())
         sentences.push_back("The measured error stays below the predicted one in " + std::to_string(count - optimistic) + " of " +
-                            plural(count, "setting") + "; predicted times are off by a factor of " +
+                            plural(count, "setting") + "; predicted CPU times are off by a factor of " +
                             shortNumber(std::exp(median(timeFactors)), 2) + " in the median.");
 }
 

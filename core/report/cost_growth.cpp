@@ -98,15 +98,15 @@ private:
             FilterSource source = probe;
             PrefilterOutcome outcome;
             const PeakMemory memory;
-            const double first = secondsOf([&] { outcome = prefilter(source, options, m_job); });
+            const RunTime first = timeOf([&] { outcome = prefilter(source, options, m_job); });
             point.peakBytes = memory.bytes();
-            point.times = repeated(m_options.repeats - 1, m_options.longest - first, [&] {
+            point.times = repeated(m_options.repeats - 1, m_options.longest - first.wall, [&] {
                 source = probe;
-                return secondsOf([&] { outcome = prefilter(source, options, m_job); });
+                return timeOf([&] { outcome = prefilter(source, options, m_job); });
             });
-            if (m_options.repeats == 1 || first > m_options.longest / 2)
-                point.times.seconds.push_back(first);
-            if (first > m_options.longest)
+            if (m_options.repeats == 1 || first.wall > m_options.longest / 2)
+                point.times.add(first);
+            if (first.wall > m_options.longest)
                 m_tooDear.insert(method);
             point.ran = outcome.method;
             point.filtered = outcome.filtered;
@@ -143,19 +143,23 @@ private:
             throw InvalidArgument(plan.why);
         const PeakMemory memory;
         SpectrumBuilder builder(layout.width(), layout.height(), plan.bandLimit);
-        double seconds = 0.0;
+        RunTime taken;
+        const auto timed = [&taken](auto&& work) {
+            const RunTime run = timeOf(work);
+            taken = {taken.wall + run.wall, taken.cpu + run.cpu};
+        };
         for (int y = 0; y < layout.height(); y += blockRows) {
             const int count = std::min(blockRows, layout.height() - y);
             const std::vector<float> rows = resizedRows(probe, layout.width(), y, count, m_job);
-            seconds += secondsOf([&] { builder.addRows(y, count, rows.data(), m_job); });
+            timed([&] { builder.addRows(y, count, rows.data(), m_job); });
         }
         PrefilterOutcome outcome;
-        seconds += secondsOf([&] {
+        timed([&] {
             FilterSource source(builder.finish(m_job));
             outcome = prefilter(source, options, m_job);
         });
         point.peakBytes = memory.bytes();
-        point.times.seconds.push_back(seconds);
+        point.times.add(taken);
         point.streamed = true;
         point.ran = outcome.method;
     }

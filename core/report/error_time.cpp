@@ -152,17 +152,17 @@ private:
         FilterSource source = m_probe;
         PrefilterOutcome outcome;
         m_memory.emplace();
-        const double first = secondsOf([&] { outcome = prefilter(source, options, m_job); });
+        const RunTime first = timeOf([&] { outcome = prefilter(source, options, m_job); });
         m.peakBytes = m_memory->bytes();
         const auto fromNothing = [&] {
             source = m_probe;
-            return secondsOf([&] { outcome = prefilter(source, options, m_job); });
+            return timeOf([&] { outcome = prefilter(source, options, m_job); });
         };
-        const RunLimits limits = runLimits(first, m_options);
+        const RunLimits limits = runLimits(first.wall, m_options);
         m.times = repeated(limits.times, limits.limit, fromNothing);
         if (limits.countsFirst)
-            m.times.seconds.insert(m.times.seconds.begin(), first);
-        const auto again = [&] { return secondsOf([&] { prefilter(source, options, m_job); }); };
+            m.times.add(first);
+        const auto again = [&] { return timeOf([&] { prefilter(source, options, m_job); }); };
         m.nextLobe = repeated(m_options.repeats, limits.nextLimit, again);
         m.ran = outcome.method;
         m.filtered = outcome.filtered;

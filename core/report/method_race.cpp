@@ -73,7 +73,7 @@ RacePoint MethodRace::measure(const MethodSetting& setting, const JobControl& jo
         FilterSource source = m_probe;
         const RunTimes times = repeated(m_options.repeats, m_options.longest, [&] {
             source = m_probe; // which holds nothing but the probe
-            return secondsOf([&] { outcome = prefilter(source, options, job); });
+            return timeOf([&] { outcome = prefilter(source, options, job); });
         });
         point.seconds = times.median();
         point.ran = outcome.method;

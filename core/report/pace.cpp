@@ -26,7 +26,7 @@ Pace measurePace(const JobControl& job)
         FilterSource source = probe;
         const auto run = [&] {
             source = probe;
-            return secondsOf([&] { prefilter(source, options, quiet); });
+            return timeOf([&] { prefilter(source, options, quiet); });
         };
         measured += share * repeated(3, 0.2, run).median();
         predicted += share * predictedSeconds(method, options, traits(probe));

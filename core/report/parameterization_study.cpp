@@ -90,7 +90,7 @@ double lookupSeconds(const EnvironmentMap& map, int rounds)
     const std::vector<glm::dvec3> directions = evenDirections(lookups);
     glm::vec3 sum(0.0f);
     const auto round = [&] {
-        return secondsOf([&] {
+        return timeOf([&] {
             for (int i = 0, at = 0; i < lookups; ++i, at = (at + stride) % lookups)
                 sum += map.radiance(directions[static_cast<size_t>(at)]);
         });
@@ -103,7 +103,7 @@ double drawSeconds(MapDrawer& drawer, EnvironmentMap map, int pictures)
 {
     const auto levels = std::make_shared<const std::vector<EnvironmentMap>>(std::vector<EnvironmentMap>{std::move(map)});
     drawer.draw(levels); // compiles the shader, hands the map over
-    return repeated(pictures, 1.0, [&] { return secondsOf([&] { drawer.draw(levels); }); }).median();
+    return repeated(pictures, 1.0, [&] { return timeOf([&] { drawer.draw(levels); }); }).median();
 }
 
 } // namespace

@@ -33,7 +33,7 @@ double frameSeconds(const FilterSource& probe, const PrefilterOptions& filter, c
     FilterSource source = probe;
     const auto frame = [&] {
         source = probe; // which holds nothing but the probe
-        return secondsOf([&] {
+        return timeOf([&] {
             PrefilterOutcome outcome = prefilter(source, filter, job);
             ran = outcome.method;
             if (options.drawer)
@@ -41,7 +41,7 @@ double frameSeconds(const FilterSource& probe, const PrefilterOptions& filter, c
                     std::make_shared<const std::vector<EnvironmentMap>>(std::vector<EnvironmentMap>{std::move(outcome.map)}));
         });
     };
-    const double first = frame();
+    const double first = frame().wall;
     return repeated(options.repeats, options.longest - first, frame).median();
 }
 

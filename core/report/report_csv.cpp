@@ -92,6 +92,7 @@ std::string measurementsCsv(const Report& report)
              "median_seconds",
              "shortest_seconds",
              "longest_seconds",
+             "cpu_seconds",
              "runs",
              "scaled",
              "next_lobe_seconds",
@@ -116,12 +117,13 @@ std::string measurementsCsv(const Report& report)
                 .cell(m.setting.label)
                 .cell(word(m.state));
             if (m.state != MeasurementState::Measured) {
-                csv.empty(20);
+                csv.empty(21);
             } else {
                 csv.cell(name(m.ran)).cell(m.filtered ? "yes" : "no").cell(m.bandLimit);
                 csv.cell(m.times.median())
                     .cell(m.times.shortest())
                     .cell(m.times.longest())
+                    .cell(m.times.cpuSeconds.empty() ? absent : m.times.cpuMedian())
                     .cell(static_cast<double>(m.times.seconds.size()));
                 csv.cell(m.scaled ? "yes" : "no").cell(m.nextLobe.empty() ? absent : m.nextLobe.median()).cell(m.predictedSeconds);
                 csv.cell(bytesOrAbsent(m.peakBytes)).cell(m.error.relRms).cell(m.error.maxAbs);
@@ -137,7 +139,8 @@ std::string measurementsCsv(const Report& report)
 
 std::string growthCsv(const Report& report)
 {
-    Csv csv({"axis", "at", "method", "state", "ran", "filtered", "streamed", "median_seconds", "runs", "peak_bytes", "probe_bytes", "why"});
+    Csv csv({"axis", "at", "method", "state", "ran", "filtered", "streamed", "median_seconds", "cpu_seconds", "runs", "peak_bytes",
+             "probe_bytes", "why"});
     for (const GrowthPoint& p : report.growth) {
         csv.cell(word(p.axis)).cell(p.at).cell(name(p.method)).cell(word(p.state));
         if (p.state != MeasurementState::Measured)
@@ -147,6 +150,7 @@ std::string growthCsv(const Report& report)
                 .cell(p.filtered ? "yes" : "no")
                 .cell(p.streamed ? "yes" : "no")
                 .cell(p.times.median())
+                .cell(p.times.cpuMedian())
                 .cell(static_cast<double>(p.times.seconds.size()))
                 .cell(bytesOrAbsent(p.peakBytes))
                 .cell(static_cast<double>(p.probeBytes));

@@ -35,7 +35,11 @@ Json pictureJson(const std::string& png, Pictures pictures)
 
 Json timesJson(const RunTimes& times)
 {
-    return {{"median", times.median()}, {"shortest", times.shortest()}, {"longest", times.longest()}, {"runs", times.seconds.size()}};
+    return {{"median", times.median()},
+            {"shortest", times.shortest()},
+            {"longest", times.longest()},
+            {"runs", times.seconds.size()},
+            {"cpu", times.cpuSeconds.empty() ? Json() : Json(times.cpuMedian())}};
 }
 
 Json layoutJson(const MapLayout& layout)

@@ -5,26 +5,39 @@
 
 namespace mirrorball {
 
-double RunTimes::median() const
+namespace {
+
+double medianOf(std::vector<double> values)
 {
-    if (seconds.empty())
+    if (values.empty())
         return 0.0;
-    std::vector<double> sorted = seconds;
-    std::sort(sorted.begin(), sorted.end());
-    const size_t half = sorted.size() / 2;
-    return sorted.size() % 2 == 1 ? sorted[half] : 0.5 * (sorted[half - 1] + sorted[half]);
+    std::sort(values.begin(), values.end());
+    const size_t half = values.size() / 2;
+    return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
+
+} // namespace
+
+void RunTimes::add(const RunTime& run)
+{
+    seconds.push_back(run.wall);
+    cpuSeconds.push_back(run.cpu);
+}
+
+double RunTimes::median() const { return medianOf(seconds); }
+
+double RunTimes::cpuMedian() const { return medianOf(cpuSeconds); }
 
 double RunTimes::shortest() const { return seconds.empty() ? 0.0 : *std::min_element(seconds.begin(), seconds.end()); }
 
 double RunTimes::longest() const { return seconds.empty() ? 0.0 : *std::max_element(seconds.begin(), seconds.end()); }
 
-RunTimes repeated(int times, double limit, const std::function<double()>& run)
+RunTimes repeated(int times, double limit, const std::function<RunTime()>& run)
 {
     RunTimes result;
     double spent = 0.0;
     for (int i = 0; i < times && (i == 0 || spent < limit); ++i) {
-        result.seconds.push_back(run());
+        result.add(run());
         spent += result.seconds.back();
     }
     return result;

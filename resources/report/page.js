@@ -289,7 +289,8 @@ const allMeasured = report.cases.flatMap(c => c.measurements.filter(measured));
 function lines(m) {
   const t = m.seconds;
   return [
-    `${time(t.median)} first lobe` + (t.runs > 1 ? ` (${time(t.shortest)} to ${time(t.longest)}, ${t.runs} runs)` : m.scaled ? " (scaled from a part)" : " (one run)"),
+    `${time(t.median)} first lobe` + (t.runs > 1 ? ` (${time(t.shortest)} to ${time(t.longest)}, ${t.runs} runs)` : m.scaled ? " (scaled from a part)" : " (one run)") +
+      (t.cpu === null ? "" : `, ${time(t.cpu)} of CPU`),
     m.next_lobe_seconds.runs ? `${time(m.next_lobe_seconds.median)} next lobe` : "",
     `rel_rms ${figure(m.rel_rms)}   p99_rel ${figure(m.p99_rel)}   max_abs ${figure(m.max_abs)}`,
     `predicted: rel_rms ${figure(m.predicted_error)}, ${time(m.predicted_seconds)}`,
@@ -419,7 +420,7 @@ if (predictable.length > 0)
     element("p", {class: "soft"}, "What auto chooses by. On the dashed line the prediction is right; above it the work took longer, or erred more, than predicted."),
     element("div", {class: "grid"},
       plotCard("predicted-error", "Error", null, () => predictionPlot(m => m.predicted_error, m => m.rel_rms, "rel_rms", powerText)),
-      plotCard("predicted-time", "Time", null, () => predictionPlot(m => m.predicted_seconds, m => m.seconds.median, "run time", timeText))));
+      plotCard("predicted-time", "Time", null, () => predictionPlot(m => m.predicted_seconds, m => m.seconds.cpu, "CPU time", timeText))));
 
 // --- parameterizations -----------------------------------------------------------------------------------------------------------
 
@@ -591,7 +592,7 @@ if (rows.length > 0) {
   const table = sortableTable([
     {title: "probe", value: r => probeName(r.c.probe)}, {title: "lobe", value: r => r.c.lobe}, {title: "method", value: r => r.m.method},
     {title: "setting", value: r => r.m.setting, hint: r => r.m.command},
-    number("time", m => m.seconds.median, time), number("shortest", m => m.seconds.shortest, time), number("longest", m => m.seconds.longest, time), number("runs", m => m.seconds.runs, String),
+    number("time", m => m.seconds.median, time), number("shortest", m => m.seconds.shortest, time), number("longest", m => m.seconds.longest, time), number("CPU", m => m.seconds.cpu ?? NaN, time), number("runs", m => m.seconds.runs, String),
     number("next lobe", m => m.next_lobe_seconds.runs ? m.next_lobe_seconds.median : NaN, time), number("predicted", m => m.predicted_seconds, time),
     number("memory", m => m.peak_bytes, bytes),
     number("rel_rms", m => m.rel_rms, figure), number("predicted", m => m.predicted_error, figure), number("median_rel", m => m.median_rel, figure), number("p99_rel", m => m.p99_rel, figure), number("max_abs", m => m.max_abs, figure),

@@ -97,4 +97,35 @@ void RecoveryTest::offersWhatAKilledProgramLeft()
     }
 }
 
+// Two programs have changed one document: neither takes the other's changes for left behind, nor away with its own, until the other is
+// gone.
+void RecoveryTest::leavesAloneWhatAnotherLivingProgramChanges()
+{
+    const TemporaryFolder folder;
+    const QString file = fromPath(folder / "scene.mirrorball"), copies = fromPath(folder / "copies");
+    const auto copiesThere = [&] { return QDir(copies).entryList({QStringLiteral("*.mirrorball")}, QDir::Files); };
+    QProcess program;
+    program.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--save-forever"), file, copies});
+    QVERIFY(program.waitForStarted());
+    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(copies + QStringLiteral("/ready")), 30000);
+    const QStringList others = copiesThere();
+    QCOMPARE(others.size(), 1);
+    {
+        Document document;
+        document.load(file);
+        Recovery recovery(document, copies);
+        QVERIFY(recovery.found().empty());
+        document.edit(QStringLiteral("turn"), {}, [](Scene& scene) { scene.view.exposure = -3.0; });
+        QTRY_VERIFY(QFile::exists(recovery.copyPath()));
+        QVERIFY(recovery.found().empty());
+    }
+    QCOMPARE(copiesThere(), others); // ours went, theirs did not
+    program.kill();
+    QVERIFY(program.waitForFinished());
+    Document document;
+    const std::vector<Recovery::Found> found = Recovery(document, copies).found();
+    QCOMPARE(found.size(), size_t{1});
+    QCOMPARE(loadScene(toPath(found.front().copy)).view.exposure, 1.0);
+}
+
 } // namespace mirrorball::test

@@ -11,6 +11,7 @@ private slots:
     void keepsUnsavedChangesAndDropsSavedOnes();
     void leavesNothingAfterAnOrderlyEnd();
     void offersWhatAKilledProgramLeft();
+    void leavesAloneWhatAnotherLivingProgramChanges();
 };
 
 /// What a program does until it is killed: edits and saves `file`, over and over, with copies in `folder`. Never returns.

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstring>
+#include <ctime>
 #include <memory>
+#include <thread>
 
 namespace mirrorball {
 namespace {
@@ -20,10 +23,31 @@ TEST(RunTimes, TakeTheMedianOfOddAndEvenRuns)
 
 TEST(RunTimes, AreRepeatedUntilTheirTimeIsSpentButAtLeastOnce)
 {
-    const auto aSecond = [] { return 1.0; };
+    const auto aSecond = [] { return RunTime{.wall = 1.0, .cpu = 2.0}; };
     EXPECT_EQ(repeated(5, 100.0, aSecond).seconds.size(), 5u);
     EXPECT_EQ(repeated(5, 2.5, aSecond).seconds.size(), 3u); // the third begins before 2.5 s are spent
     EXPECT_EQ(repeated(5, 0.0, aSecond).seconds.size(), 1u);
+}
+
+TEST(RunTimes, CountTheProcessorsBesideTheClock)
+{
+    const RunTime asleep = timeOf([] { std::this_thread::sleep_for(std::chrono::milliseconds(50)); });
+    EXPECT_GE(asleep.wall, 0.05);
+    EXPECT_LT(asleep.cpu, 0.5 * asleep.wall);
+
+    const auto computeFor = [](std::clock_t ticks) {
+        for (const std::clock_t end = std::clock() + ticks; std::clock() < end;) {
+        }
+    };
+    const RunTime busy = timeOf([&] { computeFor(CLOCKS_PER_SEC / 20); });
+    EXPECT_NEAR(busy.cpu, 0.05, 0.01);
+    EXPECT_LT(busy.cpu, busy.wall + 0.01);
+
+    RunTimes times;
+    for (const double cpu : {3.0, 1.0, 2.0})
+        times.add({.wall = 0.5 * cpu, .cpu = cpu});
+    EXPECT_EQ(times.cpuMedian(), 2.0);
+    EXPECT_EQ(times.median(), 1.0);
 }
 
 /// Peak of allocating that many bytes and writing to all of them.
