@@ -7,9 +7,10 @@
 #include "core/spheremap/document/presets.h"
 #include "core/spheremap/document/sphere_map_file.h"
 #include "core/spheremap/evaluation/matcap_passes.h"
-#include "core/spheremap/evaluation/painted_pictures.h"
+#include "core/spheremap/evaluation/painted_files.h"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 namespace mirrorball::cli {
@@ -50,7 +51,6 @@ void runOne(const Options& o, const JobControl& job)
     if (o.size <= 2 * o.border)
         throw InvalidArgument("--border: must leave room for the map between the borders of a picture of " + std::to_string(o.size) +
                               " texels; it is " + std::to_string(o.border));
-    const WriteOptions writeOptions = paintedFileOptions(document, o.half ? SampleType::Half : SampleType::Float);
     const auto writeTheRest = [&] { // once all went well
         if (!o.saved.empty())
             saveSphereMap(document, o.saved);
@@ -62,14 +62,14 @@ void runOne(const Options& o, const JobControl& job)
             timedStage(stages, "evaluate", [&] { return evaluatePasses(document, o.specular, {.size = o.size - 2 * o.border}, job); });
         timedStage(stages, "write map", [&] {
             writePasses(o.out, {{"diffuse", bordered(passes.diffuse, o.border)}, {"specular", bordered(passes.specular, o.border)}},
-                        writeOptions);
+                        paintedFileOptions(document, o.half ? SampleType::Half : SampleType::Float));
         });
         writeTheRest();
         return;
     }
     const PaintedOptions options{.size = o.size, .border = o.border, .levels = o.levels ? PaintedLevels::Authored : PaintedLevels::One};
-    const std::vector<Image> levels = timedStage(stages, "evaluate", [&] { return paintedPictures(document, options, job); });
-    timedStage(stages, "write map", [&] { writePictures(o.out, levels, writeOptions); });
+    PaintedFiles painted = writePainted(o.out, document, options, o.half ? SampleType::Half : SampleType::Float, job);
+    stages.insert(stages.end(), std::make_move_iterator(painted.stages.begin()), std::make_move_iterator(painted.stages.end()));
     writeTheRest();
 }
 

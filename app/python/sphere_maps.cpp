@@ -3,10 +3,9 @@
 #include "work.h"
 
 #include "core/base/error.h"
-#include "core/image/map_file.h"
 #include "core/spheremap/document/presets.h"
 #include "core/spheremap/document/sphere_map_file.h"
-#include "core/spheremap/evaluation/painted_pictures.h"
+#include "core/spheremap/evaluation/painted_files.h"
 
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -24,11 +23,16 @@ SphereMapDocument preset(const std::string& name)
     throw InvalidArgument("name: '" + name + "' is no built-in sphere map; mirrorball.presets() lists them");
 }
 
-std::vector<Image> paint(const SphereMapDocument& document, int size, bool levels, int border, int threads, const py::object& progress)
+PaintedOptions checkedOptions(int size, bool levels, int border)
 {
     if (size < 1 || size > largestSphereMap)
         throw InvalidArgument("size: must lie in 1 to " + std::to_string(largestSphereMap) + "; it is " + std::to_string(size));
-    const PaintedOptions options{.size = size, .border = border, .levels = levels ? PaintedLevels::Authored : PaintedLevels::One};
+    return {.size = size, .border = border, .levels = levels ? PaintedLevels::Authored : PaintedLevels::One};
+}
+
+std::vector<Image> paint(const SphereMapDocument& document, int size, bool levels, int border, int threads, const py::object& progress)
+{
+    const PaintedOptions options = checkedOptions(size, levels, border);
     return resultOf(threads, progress, [&](const JobControl& job) { return paintedPictures(document, options, job); });
 }
 
@@ -63,8 +67,10 @@ void bindSphereMaps(py::module_& m)
             "write",
             [](const SphereMapDocument& document, const std::filesystem::path& path, int size, bool levels, int border, bool half,
                int threads, const py::object& progress) {
-                const std::vector<Image> pictures = paint(document, size, levels, border, threads, progress);
-                return writePictures(path, pictures, paintedFileOptions(document, half ? SampleType::Half : SampleType::Float));
+                const PaintedOptions options = checkedOptions(size, levels, border);
+                const SampleType samples = half ? SampleType::Half : SampleType::Float;
+                return resultOf(threads, progress,
+                                [&](const JobControl& job) { return writePainted(path, document, options, samples, job).files; });
             },
             py::arg("path"), py::arg("size"), py::kw_only(), py::arg("levels") = false, py::arg("border") = 0, py::arg("half") = false,
             py::arg("threads") = 0, py::arg("progress") = py::none(),

@@ -1,5 +1,7 @@
 #include "paraboloid.h"
 
+#include "exact_paraboloid_sum.h"
+
 #include "core/base/error.h"
 #include "core/image/reproject.h"
 #include "core/sphere/direction.h"
@@ -20,13 +22,6 @@ constexpr double largestRadius = 1024.0;
 constexpr int spreadMargin = 2;
 
 double reachOf(const Lobe& lobe, const ParaboloidKnobs& knobs) { return LobeShape(lobe).support(knobs.clamp); }
-
-/// Direction of a place in the plane of the front half.
-glm::dvec3 lift(const glm::dvec2& q)
-{
-    const double q2 = glm::dot(q, q), scale = 1.0 / (1.0 + q2);
-    return {2.0 * scale * q.x, 2.0 * scale * q.y, scale * (1.0 - q2)};
-}
 
 ParaboloidHalves layOutBlended(const EnvironmentMap& latlong, const Lobe& lobe, const ParaboloidKnobs& knobs, const JobControl& job)
 {
@@ -179,55 +174,6 @@ std::vector<glm::dvec3> sumBlended(const ParaboloidHalves& halves, std::span<con
     return result;
 }
 
-/// First and last texel of a range of the plane, clipped to the half.
-struct TexelRange {
-    int first, last;
-    TexelRange(double from, double to, int side)
-        : first(std::max(0, static_cast<int>(std::floor(from)))), last(std::min(side - 1, static_cast<int>(std::floor(to))))
-    {
-    }
-};
-
-std::vector<glm::dvec3> sumExact(const ParaboloidHalves& halves, std::span<const glm::dvec3> directions, const JobControl& job)
-{
-    const LobeShape shape(halves.lobe);
-    const int side = halves.side;
-    const double largestX = std::pow(std::sin(0.5 * halves.reach), 2), middle = 0.5 * side;
-    std::vector<glm::dvec3> result(directions.size());
-    parallelRows(
-        static_cast<int>(directions.size()), job,
-        [&](int first, int last) {
-            for (int n = first; n < last; ++n) {
-                const glm::dvec3 r = directions[static_cast<size_t>(n)];
-                glm::dvec4 sum(0.0);
-                for (int half = 0; half < 2; ++half) {
-                    const glm::dvec3 own(r.x, r.y, half == 1 ? -r.z : r.z);
-                    if (own.z < halves.leastAlongAxis)
-                        continue;
-                    // A cap that holds the point of projection, or nearly, covers whatever it meets of the disc: look at all of it.
-                    const bool isCircle = own.z + std::cos(halves.reach) > 0.01;
-                    const CapCircle circle = isCircle ? circleOfCap(own, halves.reach) : CapCircle{{}, 4.0};
-                    const glm::dvec2 centre(middle + halves.radius * circle.centre.x, middle - halves.radius * circle.centre.y);
-                    const double radius = halves.radius * circle.radius;
-                    const TexelRange columns(centre.x - radius, centre.x + radius, side), rows(centre.y - radius, centre.y + radius, side);
-                    for (int y = rows.first; y <= rows.last; ++y) {
-                        const glm::vec4* row = &halves.texels[static_cast<size_t>(2 * y + half) * static_cast<size_t>(side)];
-                        for (int x = columns.first; x <= columns.last; ++x) {
-                            const glm::dvec2 q(x + 0.5 - middle, middle - y - 0.5);
-                            const glm::dvec3 chord = own - lift(q / halves.radius);
-                            const double sin2 = 0.25 * glm::dot(chord, chord); // sin^2 of half the angle
-                            if (sin2 <= largestX)
-                                sum += shape.relative(1.0 - 2.0 * sin2) * glm::dvec4(row[x]);
-                        }
-                    }
-                }
-                result[static_cast<size_t>(n)] = sum.w > 0.0 ? glm::dvec3(sum) / sum.w : glm::dvec3(0.0);
-            }
-        },
-        64);
-    return result;
-}
-
 } // namespace
 
 std::span<const std::string_view> words(ParaboloidKernel) { return kernelWords; }
@@ -277,7 +223,7 @@ ParaboloidHalves layOutHalves(const EnvironmentMap& latlong, const Lobe& lobe, c
 
 std::vector<glm::dvec3> paraboloidSum(const ParaboloidHalves& halves, std::span<const glm::dvec3> directions, const JobControl& job)
 {
-    return halves.kernel == ParaboloidKernel::Blended ? sumBlended(halves, directions, job) : sumExact(halves, directions, job);
+    return halves.kernel == ParaboloidKernel::Blended ? sumBlended(halves, directions, job) : exactParaboloidSum(halves, directions, job);
 }
 
 } // namespace mirrorball

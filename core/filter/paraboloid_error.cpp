@@ -1,5 +1,5 @@
 #include "bright_texels.h"
-#include "paraboloid.h"
+#include "paraboloid_lattice.h"
 
 #include "core/sphere/direction.h"
 
@@ -209,9 +209,11 @@ double paraboloidSeconds(const Lobe& lobe, const ParaboloidKnobs& knobs, int pro
     const double reach = LobeShape(lobe).support(knobs.clamp);
     if (knobs.kernel == ParaboloidKernel::Exact) {
         // Kernels are larger towards the rim: twice as many texels on average over the sphere.
-        const double side = 2.0 * exactHalfRadius(reach, knobs.largestKernel) + 6.0;
+        const double radius = exactHalfRadius(reach, knobs.largestKernel), side = 2.0 * radius + 6.0;
         const double taps = std::min(2.0 * knobs.largestKernel * knobs.largestKernel, 2.0 * side * side);
-        return 6e-8 * probeWidth * probeWidth / 2 + 1e-7 * side * side + 1.3e-8 * taps * directions;
+        const int perTexel = latticeDensity(lobe, reach, radius, directions);
+        const double sums = perTexel > 0 ? latticePoints(radius, perTexel) : directions;
+        return 6e-8 * probeWidth * probeWidth / 2 + 1e-7 * side * side + 1.3e-8 * taps * sums + (perTexel > 0 ? 1e-7 * directions : 0.0);
     }
     const KernelSizes sizes = kernelSizes(reach, knobs.half, knobs.largestKernel);
     const SampledKernel large = sampleKernel(lobe, reach, knobs.half, sizes.largeShrink, KernelPlace::Rim);

@@ -5,6 +5,7 @@
 #include "hierarchical.h"
 #include "importance.h"
 #include "mip_blur.h"
+#include "paraboloid_lattice.h"
 #include "reference.h"
 #include "sh9.h"
 #include "source_file.h"
@@ -14,6 +15,7 @@
 #include "core/image/reproject.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -70,6 +72,20 @@ struct MapCheck {
     double excess;
 };
 
+float leastOf(const std::vector<float>& values)
+{
+    constexpr size_t lanes = 16; // so that the compiler makes vectors of them
+    std::array<float, lanes> least;
+    least.fill(values.empty() ? 0.0f : values.front());
+    size_t i = 0;
+    for (; i + lanes <= values.size(); i += lanes)
+        for (size_t k = 0; k < lanes; ++k)
+            least[k] = std::min(least[k], values[i + k]);
+    for (; i < values.size(); ++i)
+        least[0] = std::min(least[0], values[i]);
+    return *std::min_element(least.begin(), least.end());
+}
+
 MapCheck check(const EnvironmentMap& map, const SettledSpectral& settled, double tolerance)
 {
     const ValueDistribution values = ValueDistribution::of(map);
@@ -77,7 +93,7 @@ MapCheck check(const EnvironmentMap& map, const SettledSpectral& settled, double
     MapCheck result{.predicted = spectralErrors(values, settled), .excess = 0.0};
     result.excess = std::max(
         {result.predicted.relRms / limits.relRms, result.predicted.medianRel / limits.medianRel, result.predicted.p99Rel / limits.p99Rel});
-    const double least = *std::min_element(map.image.texels.begin(), map.image.texels.end());
+    const double least = leastOf(map.image.texels);
     const bool nonNegative = settled.spectrum->least >= 0.0;
     if (nonNegative && least < 0.0)
         result.excess = std::max(result.excess, -least / (limits.negative * std::max(values.mean(), std::numeric_limits<double>::min())));
@@ -131,17 +147,21 @@ EnvironmentMap runParaboloid(FilterSource& source, const PrefilterOptions& optio
         return layOutHalves(*source.latlong(), options.lobe, resolved(options.knobs.paraboloid, source.height()), job);
     });
     const std::vector<glm::dvec3> directions = lookupDirections(options.target, options.yaw);
+    const auto summed = [&](const char* stage, const ParaboloidSums& sums) {
+        return timedStage(outcome.stages, stage, [&] { return toMap(options.target, paraboloidSums(halves, directions, sums, job)); });
+    };
     std::string why = "no OpenGL device was given";
     if (ParaboloidDevice* device = source.paraboloidDevice()) {
         try {
-            return timedStage(outcome.stages, "paraboloid sums",
-                              [&] { return toMap(options.target, device->sum(halves, directions, job)); });
+            return summed("paraboloid sums", [&](std::span<const glm::dvec3> some) { return device->sum(halves, some, job); });
         } catch (const WorkError& error) {
             why = error.what();
         }
     }
-    EnvironmentMap map = timedStage(outcome.stages, "paraboloid sums on the CPU",
-                                    [&] { return toMap(options.target, paraboloidSum(halves, directions, job)); });
+    EnvironmentMap map = summed("paraboloid sums on the CPU", [&](std::span<const glm::dvec3> some) {
+        const std::vector<glm::dvec3> sums = paraboloidSum(halves, some, job);
+        return std::vector<glm::vec3>(sums.begin(), sums.end());
+    });
     outcome.stages.back().why = why;
     return map;
 }

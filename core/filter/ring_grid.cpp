@@ -27,18 +27,25 @@ double splineGain()
     return gain;
 }
 
-/// Values of the six quintic B-splines that reach a point at fraction t in [0, 1) past the third one.
-inline std::array<float, taps> splineWeights(float t)
+/// Points whose weights are found side by side.
+constexpr size_t batch = 64;
+using Weights = std::array<std::array<float, batch>, taps>;
+
+/// Values of the six quintic B-splines that reach points at fractions t in [0, 1) past the third one.
+inline void setSplineWeights(const std::array<float, batch>& fractions, Weights& weights)
 {
-    const float t2 = t * t, t3 = t2 * t, t4 = t2 * t2, t5 = t4 * t;
-    const float s = 1.0f - t, s5 = s * s * s * s * s;
     constexpr float scale = 1.0f / 120.0f;
-    return {scale * s5,
-            scale * (26.0f - 50.0f * t + 20.0f * t2 + 20.0f * t3 - 20.0f * t4 + 5.0f * t5),
-            scale * (66.0f - 60.0f * t2 + 30.0f * t4 - 10.0f * t5),
-            scale * (26.0f + 50.0f * t + 20.0f * t2 - 20.0f * t3 - 20.0f * t4 + 10.0f * t5),
-            scale * (1.0f + 5.0f * t + 10.0f * t2 + 10.0f * t3 + 5.0f * t4 - 5.0f * t5),
-            scale * t5};
+    for (size_t i = 0; i < batch; ++i) {
+        const float t = fractions[i];
+        const float t2 = t * t, t3 = t2 * t, t4 = t2 * t2, t5 = t4 * t;
+        const float s = 1.0f - t, s5 = s * s * s * s * s;
+        weights[0][i] = scale * s5;
+        weights[1][i] = scale * (26.0f - 50.0f * t + 20.0f * t2 + 20.0f * t3 - 20.0f * t4 + 5.0f * t5);
+        weights[2][i] = scale * (66.0f - 60.0f * t2 + 30.0f * t4 - 10.0f * t5);
+        weights[3][i] = scale * (26.0f + 50.0f * t + 20.0f * t2 - 20.0f * t3 - 20.0f * t4 + 10.0f * t5);
+        weights[4][i] = scale * (1.0f + 5.0f * t + 10.0f * t2 + 10.0f * t3 + 5.0f * t4 - 5.0f * t5);
+        weights[5][i] = scale * t5;
+    }
 }
 
 /// Two neighbouring samples of RGB and the norm as one vector of the compiler's; loads need no alignment.
@@ -172,6 +179,9 @@ RingGrid::RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int r
     }
     for (double& value : m_zonal)
         value -= 1.0;
+    constexpr double lost = 1e-9; // beside 1, in a float
+    m_isNormFlat =
+        m_zonalBeyond.empty() && std::all_of(m_zonal.begin(), m_zonal.end(), [](double value) { return std::abs(value) < lost; });
 
     m_texels.resize(4 * static_cast<size_t>(rings + haloBefore + haloAfter) * static_cast<size_t>(m_stride));
     const auto at = [&](int row, int x) {
@@ -218,29 +228,43 @@ MIRRORBALL_CLONES // the loop over taps is the hot one of every export
     void
     interpolate(const float* texels, int stride, double perRadian, std::span<const SpherePoint> points, float* rgbn)
 {
-    for (const SpherePoint& p : points) {
-        const double x = p.azimuth * perRadian, y = p.colatitude * perRadian - 0.5;
-        const double floorX = std::floor(x), floorY = std::floor(y);
-        const auto wx = splineWeights(static_cast<float>(x - floorX));
-        const auto wy = splineWeights(static_cast<float>(y - floorY));
-        const TwoTexels w01{wx[0], wx[0], wx[0], wx[0], wx[1], wx[1], wx[1], wx[1]};
-        const TwoTexels w23{wx[2], wx[2], wx[2], wx[2], wx[3], wx[3], wx[3], wx[3]};
-        const TwoTexels w45{wx[4], wx[4], wx[4], wx[4], wx[5], wx[5], wx[5], wx[5]};
-        const float* row = texels + 4 * (static_cast<ptrdiff_t>(static_cast<int>(floorY) - 2 + haloBefore) * stride +
-                                         (static_cast<int>(floorX) - 2 + haloBefore));
-        TwoTexels sum{};
-        for (size_t j = 0; j < taps; ++j, row += 4 * static_cast<ptrdiff_t>(stride)) {
-            const auto* pair = reinterpret_cast<const TwoTexels*>(row);
-            sum += wy[j] * (w01 * pair[0] + w23 * pair[1] + w45 * pair[2]);
+    std::array<float, batch> fractionX{}, fractionY{};
+    std::array<int, batch> corner{};
+    Weights wx, wy;
+    for (size_t first = 0; first < points.size(); first += batch) {
+        const size_t count = std::min(batch, points.size() - first);
+        for (size_t i = 0; i < count; ++i) {
+            const double x = points[first + i].azimuth * perRadian, y = points[first + i].colatitude * perRadian + 0.5; // one row down
+            const int floorX = static_cast<int>(x), floorY = static_cast<int>(y); // neither is negative
+            fractionX[i] = static_cast<float>(x - floorX);
+            fractionY[i] = static_cast<float>(y - floorY);
+            corner[i] = (floorY - 3 + haloBefore) * stride + floorX - 2 + haloBefore;
         }
-        for (int c = 0; c < 4; ++c)
-            *rgbn++ = sum[c] + sum[c + 4];
+        setSplineWeights(fractionX, wx);
+        setSplineWeights(fractionY, wy);
+        for (size_t i = 0; i < count; ++i) {
+            const float* row = texels + 4 * static_cast<ptrdiff_t>(corner[i]);
+            TwoTexels sum01{}, sum23{}, sum45{};
+            for (size_t j = 0; j < taps; ++j, row += 4 * static_cast<ptrdiff_t>(stride)) {
+                const auto* pair = reinterpret_cast<const TwoTexels*>(row);
+                sum01 += wy[j][i] * pair[0];
+                sum23 += wy[j][i] * pair[1];
+                sum45 += wy[j][i] * pair[2];
+            }
+            const float a = wx[0][i], b = wx[1][i], c = wx[2][i], d = wx[3][i], e = wx[4][i], f = wx[5][i];
+            const TwoTexels sum = TwoTexels{a, a, a, a, b, b, b, b} * sum01 + TwoTexels{c, c, c, c, d, d, d, d} * sum23 +
+                                  TwoTexels{e, e, e, e, f, f, f, f} * sum45;
+            for (size_t k = 0; k < 4; ++k)
+                *rgbn++ = sum[k] + sum[k + 4];
+        }
     }
 }
 
 void RingGrid::read(std::span<const SpherePoint> points, float* rgbn) const
 {
     interpolate(m_texels.data(), m_stride, m_rings / pi, points, rgbn);
+    if (m_isNormFlat)
+        return;
     const double intervals = static_cast<double>(m_zonal.size()) - 3.0;
     for (const SpherePoint& p : points) {
         const double at = std::clamp(p.colatitude / pi * intervals, 0.0, intervals);

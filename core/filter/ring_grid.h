@@ -51,6 +51,7 @@ private:
     /// From pole to pole and one place beyond either: the zonal norm less 1, and that part of it that lies beyond the rings' band limit,
     /// which the numerators of RGB have times the mean; empty where none does.
     std::vector<double> m_zonal, m_zonalBeyond;
+    bool m_isNormFlat = false; ///< the zonal norm is 1 as far as floats tell
     glm::dvec3 m_mean{0.0};
 };
 

@@ -179,9 +179,12 @@ EnvironmentMap filterSpectral(const Spectrum& spectrum, const std::vector<double
         float* to = map.image.row(first);
         for (int y = first; y < last; ++y)
             for (int x = 0; x < width; ++x, from += 4, to += 3) {
-                const glm::dvec3 sum = glm::dvec3(from[0], from[1], from[2]) + brightAt(x, y);
+                glm::dvec3 sum(from[0], from[1], from[2]);
+                if (!bright.empty())
+                    sum += brightAt(x, y);
+                const double inverse = 1.0 / (1.0 + static_cast<double>(from[3]));
                 for (int c = 0; c < 3; ++c)
-                    to[c] = static_cast<float>(sum[c] / (1.0 + from[3]));
+                    to[c] = static_cast<float>(sum[c] * inverse);
             }
     });
     return map;

@@ -3,10 +3,12 @@
 #include "ring_transform.h"
 
 #include "core/base/error.h"
+#include "core/base/multiversion.h"
 
 #include <fftw3.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <mutex>
@@ -44,6 +46,72 @@ std::mutex& plannerMutex()
     return mutex;
 }
 
+/// Adds share |a - mean unit|^2 of coefficients in a row to a power for each. @param unit  null: none
+MIRRORBALL_CLONES void addPower(const Complex* coefficients, const Complex* unit, double mean, double share, size_t count,
+                                double* __restrict power)
+{
+    const auto* a = reinterpret_cast<const double*>(coefficients); // as the standard lays them out
+    const auto* u = reinterpret_cast<const double*>(unit);
+    for (size_t i = 0; i < count; ++i) {
+        const double re = u ? a[2 * i] - mean * u[2 * i] : a[2 * i], im = u ? a[2 * i + 1] - mean * u[2 * i + 1] : a[2 * i + 1];
+        power[i] += share * (re * re + im * im);
+    }
+}
+
+/// Adds factor P_l at many places, and goes from P_(l-1), P_l to P_l, P_(l+1).
+MIRRORBALL_CLONES void addLegendre(size_t l, double factor, const std::vector<double>& x, std::vector<double>& before,
+                                   std::vector<double>& now, std::vector<double>& sum)
+{
+    const double d = static_cast<double>(l), a = (2.0 * d + 1.0) / (d + 1.0), b = d / (d + 1.0);
+    const double* __restrict at = x.data();
+    double* __restrict previous = before.data(), * __restrict p = now.data(), * __restrict norm = sum.data();
+    for (size_t j = 0; j < x.size(); ++j) {
+        norm[j] += factor * p[j];
+        const double next = a * at[j] * p[j] - b * previous[j];
+        previous[j] = p[j];
+        p[j] = next;
+    }
+}
+
+/// One channel of a row of RGB. @return the sum of its squares
+MIRRORBALL_CLONES double takeChannel(const float* __restrict rgb, size_t width, double* __restrict values)
+{
+    std::array<double, 4> squares{}; // sums that do not wait for one another
+    size_t x = 0;
+    for (; x + 4 <= width; x += 4)
+        for (size_t k = 0; k < 4; ++k) {
+            const double value = rgb[3 * (x + k)];
+            values[x + k] = value;
+            squares[k] += value * value;
+        }
+    for (; x < width; ++x) {
+        values[x] = rgb[3 * x];
+        squares[x % 4] += values[x] * values[x];
+    }
+    return squares[0] + squares[1] + squares[2] + squares[3];
+}
+
+/// Takes the largest magnitude and the least value of some into account.
+MIRRORBALL_CLONES void widen(const float* values, size_t count, float& peak, float& least)
+{
+    constexpr size_t lanes = 16;
+    std::array<float, lanes> peaks, leasts;
+    peaks.fill(peak);
+    leasts.fill(least);
+    size_t i = 0;
+    for (; i + lanes <= count; i += lanes)
+        for (size_t k = 0; k < lanes; ++k) {
+            peaks[k] = std::max(peaks[k], std::abs(values[i + k]));
+            leasts[k] = std::min(leasts[k], values[i + k]);
+        }
+    for (; i < count; ++i) {
+        peaks[0] = std::max(peaks[0], std::abs(values[i]));
+        leasts[0] = std::min(leasts[0], values[i]);
+    }
+    peak = *std::max_element(peaks.begin(), peaks.end());
+    least = *std::min_element(leasts.begin(), leasts.end());
+}
+
 } // namespace
 
 std::vector<glm::dvec3> Spectrum::channelPowerAboutMean() const
@@ -52,18 +120,12 @@ std::vector<glm::dvec3> Spectrum::channelPowerAboutMean() const
     for (int c = 0; c < 3; ++c) {
         const std::vector<Complex>& channel = coefficients[static_cast<size_t>(c)];
         const double mean = channel[0].real() / unit[0].real();
-        std::vector<double> power(result.size()); // of one channel lie side by side, for vector instructions
+        std::vector<double> power(static_cast<size_t>(bandLimit) + 1, 0.0);
         for (int m = 0; m <= bandLimit; ++m) {
-            const double twice = m == 0 ? 1.0 : 2.0;
-            const Complex* from = channel.data() + index(0, m);
-            if (m % ringLength == 0) {
-                const Complex* one = unit.data() + index(0, m);
-                for (int l = std::max(m, 1); l <= bandLimit; ++l)
-                    power[static_cast<size_t>(l)] += twice * std::norm(from[l] - mean * one[l]);
-            } else {
-                for (int l = m; l <= bandLimit; ++l)
-                    power[static_cast<size_t>(l)] += twice * (from[l].real() * from[l].real() + from[l].imag() * from[l].imag());
-            }
+            const int first = std::max(m, 1);
+            const auto count = static_cast<size_t>(bandLimit - first + 1);
+            addPower(channel.data() + index(first, m), m % ringLength == 0 ? unit.data() + index(first, m) : nullptr, mean,
+                     m == 0 ? 1.0 : 2.0, count, power.data() + first);
         }
         power[0] = std::norm(channel[0]);
         for (size_t l = 0; l < power.size(); ++l)
@@ -168,19 +230,12 @@ void SpectrumBuilder::addRows(int firstRow, int rows, const float* rgb, const Jo
         float peak = 0.0f, least = HUGE_VALF;
         for (int y = first; y < last; ++y) {
             const float* texels = rgb + static_cast<size_t>(y) * width * 3;
+            widen(texels, 3 * width, peak, least);
             for (size_t c = 0; c < 3; ++c) {
                 double* target = m_rows[c].data() + static_cast<size_t>(firstRow - m_range.first + y) * kept;
                 double* input = m_plans ? row.data() : target;
-                std::array<double, 4> squares{}; // sums that do not wait for one another
-                for (size_t x = 0; x < width; ++x) {
-                    const float value = texels[3 * x + c];
-                    peak = std::max(peak, std::abs(value));
-                    least = std::min(least, value);
-                    input[x] = value;
-                    squares[x % 4] += input[x] * input[x];
-                }
                 m_rowSquares[static_cast<size_t>(firstRow - m_range.first + y)][static_cast<int>(c)] =
-                    squares[0] + squares[1] + squares[2] + squares[3];
+                    takeChannel(texels + c, width, input);
                 if (!m_plans)
                     continue;
                 fftw_execute_dft_r2c(m_plans->forward, row.data(), reinterpret_cast<fftw_complex*>(modes.data()));
@@ -371,16 +426,8 @@ std::vector<double> zonalNorm(const Spectrum& spectrum, const std::vector<double
     std::vector<double> x, previous(theta.size(), 0.0), p(theta.size(), 1.0), norm(theta.size(), 0.0);
     for (const double t : theta)
         x.push_back(std::cos(t));
-    for (size_t l = 0; l <= last; ++l) {
-        const double d = static_cast<double>(l), a = (2.0 * d + 1.0) / (d + 1.0), b = d / (d + 1.0);
-        const double factor = k[l] * std::sqrt((2.0 * d + 1.0) / (4.0 * pi)) * spectrum.zonalUnit[l];
-        for (size_t j = 0; j < x.size(); ++j) {
-            norm[j] += factor * p[j];
-            const double next = a * x[j] * p[j] - b * previous[j];
-            previous[j] = p[j];
-            p[j] = next;
-        }
-    }
+    for (size_t l = 0; l <= last; ++l)
+        addLegendre(l, k[l] * std::sqrt((2.0 * static_cast<double>(l) + 1.0) / (4.0 * pi)) * spectrum.zonalUnit[l], x, previous, p, norm);
     return norm;
 }
 

@@ -8,6 +8,10 @@
 
 /// OpenEXR files (.exr).
 /// Source: OpenEXR's Technical Introduction and file layout documents (openexr.com).
+namespace mirrorball {
+struct PictureRows;
+}
+
 namespace mirrorball::exr {
 
 /// Whether a file that begins with these bytes is an OpenEXR file.
@@ -26,6 +30,9 @@ std::unique_ptr<ImageReader> openPass(const std::filesystem::path& path, const s
 /// Scanlines, ZIP-compressed unless that saves nothing. One channel is written as Y, four as R, G, B, A. The attribute "envmap" (latlong or
 /// cube) becomes OpenEXR's own; others are stored as strings. @throws WorkError
 void write(AtomicFile& file, const Image& image, const WriteOptions& options);
+
+/// The same of a picture whose rows are made as they are written. @throws WorkError; what making rows throws
+void writeRows(AtomicFile& file, const PictureRows& picture, const WriteOptions& options);
 
 /// Several pictures of one size in one part, as passes: channels `NAME.R`, `NAME.G`, `NAME.B`. Scanlines, ZIP-compressed. @throws WorkError
 void writePasses(AtomicFile& file, const std::vector<ImagePassData>& passes, const WriteOptions& options);

@@ -2,6 +2,7 @@
 
 #include "exr_threads.h"
 #include "input_checks.h"
+#include "picture_rows.h"
 
 #include "core/base/error.h"
 
@@ -56,11 +57,12 @@ bool compresses(const Image& image, const WriteOptions& options)
     return 2 * std::count_if(image.texels.begin(), image.texels.end(), isShort) >= static_cast<std::ptrdiff_t>(image.texels.size());
 }
 
-Imf::Header makeHeader(const Image& image, const WriteOptions& options)
+/// @param sample  the picture, or a smaller one of it
+Imf::Header makeHeader(int width, int height, const Image& sample, const WriteOptions& options)
 {
-    Imf::Header header(image.width, image.height);
-    header.compression() = compresses(image, options) ? Imf::ZIP_COMPRESSION : Imf::NO_COMPRESSION;
-    for (const std::string& name : channelNames(image.channels))
+    Imf::Header header(width, height);
+    header.compression() = compresses(sample, options) ? Imf::ZIP_COMPRESSION : Imf::NO_COMPRESSION;
+    for (const std::string& name : channelNames(sample.channels))
         header.channels().insert(name, Imf::Channel(options.sampleType == SampleType::Half ? Imf::HALF : Imf::FLOAT));
     for (const auto& [name, text] : options.attributes) {
         if (name == "envmap")
@@ -71,8 +73,10 @@ Imf::Header makeHeader(const Image& image, const WriteOptions& options)
     return header;
 }
 
-/// Channels of interleaved samples that begin at row `firstRow` of the image.
-Imf::FrameBuffer frameBuffer(const Image& image, Imf::PixelType type, const void* samples, int firstRow)
+Imf::Header makeHeader(const Image& image, const WriteOptions& options) { return makeHeader(image.width, image.height, image, options); }
+
+/// Channels of interleaved samples that begin at row `firstRow` of the picture. @param rows  that there are
+Imf::FrameBuffer frameBuffer(const Image& image, Imf::PixelType type, const void* samples, int firstRow, int rows)
 {
     Imf::FrameBuffer buffer;
     const size_t sample = type == Imf::HALF ? sizeof(half) : sizeof(float);
@@ -80,8 +84,8 @@ Imf::FrameBuffer frameBuffer(const Image& image, Imf::PixelType type, const void
     size_t offset = 0;
     for (const std::string& name : channelNames(image.channels)) {
         const char* first = static_cast<const char*>(samples) + offset;
-        buffer.insert(name, Imf::Slice::Make(type, first, V2i(0, firstRow), image.width, image.height - firstRow, texel,
-                                             texel * static_cast<size_t>(image.width)));
+        buffer.insert(name,
+                      Imf::Slice::Make(type, first, V2i(0, firstRow), image.width, rows, texel, texel * static_cast<size_t>(image.width)));
         offset += sample;
     }
     return buffer;
@@ -120,7 +124,7 @@ void write(AtomicFile& file, const Image& image, const WriteOptions& options)
         OutputStream stream(file);
         Imf::OutputFile output(stream, makeHeader(image, options));
         if (options.sampleType == SampleType::Float) {
-            output.setFrameBuffer(frameBuffer(image, Imf::FLOAT, image.texels.data(), 0));
+            output.setFrameBuffer(frameBuffer(image, Imf::FLOAT, image.texels.data(), 0, image.height));
             output.writePixels(image.height);
             return;
         }
@@ -128,7 +132,24 @@ void write(AtomicFile& file, const Image& image, const WriteOptions& options)
         for (int y = 0; y < image.height; y += blockRows) {
             const int rows = std::min(blockRows, image.height - y);
             const std::vector<half> samples = halfRows(image, y, rows);
-            output.setFrameBuffer(frameBuffer(image, Imf::HALF, samples.data(), y));
+            output.setFrameBuffer(frameBuffer(image, Imf::HALF, samples.data(), y, rows));
+            output.writePixels(rows);
+        }
+    });
+}
+
+void writeRows(AtomicFile& file, const PictureRows& picture, const WriteOptions& options)
+{
+    writing([&] {
+        OutputStream stream(file);
+        Imf::OutputFile output(stream, makeHeader(picture.width, picture.height, picture.sample, options));
+        const bool isHalf = options.sampleType == SampleType::Half;
+        for (int y = 0; y < picture.height; y += picture.atATime) {
+            const int rows = std::min(picture.atATime, picture.height - y);
+            const Image part = picture.rows(y, rows);
+            const std::vector<half> samples = isHalf ? halfRows(part, 0, rows) : std::vector<half>();
+            output.setFrameBuffer(isHalf ? frameBuffer(part, Imf::HALF, samples.data(), y, rows)
+                                         : frameBuffer(part, Imf::FLOAT, part.texels.data(), y, rows));
             output.writePixels(rows);
         }
     });
@@ -176,8 +197,8 @@ void writeMips(AtomicFile& file, const std::vector<Image>& levels, const WriteOp
             const Image& image = levels.at(static_cast<size_t>(level));
             const std::vector<half> samples =
                 options.sampleType == SampleType::Half ? halfRows(image, 0, image.height) : std::vector<half>();
-            output.setFrameBuffer(samples.empty() ? frameBuffer(image, Imf::FLOAT, image.texels.data(), 0)
-                                                  : frameBuffer(image, Imf::HALF, samples.data(), 0));
+            output.setFrameBuffer(samples.empty() ? frameBuffer(image, Imf::FLOAT, image.texels.data(), 0, image.height)
+                                                  : frameBuffer(image, Imf::HALF, samples.data(), 0, image.height));
             output.writeTiles(0, output.numXTiles(level) - 1, 0, output.numYTiles(level) - 1, level);
         }
     });

@@ -135,6 +135,7 @@ std::vector<ImageFormat> makeFormats()
          .recognizes = &exr::hasSignature,
          .open = &exr::open,
          .write = &writeExr,
+         .writeRows = &exr::writeRows,
          .writePasses = &exr::writePasses},
         {.label = "Radiance HDR",
          .extensions = {".hdr", ".pic", ".rgbe"},

@@ -13,6 +13,8 @@
 /// descriptions of what was written. A new format is a reader and a writer, and one row.
 namespace mirrorball {
 
+struct PictureRows;
+
 /// What the texels of a file are.
 enum class StoredSamples {
     Float, ///< linear light, 32-bit floats, or 16-bit ones where the format has them
@@ -49,6 +51,8 @@ struct ImageFormat {
     /// target, for messages. Null: the format is only read.
     void (*write)(AtomicFile& file, const std::filesystem::path& named, const std::vector<Image>& levels,
                   const WriteOptions& options) = nullptr;
+    /// A picture whose rows are made as they are written. Null: the format wants the whole.
+    void (*writeRows)(AtomicFile& file, const PictureRows& picture, const WriteOptions& options) = nullptr;
     /// Several pictures of one size as passes. Null: the format has none.
     void (*writePasses)(AtomicFile& file, const std::vector<ImagePassData>& passes, const WriteOptions& options) = nullptr;
 };

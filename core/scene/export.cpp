@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/file_transaction.h"
 #include "core/image/map_file.h"
-#include "core/spheremap/evaluation/painted_pictures.h"
+#include "core/spheremap/evaluation/painted_files.h"
 
 #include <algorithm>
 #include <set>
@@ -56,11 +56,13 @@ Written writePainted(const Scene& scene, const ExportPlan& planned, const std::f
     const PaintedOptions options{.size = target.size, .border = target.border, .levels = target.mips ? chain : PaintedLevels::One};
     Written written{.record = {.methods = {"paint"}}};
     std::vector<Stage>& stages = written.record.stages;
-    const std::vector<Image> levels = timedStage(stages, "paint " + target.name, [&] { return paintedPictures(map, options, job); });
-    written.files = timedStage(stages, "save " + target.name, [&] {
-        return writePictures(folder / target.fileName(), levels, paintedFileOptions(map, samplesOf(target)));
-    });
-    written.description = paintedSidecar(scene, planned, map, levels, written.files);
+    PaintedFiles painted = writePainted(folder / target.fileName(), map, options, samplesOf(target), job);
+    for (size_t i = 0; i < painted.stages.size(); ++i) { // a large map is saved as it is painted
+        painted.stages[i].name = (i == 0 ? "paint " : "save ") + target.name;
+        stages.push_back(std::move(painted.stages[i]));
+    }
+    written.files = std::move(painted.files);
+    written.description = paintedSidecar(scene, planned, map, painted.levels, written.files);
     return written;
 }
 

@@ -314,6 +314,15 @@ std::string unknownLayersOf(const SphereMapDocument& document)
     return unknown.empty() ? "" : "the sphere map is shown without layer " + unknown + ", of a kind that this version does not know";
 }
 
+/// Whether what was made of one plan is what another asks for: a finer picture serves as well.
+bool serves(const SphereMapPlan& made, SphereMapPlan wanted)
+{
+    const auto edge = [](const SphereMapPlan& plan) { return plan.drawnSize > 0 ? plan.drawnSize : plan.size; };
+    const bool isFine = edge(made) >= edge(wanted);
+    wanted.drawnSize = made.drawnSize;
+    return isFine && made == wanted;
+}
+
 } // namespace
 
 // A map that cannot be read must not stop the picture: what its file held before, or a texel of magenta, stands in for it, and the problem
@@ -326,9 +335,14 @@ void LiveMaps::build(KeptSphereMap& map, const SphereMapChain& before, const Sce
             return;
         }
         const SphereMapDocument& document = *map.plan.document.document;
-        if (!map.cache || map.cache->size() != map.plan.size)
-            map.cache = std::make_shared<SphereMapCache>(EvaluateOptions{.size = map.plan.size, .unknownLayers = UnknownLayers::Skip});
-        map.texels = std::make_shared<const SphereMapTexels>(sphereMapTexels(*map.cache, document, map.plan.levels, job));
+        const bool isCoarse = map.plan.drawnSize > 0;
+        std::shared_ptr<SphereMapCache>& cache = isCoarse ? map.coarseCache : map.cache;
+        const EvaluateOptions wanted{.size = isCoarse ? map.plan.drawnSize : map.plan.size,
+                                     .levelSize = isCoarse ? map.plan.size : 0,
+                                     .unknownLayers = UnknownLayers::Skip};
+        if (!cache || cache->size() != wanted.size || cache->options().levelSize != wanted.levelSize)
+            cache = std::make_shared<SphereMapCache>(wanted);
+        map.texels = std::make_shared<const SphereMapTexels>(sphereMapTexels(*cache, document, map.plan.levels, job));
         map.problem = unknownLayersOf(document);
     } catch (const InvalidArgument& error) {
         map.problem = error.what();
@@ -356,12 +370,14 @@ std::vector<SphereMapChain> LiveMaps::sphereMaps(const Scene& scene, const Plan&
         }
         SphereMapChain before;
         for (const KeptSphereMap& old : m_sphereMaps) {
-            if (old.plan == map.plan && old.path == map.path && old.time == map.time)
+            if (serves(old.plan, map.plan) && old.path == map.path && old.time == map.time)
                 map = old;
             else if (!map.path.empty() && old.plan == map.plan && old.path == map.path && (old.problem.empty() || old.isKept))
                 before = old.texels;
-            else if (wanted.document && old.plan.field == wanted.field)
+            else if (wanted.document && old.plan.field == wanted.field) {
                 map.cache = old.cache;
+                map.coarseCache = old.coarseCache;
+            }
         }
         if (!map.texels)
             timedStage(record.stages, "sphere map " + wanted.source, [&] { build(map, before, scene, job); });

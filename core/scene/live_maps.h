@@ -64,9 +64,10 @@ private:
         std::string path{};
         std::filesystem::file_time_type time{};
         SphereMapChain texels{};
-        std::string problem{};                   ///< why the file could not be read, or what of it is left out
-        bool isKept = false;                     ///< the texels are those of the file as it was before
-        std::shared_ptr<SphereMapCache> cache{}; ///< of a document inside the scene, which may change with every movement of a slider
+        std::string problem{}; ///< why the file could not be read, or what of it is left out
+        bool isKept = false;   ///< the texels are those of the file as it was before
+        /// Of a document inside the scene, which may change with every movement of a slider: as large as it is, and as its coarser picture.
+        std::shared_ptr<SphereMapCache> cache{}, coarseCache{};
     };
 
     /// A probe's file, as far as it has been read, and the maps that were made of it.

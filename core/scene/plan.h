@@ -39,6 +39,7 @@ struct SphereMapPlan {
     EmbeddedSphereMap document{}; ///< in place of the source
     int size = 512;
     SphereMapLevels levels = SphereMapLevels::Authored;
+    int drawnSize = 0; ///< where only a coarser picture of it is needed: the edge of that, `size` halved; 0: `size`
     bool operator==(const SphereMapPlan&) const = default;
 };
 
@@ -75,6 +76,7 @@ struct MapDetail {
     /// Texels of the probe that a lobe spans at half its peak: for one that spans no more, the probe's own texels in their own layout may
     /// stand in, which costs nothing; 0: never.
     double probeItselfUpTo = 0.0;
+    int discPixels = 0; ///< a scene's own sphere map is made no finer than for a disc of so many pixels across; 0: as the scene says
     bool operator==(const MapDetail&) const = default;
 };
 

@@ -191,7 +191,13 @@ void Planner::planSphereMap(const std::string& name, const std::string& field, c
         leaveOut(name, isNone ? "none is named" : whyNoMaterial());
         return;
     }
-    m_plan.sphereMaps.push_back({field, source, document, map.size, levels});
+    SphereMapPlan planned{field, source, document, map.size, levels};
+    // Levels that are made by hand have no coarser picture: each is one of its own.
+    const int pixels = m_detail.discPixels;
+    if (document && pixels > 0 && !(levels == SphereMapLevels::Authored && hasAuthoredLevels(*document.document)))
+        for (int half = map.size; half % 2 == 0 && half / 2 >= pixels; planned.drawnSize = half)
+            half /= 2;
+    m_plan.sphereMaps.push_back(std::move(planned));
     need(name, sphereMapText(m_plan.sphereMaps.back()));
 }
 

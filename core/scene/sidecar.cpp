@@ -123,7 +123,7 @@ std::string paintedAxesText(SphereMapIndex index, MapSpace space)
            "; the centre is +Z, right is +X and top +Y";
 }
 
-const char* opacityText(const Image& picture, const Stored& stored)
+const char* opacityText(const PaintedSize& picture, const Stored& stored)
 {
     if (picture.channels != 4)
         return "opaque everywhere";
@@ -195,17 +195,17 @@ std::string sidecar(const Scene& scene, const ExportPlan& planned, const std::ve
     return closed(json);
 }
 
-std::string paintedSidecar(const Scene& scene, const ExportPlan& planned, const SphereMapDocument& map, const std::vector<Image>& levels,
-                           const std::vector<std::filesystem::path>& files)
+std::string paintedSidecar(const Scene& scene, const ExportPlan& planned, const SphereMapDocument& map,
+                           const std::vector<PaintedSize>& levels, const std::vector<std::filesystem::path>& files)
 {
     const ExportTarget& target = planned.target;
     const Stored stored(target);
-    const Image& picture = levels.front();
+    const PaintedSize& picture = levels.front();
     Json json = opened(target, files);
     json["parameterization"] = "sphere";
     json["size"] = target.size;
-    json["width"] = picture.width;
-    json["height"] = picture.height;
+    json["width"] = picture.edge;
+    json["height"] = picture.edge;
     json["border"] = target.border;
     json["border_rule"] = "disc inscribed, with " + std::to_string(target.border) +
                           " texels around its square; texels outside the disc have the colour of the nearest point of its rim";
@@ -219,7 +219,7 @@ std::string paintedSidecar(const Scene& scene, const ExportPlan& planned, const 
     json["opacity"] = opacityText(picture, stored);
     json["levels"] = Json::array();
     for (size_t i = 0; i < levels.size(); ++i)
-        json["levels"].push_back({{"level", i}, {"size", levels[i].width}, {"width", levels[i].width}, {"height", levels[i].height}});
+        json["levels"].push_back({{"level", i}, {"size", levels[i].edge}, {"width", levels[i].edge}, {"height", levels[i].edge}});
     json["level_rule"] = paintedRuleText(planned, map);
     const SphereMapSettings& settings = scene.material.sphereMap;
     json["sphere_map"] = {{"source", settings.document ? Json("embedded in the scene") : Json(settings.source)}, {"title", map.title}};

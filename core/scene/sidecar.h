@@ -3,6 +3,7 @@
 #include "scene_maps.h"
 
 #include "core/spheremap/document/sphere_map_document.h"
+#include "core/spheremap/evaluation/painted_files.h"
 
 #include <filesystem>
 #include <string>
@@ -19,7 +20,7 @@ std::string sidecar(const Scene& scene, const ExportPlan& planned, const std::ve
                     const std::vector<std::filesystem::path>& files, const WorkRecord& work);
 
 /// Of a painted map: what looks it up, and whether its levels are painted or averages.
-std::string paintedSidecar(const Scene& scene, const ExportPlan& planned, const SphereMapDocument& map, const std::vector<Image>& levels,
-                           const std::vector<std::filesystem::path>& files);
+std::string paintedSidecar(const Scene& scene, const ExportPlan& planned, const SphereMapDocument& map,
+                           const std::vector<PaintedSize>& levels, const std::vector<std::filesystem::path>& files);
 
 } // namespace mirrorball

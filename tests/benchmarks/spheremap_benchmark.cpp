@@ -1,10 +1,14 @@
 #include "core/spheremap/document/presets.h"
-#include "core/spheremap/evaluation/evaluate.h"
+#include "core/spheremap/evaluation/painted_files.h"
+#include "core/spheremap/evaluation/sphere_map_cache.h"
 
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <filesystem>
 #include <random>
+
+#include <sys/resource.h>
 
 /// Times of evaluating sphere maps on two threads.
 namespace mirrorball {
@@ -64,6 +68,51 @@ void oneLayer(benchmark::State& state)
 }
 BENCHMARK(oneLayer)->DenseRange(0, 9)->UseRealTime()->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 
+/// A parameter of each layer of the document, dragged on a map of 1024: its content where the second argument is 1, its opacity where 0.
+/// The third is the size that the picture shows, and of which the map is made until the drag ends.
+void dragged(benchmark::State& state)
+{
+    SphereMapDocument document = tenLayers(200);
+    Layer& layer = document.layers[static_cast<size_t>(state.range(0))];
+    state.SetLabel(std::string(kindOf(layer.content).name));
+    SphereMapCache cache({.size = static_cast<int>(state.range(2)), .levelSize = 1024, .assets = std::make_shared<SphereMapAssets>()});
+    double turn = 0.0;
+    const auto step = [&] {
+        turn = turn < 90.0 ? turn + 1.0 : 0.0;
+        if (state.range(1) == 0) {
+            layer.opacity = 0.5 + turn / 180.0;
+            return;
+        }
+        std::visit(
+            [turn](auto& content) {
+                if constexpr (requires { content.azimuthDeg; })
+                    content.azimuthDeg = turn;
+                else if constexpr (requires { content.angleDeg; })
+                    content.angleDeg = turn;
+                else if constexpr (requires { content.hueDeg; })
+                    content.hueDeg = turn;
+                else if constexpr (requires { content.lights; })
+                    content.lights.front().azimuthDeg = turn;
+                else if constexpr (requires { content.width; })
+                    content.width = 0.05 + 0.001 * turn;
+            },
+            layer.content);
+    };
+    for (int i = 0; i < 3; ++i) { // builds what a drag needs
+        cache.update(document, twoThreads);
+        step();
+    }
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(cache.update(document, twoThreads));
+        step();
+    }
+}
+BENCHMARK(dragged)
+    ->ArgsProduct({benchmark::CreateDenseRange(0, 9, 1), {0, 1}, {1024, 512}})
+    ->UseRealTime()
+    ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond);
+
 /// @param index  of the map, whose mirror directions are twice as many as normals
 void blurOnTheSphere(benchmark::State& state, SphereMapIndex index)
 {
@@ -89,6 +138,21 @@ BENCHMARK_CAPTURE(blurOnTheSphere, byReflection, SphereMapIndex::Reflection)
     ->UseRealTime()
     ->MeasureProcessCPUTime()
     ->Unit(benchmark::kMillisecond);
+
+/// The map as an .exr of so many texels, floats: made and written band by band; and the most memory that the process held.
+void exported(benchmark::State& state)
+{
+    const SphereMapDocument document = tenLayers(200);
+    const std::filesystem::path file = std::filesystem::temp_directory_path() / "spheremap_benchmark.exr";
+    for (auto _ : state)
+        writePainted(file, document, {.size = static_cast<int>(state.range(0))}, SampleType::Float, twoThreads);
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    state.counters["peak_MB"] = static_cast<double>(usage.ru_maxrss) / 1024.0;
+    state.counters["file_MB"] = static_cast<double>(std::filesystem::file_size(file)) / 1048576.0;
+    std::filesystem::remove(file);
+}
+BENCHMARK(exported)->Arg(2048)->Arg(8192)->UseRealTime()->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 
 /// What a stroke of 64 texels costs: the part of the map that it touched.
 void regionOf64(benchmark::State& state)

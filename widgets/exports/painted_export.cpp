@@ -4,8 +4,8 @@
 #include "widgets/controls/text.h"
 
 #include "core/image/image_format.h"
-#include "core/image/map_file.h"
 #include "core/scene/scene_maps.h"
+#include "core/spheremap/evaluation/painted_files.h"
 
 #include <QApplication>
 #include <QFileInfo>
@@ -86,8 +86,7 @@ void PaintedExport::write(const QString& path, PaintedLevels levels)
             const SphereMapSettings& map = scene.material.sphereMap;
             const SphereMapDocument document =
                 sphereMapDocument(scene, {.field = "material.sphere_map.source", .source = map.source, .document = map.document});
-            writePictures(file, paintedPictures(document, {.size = map.size, .levels = levels}, job),
-                          paintedFileOptions(document, SampleType::Float));
+            writePainted(file, document, {.size = map.size, .levels = levels}, SampleType::Float, job);
             return file;
         },
         [this](const std::filesystem::path& file) {

@@ -1,5 +1,7 @@
 #include "evaluate.h"
 
+#include "compositing.h"
+
 #include "core/spheremap/layers/raster_generator.h"
 #include "core/spheremap/layers/warp.h"
 
@@ -97,14 +99,6 @@ Warp preparedWarp(const LayerContent& content, const Level& level)
         content);
 }
 
-/// One visible layer, made ready.
-struct Step {
-    const Layer* layer = nullptr;
-    SpanGenerator generate{};
-    SpanAdjustment adjust{};
-    SpanGenerator mask{};
-};
-
 /// Layers that work point by point, then perhaps one that works on the picture they make.
 struct Pass {
     std::vector<size_t> layers{};
@@ -147,180 +141,6 @@ std::vector<Pass> passesOf(const SphereMapDocument& document, const EvaluateOpti
     return passes;
 }
 
-MIRRORBALL_VECTOR_CLONES void setPositions(DiscSpan& at, const Level& level)
-{
-    const float scale = 2.0f / static_cast<float>(level.size);
-    const float y = 1.0f - (static_cast<float>(at.row) + 0.5f) * scale;
-    at.texel = scale;
-    for (int i = 0; i < at.count; ++i) {
-        const float x = (static_cast<float>(at.column + i) + 0.5f) * scale - 1.0f;
-        const float r2 = x * x + y * y, length = std::sqrt(r2);
-        const float inward = 1.0f / std::max(length, 1.0f); // outside: the nearest point of the rim
-        at.x[i] = x * inward;
-        at.y[i] = y * inward;
-        at.z[i] = std::sqrt(std::max(1.0f - r2, 0.0f));
-        at.rho[i] = std::min(length, 1.0f);
-    }
-}
-
-MIRRORBALL_VECTOR_CLONES void read(const float* __restrict texels, int count, ColorSpan& __restrict colors)
-{
-    for (int i = 0; i < count; ++i) {
-        colors.r[i] = texels[4 * i];
-        colors.g[i] = texels[4 * i + 1];
-        colors.b[i] = texels[4 * i + 2];
-        colors.a[i] = texels[4 * i + 3];
-    }
-}
-
-MIRRORBALL_VECTOR_CLONES void write(const ColorSpan& __restrict colors, int count, float* __restrict texels)
-{
-    for (int i = 0; i < count; ++i) {
-        texels[4 * i] = colors.r[i];
-        texels[4 * i + 1] = colors.g[i];
-        texels[4 * i + 2] = colors.b[i];
-        texels[4 * i + 3] = colors.a[i];
-    }
-}
-
-void clear(ColorSpan& colors, int count)
-{
-    fill(colors, count, 0.0f, 0.0f, 0.0f);
-    std::fill_n(colors.a, count, 0.0f);
-}
-
-/// How much of a layer shows at each texel: its opacity times its mask.
-void setShare(const Layer& layer, const SpanGenerator& mask, const DiscSpan& at, ColorSpan& scratch, float* __restrict share)
-{
-    const auto opacity = static_cast<float>(layer.opacity);
-    if (!mask) {
-        std::fill_n(share, at.count, opacity);
-        return;
-    }
-    mask(at, scratch);
-    const float from = layer.mask->invert ? opacity : 0.0f, slope = layer.mask->invert ? -opacity : opacity;
-    const bool luminance = layer.mask->channel == MaskChannel::Luminance;
-    for (int i = 0; i < at.count; ++i) {
-        const float y = luminance ? 0.2126f * scratch.r[i] + 0.7152f * scratch.g[i] + 0.0722f * scratch.b[i] : 1.0f;
-        share[i] = from + slope * std::min(std::max(y * scratch.a[i], 0.0f), 1.0f);
-    }
-}
-
-/// An adjusted picture over the one it was made from: mixed by the layer's share, opacities too, so that a share of 1 replaces.
-MIRRORBALL_VECTOR_CLONES void blendAdjusted(BlendMode mode, int count, const ColorSpan& adjusted, const float* __restrict share,
-                                            ColorSpan& backdrop)
-{
-    ColorSpan mixed = backdrop;
-    if (mode == BlendMode::Normal) {
-        for (int i = 0; i < count; ++i) {
-            mixed.r[i] = adjusted.r[i] * adjusted.a[i];
-            mixed.g[i] = adjusted.g[i] * adjusted.a[i];
-            mixed.b[i] = adjusted.b[i] * adjusted.a[i];
-            mixed.a[i] = adjusted.a[i];
-        }
-    } else {
-        blend(mode, count, adjusted, mixed);
-    }
-    const auto mix = [&](float* __restrict to, const float* __restrict from) {
-        for (int i = 0; i < count; ++i)
-            to[i] += share[i] * (from[i] - to[i]);
-    };
-    mix(backdrop.r, mixed.r);
-    mix(backdrop.g, mixed.g);
-    mix(backdrop.b, mixed.b);
-    mix(backdrop.a, mixed.a);
-}
-
-MIRRORBALL_VECTOR_CLONES void unmultiply(int count, ColorSpan& colors)
-{
-    for (int i = 0; i < count; ++i) {
-        const float inverse = 1.0f / std::max(colors.a[i], 1e-20f);
-        colors.r[i] *= inverse;
-        colors.g[i] *= inverse;
-        colors.b[i] *= inverse;
-    }
-}
-
-/// Lets the share of a layer into its opacity. @return the largest of them
-MIRRORBALL_VECTOR_CLONES float weigh(int count, const float* __restrict share, float* __restrict opacity)
-{
-    constexpr int lanes = 8;
-    float most[lanes] = {};
-    int i = 0;
-    for (; i + lanes <= count; i += lanes)
-        for (int k = 0; k < lanes; ++k) {
-            opacity[i + k] *= share[i + k];
-            most[k] = std::max(most[k], opacity[i + k]);
-        }
-    for (; i < count; ++i) {
-        opacity[i] *= share[i];
-        most[0] = std::max(most[0], opacity[i]);
-    }
-    return *std::max_element(most, most + lanes);
-}
-
-/// The brightest light that a layer gives, or that layers make together: what would be brighter is this bright. Even the product of two
-/// such, through the strongest adjustment, stays far below the largest float, so that nothing overflows to infinity, whose products with 0
-/// are no numbers; and a probe's sun does not come near it.
-constexpr float brightest = 1e10f;
-
-/// Colours that are not multiplied by their opacity.
-MIRRORBALL_VECTOR_CLONES void bound(int count, ColorSpan& colors)
-{
-    for (int i = 0; i < count; ++i) {
-        colors.r[i] = std::min(brightest, colors.r[i]);
-        colors.g[i] = std::min(brightest, colors.g[i]);
-        colors.b[i] = std::min(brightest, colors.b[i]);
-    }
-}
-
-/// Colours that are.
-MIRRORBALL_VECTOR_CLONES void boundMultiplied(int count, ColorSpan& colors)
-{
-    for (int i = 0; i < count; ++i) {
-        const float most = brightest * colors.a[i];
-        colors.r[i] = std::min(most, colors.r[i]);
-        colors.g[i] = std::min(most, colors.g[i]);
-        colors.b[i] = std::min(most, colors.b[i]);
-    }
-}
-
-void run(const Step& step, const DiscSpan& at, ColorSpan& result)
-{
-    ColorSpan colors;
-    alignas(64) float share[spanLength];
-    setShare(*step.layer, step.mask, at, colors, share);
-    if (step.adjust) {
-        colors = result;
-        unmultiply(at.count, colors);
-        step.adjust(at, colors);
-        bound(at.count, colors);
-        blendAdjusted(step.layer->blend, at.count, colors, share, result);
-    } else {
-        step.generate(at, colors);
-        if (weigh(at.count, share, colors.a) == 0.0f) // nothing of it here: most of a painted layer, the inside of a ring
-            return;
-        bound(at.count, colors);
-        blend(step.layer->blend, at.count, colors, result);
-    }
-    boundMultiplied(at.count, result);
-}
-
-/// Calls body(span) for the runs of a rectangle's rows, in parallel.
-template <typename Body>
-void forEachRun(const TexelRect& rect, const Level& level, const JobControl& job, const Body& body)
-{
-    parallelRows(rect.height(), job, [&](int first, int last) {
-        DiscSpan at;
-        for (at.row = rect.y0 + first; at.row < rect.y0 + last; ++at.row)
-            for (at.column = rect.x0; at.column < rect.x1; at.column += spanLength) {
-                at.count = std::min(spanLength, rect.x1 - at.column);
-                setPositions(at, level);
-                body(at);
-            }
-    });
-}
-
 Image cut(const Image& picture, const TexelRect& given, const TexelRect& wanted)
 {
     Image part(wanted.width(), wanted.height(), 4);
@@ -361,38 +181,58 @@ public:
         return picture;
     }
 
-private:
-    const Image* rasterOf(size_t layer, PaintTarget target) const
+    /// What one layer, or its mask, gives by itself.
+    Image drawn(size_t i, PaintTarget target) const
     {
-        const Image* raster = m_options.raster ? m_options.raster(layer, target) : nullptr;
-        if (raster && (raster->width != m_level.size || raster->height != m_level.size || raster->channels != 4))
+        const TexelRect whole{0, 0, m_level.size, m_level.size};
+        const SpanGenerator generate = generatorOf(i, target, whole);
+        Image picture(m_level.size, m_level.size, 4);
+        compositing::forEachRun(whole, m_level, m_job, [&](const DiscSpan& at) {
+            ColorSpan colors;
+            generate(at, colors);
+            compositing::write(colors, at.count, picture.texel(at.column, at.row));
+        });
+        return picture;
+    }
+
+private:
+    /// The picture of a layer that is at hand; null where there is none.
+    const Image* atHand(const std::function<const Image*(size_t, PaintTarget)>& pictures, size_t layer, PaintTarget target) const
+    {
+        const Image* picture = pictures ? pictures(layer, target) : nullptr;
+        if (picture && (picture->width != m_level.size || picture->height != m_level.size || picture->channels != 4))
             throw InvalidArgument("layers[" + std::to_string(layer) + "]: its raster must be " + std::to_string(m_level.size) +
                                   " texels square with four channels");
-        return raster;
+        return picture;
+    }
+
+    SpanGenerator generatorOf(size_t i, PaintTarget target, const TexelRect& rect) const
+    {
+        const Layer& layer = m_document.layers[i];
+        const bool isMask = target == PaintTarget::Mask;
+        const LayerContent& content = isMask ? layer.mask->content : layer.content;
+        if (const Image* drawn = atHand(m_options.drawn, i, target))
+            return [drawn](const DiscSpan& at, ColorSpan& out) { compositing::read(drawn->texel(at.column, at.row), at.count, out); };
+        const Image* raster = atHand(m_options.raster, i, target);
+        return naming(m_document, i, isMask ? ".mask" : "", [&] { return preparedGenerator(content, m_level, rect, raster, m_job); });
     }
 
     SpanGenerator maskOf(size_t i, const TexelRect& rect) const
     {
-        const std::optional<Mask>& mask = m_document.layers[i].mask;
-        if (!mask)
-            return {};
-        const Image* raster = rasterOf(i, PaintTarget::Mask);
-        return naming(m_document, i, ".mask", [&] { return preparedGenerator(mask->content, m_level, rect, raster, m_job); });
+        return m_document.layers[i].mask ? generatorOf(i, PaintTarget::Mask, rect) : SpanGenerator();
     }
 
     /// The layers of a pass over the picture of the one before, which is empty at the bottom.
     Image points(const Pass& pass, Image below) const
     {
-        std::vector<Step> steps;
+        std::vector<compositing::Step> steps;
         for (const size_t i : pass.layers) {
             const Layer& layer = m_document.layers[i];
             steps.push_back({.layer = &layer, .mask = maskOf(i, pass.rect)});
             if (kindOf(layer.content).role == LayerRole::Adjustment) {
                 steps.back().adjust = naming(m_document, i, "", [&] { return preparedAdjustment(layer.content, m_level); });
             } else {
-                const Image* raster = rasterOf(i, PaintTarget::Layer);
-                steps.back().generate =
-                    naming(m_document, i, "", [&] { return preparedGenerator(layer.content, m_level, pass.rect, raster, m_job); });
+                steps.back().generate = generatorOf(i, PaintTarget::Layer, pass.rect);
             }
         }
         if (steps.empty() && !below.empty())
@@ -400,18 +240,18 @@ private:
         const bool fresh = below.empty();
         if (fresh)
             below = Image(pass.rect.width(), pass.rect.height(), 4);
-        forEachRun(pass.rect, m_level, m_job, [&](const DiscSpan& at) {
+        compositing::forEachRun(pass.rect, m_level, m_job, [&](const DiscSpan& at) {
             ColorSpan colors;
             float* texels = below.texel(at.column - pass.rect.x0, at.row - pass.rect.y0);
             if (fresh) {
-                clear(colors, at.count);
+                compositing::clear(colors, at.count);
             } else {
-                read(texels, at.count, colors);
-                boundMultiplied(at.count, colors); // between texels a warp's spline overshoots
+                compositing::read(texels, at.count, colors);
+                compositing::boundMultiplied(at.count, colors); // between texels a warp's spline overshoots
             }
-            for (const Step& step : steps)
-                mirrorball::run(step, at, colors);
-            write(colors, at.count, texels);
+            for (const compositing::Step& step : steps)
+                compositing::run(step, at, colors);
+            compositing::write(colors, at.count, texels);
         });
         return below;
     }
@@ -422,20 +262,15 @@ private:
         Image result = pass.warp.apply(below, pass.rect, wanted, m_job);
         if (!layer.mask && layer.opacity >= 1.0 && layer.blend == BlendMode::Normal)
             return result;
-        const SpanGenerator mask = maskOf(*pass.warpLayer, wanted);
+        const compositing::Step step{.layer = &layer, .mask = maskOf(*pass.warpLayer, wanted)};
         Image mixed = pass.rect == wanted ? std::move(below) : cut(below, pass.rect, wanted);
-        forEachRun(wanted, m_level, m_job, [&](const DiscSpan& at) {
+        compositing::forEachRun(wanted, m_level, m_job, [&](const DiscSpan& at) {
             ColorSpan colors, backdrop;
-            alignas(64) float share[spanLength];
-            setShare(layer, mask, at, colors, share);
-            read(result.texel(at.column - wanted.x0, at.row - wanted.y0), at.count, colors);
-            unmultiply(at.count, colors);
-            bound(at.count, colors);
+            compositing::read(result.texel(at.column - wanted.x0, at.row - wanted.y0), at.count, colors);
             float* texels = mixed.texel(at.column - wanted.x0, at.row - wanted.y0);
-            read(texels, at.count, backdrop);
-            blendAdjusted(layer.blend, at.count, colors, share, backdrop);
-            boundMultiplied(at.count, backdrop);
-            write(backdrop, at.count, texels);
+            compositing::read(texels, at.count, backdrop);
+            compositing::runMoved(step, at, colors, backdrop);
+            compositing::write(backdrop, at.count, texels);
         });
         return mixed;
     }
@@ -452,8 +287,8 @@ void checkOptions(const EvaluateOptions& options)
     if (options.size < 1 || options.size > largestSphereMap)
         throw InvalidArgument("size: must be from 1 to " + std::to_string(largestSphereMap) + " texels; it is " +
                               std::to_string(options.size));
-    if (options.levelSize < 0 || options.levelSize > options.size)
-        throw InvalidArgument("levelSize: must be from 0 to the size, " + std::to_string(options.size) + "; it is " +
+    if (options.levelSize < 0 || options.levelSize > largestSphereMap)
+        throw InvalidArgument("levelSize: must be from 0 to " + std::to_string(largestSphereMap) + " texels; it is " +
                               std::to_string(options.levelSize));
     if (options.level < 0 || options.level > deepestLevel)
         throw InvalidArgument("level: must be from 0 to " + std::to_string(deepestLevel) + "; it is " + std::to_string(options.level));
@@ -471,6 +306,20 @@ Image evaluate(const SphereMapDocument& document, const EvaluateOptions& options
     validate(document);
     checkOptions(options);
     return Evaluation(document, options, job).run(options.region.value_or(TexelRect{0, 0, options.size, options.size}));
+}
+
+Image drawnLayer(const SphereMapDocument& document, size_t layer, PaintTarget target, const EvaluateOptions& options, const JobControl& job)
+{
+    validate(document);
+    checkOptions(options);
+    const auto makesColors = [](const LayerContent& content) {
+        return kindOf(content).role == LayerRole::Generator && !std::holds_alternative<UnknownLayer>(content);
+    };
+    const bool isMask = target == PaintTarget::Mask;
+    if (layer >= document.layers.size() || (isMask && !document.layers[layer].mask) ||
+        !makesColors(isMask ? document.layers[layer].mask->content : document.layers[layer].content))
+        throw InvalidArgument("layers[" + std::to_string(layer) + "]: makes no colours of its own");
+    return Evaluation(document, options, job).drawn(layer, target);
 }
 
 TexelRect touchedBy(const SphereMapDocument& document, size_t layer, const TexelRect& touched, const EvaluateOptions& options)

@@ -28,13 +28,15 @@ enum class PaintTarget { Layer, Mask };
 struct EvaluateOptions {
     int size = 512;                    ///< texels along an edge, [1, 8192]
     int level = 0;                     ///< of a chain, [0, 16]: decides which layers take part
-    int levelSize = 0;                 ///< edge of the texels that a width in pixels means, where not `size`; 0: `size`
+    int levelSize = 0;                 ///< edge of the texels that a width in pixels means, where not `size`; 0: `size`; at most 8192
     std::optional<TexelRect> region{}; ///< what to evaluate; empty: the whole map
     UnknownLayers unknownLayers = UnknownLayers::Refuse;
     std::shared_ptr<SphereMapAssets> assets{}; ///< null: files are read again
     /// The strokes of a layer or of its mask by the layer's index, where they are at hand already (a StrokeCanvas): size x size, RGBA,
     /// multiplied by opacity. Null: they are evaluated.
     std::function<const Image*(size_t layer, PaintTarget)> raster{};
+    /// The same of any layer that makes colours, as drawnLayer() gave them.
+    std::function<const Image*(size_t layer, PaintTarget)> drawn{};
     size_t firstLayer = 0;        ///< those below it are in `below`
     size_t endLayer = SIZE_MAX;   ///< this one and those above are left out
     const Image* below = nullptr; ///< the whole map with the layers below firstLayer, as evaluate() gave it; null: nothing
@@ -47,6 +49,12 @@ struct EvaluateOptions {
 /// @return size x size, or the region alone
 /// @throws InvalidArgument naming the field; FileError for an asset that is missing or damaged; Cancelled
 Image evaluate(const SphereMapDocument& document, const EvaluateOptions& options, const JobControl& job = {});
+
+/// What one layer that makes colours gives by itself, or its mask's picture: size x size, RGBA, colours *not* multiplied by their opacity,
+/// neither the layer's opacity nor its mask applied. Kept, it spares making them while something else changes (EvaluateOptions::drawn).
+/// @throws as evaluate(); InvalidArgument for a layer, or a mask, that makes none
+Image drawnLayer(const SphereMapDocument& document, size_t layer, PaintTarget target, const EvaluateOptions& options,
+                 const JobControl& job = {});
 
 /// The part of the map that may change when layer `layer` changes in `touched`: wider where a blur lies above, everything above a twist.
 /// So a stroke is shown by evaluate() over touchedBy() of its bounds.

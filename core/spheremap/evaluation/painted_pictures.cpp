@@ -12,14 +12,6 @@ namespace mirrorball {
 
 namespace {
 
-bool isOpaque(const Image& rgba)
-{
-    for (size_t i = 3; i < rgba.texels.size(); i += 4)
-        if (rgba.texels[i] < 1.0f - 1e-6f)
-            return false;
-    return true;
-}
-
 std::vector<Image> evaluated(const SphereMapDocument& document, const PaintedOptions& options, const JobControl& job)
 {
     const EvaluateOptions whole{.size = options.size - 2 * options.border};
@@ -36,7 +28,15 @@ std::vector<Image> evaluated(const SphereMapDocument& document, const PaintedOpt
 
 } // namespace
 
-std::vector<Image> paintedPictures(const SphereMapDocument& document, const PaintedOptions& options, const JobControl& job)
+bool isOpaque(const Image& rgba)
+{
+    for (size_t i = 3; i < rgba.texels.size(); i += 4)
+        if (rgba.texels[i] < 1.0f - 1e-6f)
+            return false;
+    return true;
+}
+
+void validate(const PaintedOptions& options)
 {
     if (options.border < 0 || 2 * options.border >= std::max(1, options.size))
         throw InvalidArgument("border: must leave room for the map between the borders of a picture of " + std::to_string(options.size) +
@@ -44,6 +44,11 @@ std::vector<Image> paintedPictures(const SphereMapDocument& document, const Pain
     if (options.border > 0 && options.levels != PaintedLevels::One)
         throw InvalidArgument("border: must be 0 where all levels are painted, for it has no half in the smaller ones; it is " +
                               std::to_string(options.border));
+}
+
+std::vector<Image> paintedPictures(const SphereMapDocument& document, const PaintedOptions& options, const JobControl& job)
+{
+    validate(options);
     std::vector<Image> pictures = evaluated(document, options, job);
     if (std::all_of(pictures.begin(), pictures.end(), isOpaque))
         std::transform(pictures.begin(), pictures.end(), pictures.begin(), withoutOpacity);

@@ -21,6 +21,12 @@ struct PaintedOptions {
     PaintedLevels levels = PaintedLevels::One;
 };
 
+/// @throws InvalidArgument for a border that leaves no room, or that levels have
+void validate(const PaintedOptions& options);
+
+/// Whether there is nothing of what lies behind to be seen.
+bool isOpaque(const Image& rgba);
+
 /// The pictures, largest first: RGB where all are opaque, else RGBA with colours multiplied by opacity.
 /// @throws InvalidArgument for a border that leaves no room, or that levels have; as evaluate()
 std::vector<Image> paintedPictures(const SphereMapDocument& document, const PaintedOptions& options, const JobControl& job = {});

@@ -10,8 +10,13 @@ namespace {
 struct Change {
     bool isOther = false; ///< more than strokes
     std::vector<PaintTarget> strokes{};
+    std::vector<PaintTarget> drawn{}; ///< what drawnLayer() gives
     bool any() const { return isOther || !strokes.empty(); }
 };
+
+/// Pictures of layers are kept as far as they stay near the processor: larger ones take as long to read as to make.
+constexpr int largestDrawn = 512;
+constexpr size_t mostDrawn = 12;
 
 const PaintLayer* painted(const Layer& layer, PaintTarget target)
 {
@@ -32,6 +37,8 @@ Change changeOf(const Layer& a, const Layer& b)
     Change change{.isOther = a.visible != b.visible || a.opacity != b.opacity || a.blend != b.blend || a.firstLevel != b.firstLevel ||
                              a.lastLevel != b.lastLevel || !sameMaskButContent(a, b)};
     const auto compare = [&](PaintTarget target, const LayerContent& from, const LayerContent& to) {
+        if (from != to)
+            change.drawn.push_back(target);
         const PaintLayer *strokesA = painted(a, target), *strokesB = painted(b, target);
         if (!strokesA || !strokesB || !sameButStrokes(*strokesA, *strokesB))
             change.isOther = change.isOther || from != to;
@@ -41,6 +48,8 @@ Change changeOf(const Layer& a, const Layer& b)
     compare(PaintTarget::Layer, a.content, b.content);
     if (a.mask && b.mask)
         compare(PaintTarget::Mask, a.mask->content, b.mask->content);
+    else if (a.mask || b.mask)
+        change.drawn.push_back(PaintTarget::Mask);
     return change;
 }
 
@@ -59,6 +68,7 @@ SphereMapCache::SphereMapCache(const EvaluateOptions& options) : m_options(optio
 {
     m_options.region.reset();
     m_options.raster = {};
+    m_options.drawn = {};
     m_options.firstLayer = 0;
     m_options.endLayer = SIZE_MAX;
     m_options.below = nullptr;
@@ -91,13 +101,14 @@ TexelRect SphereMapCache::advance(const SphereMapDocument& document, const JobCo
     if (!sameFrame) {
         m_belowLayer = 0;
         m_lastChanged = SIZE_MAX;
+        m_drawn.clear();
         keepCanvases(document, job);
         m_image = Image(m_options.size, m_options.size, 4);
         evaluateInto(document, whole(m_options.size), job);
         return whole(m_options.size);
     }
     size_t lowest = SIZE_MAX;
-    std::vector<Painted> strokes;
+    std::vector<Painted> strokes, redrawn;
     bool onlyStrokes = true;
     for (size_t i = 0; i < count; ++i) {
         const Change change = changeOf(m_document->layers[i], document.layers[i]);
@@ -105,17 +116,24 @@ TexelRect SphereMapCache::advance(const SphereMapDocument& document, const JobCo
             lowest = std::min(lowest, i);
         for (const PaintTarget target : change.strokes)
             strokes.emplace_back(i, target);
+        for (const PaintTarget target : change.drawn) {
+            m_drawn.erase({i, target});
+            redrawn.emplace_back(i, target);
+        }
         onlyStrokes = onlyStrokes && !change.isOther;
     }
     if (lowest == SIZE_MAX)
         return {};
     if (m_belowLayer > lowest)
         m_belowLayer = 0;
-    if (lowest > 0 && m_belowLayer != lowest && m_lastChanged == lowest && (!onlyStrokes || holdsWarp(document)))
+    const bool isDragged = m_lastChanged == lowest;
+    if (lowest > 0 && m_belowLayer != lowest && isDragged && (!onlyStrokes || holdsWarp(document)))
         keepBelow(document, lowest, job);
     m_lastChanged = lowest;
     if (!onlyStrokes) {
         keepCanvases(document, job);
+        if (isDragged)
+            keepDrawn(document, lowest, redrawn, job);
         evaluateInto(document, whole(m_options.size), job);
         return whole(m_options.size);
     }
@@ -170,6 +188,10 @@ EvaluateOptions SphereMapCache::withWhatIsKept() const
         const auto canvas = m_canvases.find({layer, target});
         return canvas == m_canvases.end() ? nullptr : &canvas->second.image();
     };
+    options.drawn = [this](size_t layer, PaintTarget target) -> const Image* {
+        const auto drawn = m_drawn.find({layer, target});
+        return drawn == m_drawn.end() ? nullptr : &drawn->second;
+    };
     if (m_belowLayer > 0) {
         options.firstLayer = m_belowLayer;
         options.below = &m_below;
@@ -183,6 +205,30 @@ void SphereMapCache::keepBelow(const SphereMapDocument& document, size_t layer, 
     options.endLayer = layer;
     m_below = evaluate(document, options, job);
     m_belowLayer = layer;
+}
+
+/// From the dragged layer up, what layers give by themselves: bottom to top, as far as there is room. Not what changes with every update,
+/// nor what a canvas holds.
+void SphereMapCache::keepDrawn(const SphereMapDocument& document, size_t lowest, const std::vector<Painted>& redrawn, const JobControl& job)
+{
+    std::erase_if(m_drawn, [&](const auto& entry) { return entry.first.first < lowest; });
+    if (m_options.size > largestDrawn)
+        return;
+    for (size_t i = lowest; i < document.layers.size(); ++i) {
+        const Layer& layer = document.layers[i];
+        for (const PaintTarget target : {PaintTarget::Layer, PaintTarget::Mask}) {
+            const Painted which(i, target);
+            if (!layer.visible || (target == PaintTarget::Mask && !layer.mask) || m_drawn.contains(which) || m_canvases.contains(which) ||
+                std::find(redrawn.begin(), redrawn.end(), which) != redrawn.end())
+                continue;
+            const LayerContent& content = target == PaintTarget::Mask ? layer.mask->content : layer.content;
+            if (kindOf(content).role != LayerRole::Generator || std::holds_alternative<UnknownLayer>(content))
+                continue;
+            if (m_drawn.size() >= mostDrawn)
+                return;
+            m_drawn.emplace(which, drawnLayer(document, i, target, m_options, job));
+        }
+    }
 }
 
 void SphereMapCache::evaluateInto(const SphereMapDocument& document, const TexelRect& rect, const JobControl& job)

@@ -1,4 +1,4 @@
-#include "core/filter/paraboloid.h"
+#include "core/filter/paraboloid_lattice.h"
 
 #include "core/base/error.h"
 #include "core/filter/prefilter.h"
@@ -88,6 +88,80 @@ TEST(Paraboloid, TheExactKernelRemovesMostOfTheError)
 
 /// A sun is the probe that the prediction is for; noise and real probes show less. The first stands behind, the second in the middle of the
 /// front half, the last at the rim.
+// Against the sum over every texel of both halves, the kernel evaluated as it is.
+TEST(Paraboloid, SumsOnTheCpuAreTheKernelsOverAllTexels)
+{
+    const EnvironmentMap probe = test::sunProbe(48, 1e3f, 70, 12);
+    const std::vector<glm::dvec3> directions = evenDirections(300);
+    for (const Lobe& lobe : {phongLobe(1), phongLobe(10), phongLobe(500), ggxLobe(0.05), ggxLobe(0.7), diffuseLobe()}) {
+        const ParaboloidHalves halves = layOutHalves(probe, lobe, resolved({}, 48));
+        const LobeShape shape(lobe);
+        const std::vector<glm::dvec3> sums = paraboloidSum(halves, directions);
+        double peak = 0.0, worst = 0.0;
+        for (size_t n = 0; n < directions.size(); ++n) {
+            glm::dvec4 sum(0.0);
+            for (int y = 0; y < halves.side; ++y)
+                for (int x = 0; x < 2 * halves.side; ++x) {
+                    const bool isBack = x >= halves.side;
+                    const glm::dvec2 q = glm::dvec2(x % halves.side + 0.5 - 0.5 * halves.side, 0.5 * halves.side - y - 0.5) / halves.radius;
+                    const double q2 = glm::dot(q, q), z = (1.0 - q2) / (1.0 + q2);
+                    const double c = glm::dot(directions[n], glm::dvec3(2.0 / (1.0 + q2) * q, isBack ? -z : z));
+                    if (c >= std::cos(halves.reach))
+                        sum += shape.relative(c) * glm::dvec4(halves.texels[static_cast<size_t>(2 * halves.side * y + x)]);
+                }
+            peak = std::max(peak, sums[n].x);
+            worst = std::max(worst, glm::distance(sums[n], glm::dvec3(sum) / sum.w));
+        }
+        EXPECT_LT(worst, 3e-6 * peak) << describe(lobe);
+    }
+}
+
+// A sun of one texel shows the lobe itself. What is read between the points of the lattice is nearer to the sums than these are to the
+// truth, and its error against that no larger. What is left between the two is the step at the clamp, which the lattice smooths.
+TEST(Paraboloid, ManyDirectionsAreReadFromALatticeOfSumsAtNoLossOfAccuracy)
+{
+    const EnvironmentMap probe = test::sunProbe(128, 1e4f, 100, 40);
+    const std::vector<glm::dvec3> directions = evenDirections(100000);
+    struct Case {
+        Lobe lobe;
+        ParaboloidKnobs knobs{};
+    };
+    for (const auto& [lobe, knobs] :
+         {Case{phongLobe(10)}, Case{phongLobe(50)}, Case{phongLobe(50), {.clamp = 1e-5, .largestKernel = 41}}, Case{ggxLobe(0.3)}}) {
+        const ParaboloidHalves halves = layOutHalves(probe, lobe, resolved(knobs, 128));
+        size_t summed = 0;
+        const std::vector<glm::vec3> read = paraboloidSums(halves, directions, [&](std::span<const glm::dvec3> some) {
+            summed = some.size();
+            const std::vector<glm::dvec3> sums = paraboloidSum(halves, some);
+            return std::vector<glm::vec3>(sums.begin(), sums.end());
+        });
+        EXPECT_LT(summed, directions.size() / 2) << describe(lobe);
+        std::vector<glm::dvec3> sparse; // the reference takes a while
+        std::vector<glm::dvec3> readThere;
+        for (size_t i = 0; i < directions.size(); i += 40) {
+            sparse.push_back(directions[i]);
+            readThere.emplace_back(read[i]);
+        }
+        const std::vector<glm::dvec3> one = paraboloidSum(halves, sparse), truth = referenceSum(probe, lobe, sparse);
+        const double own = errorMetrics(one, truth).relRms, withLattice = errorMetrics(readThere, truth).relRms;
+        EXPECT_LT(withLattice, 1.02 * own) << describe(lobe);
+        EXPECT_LT(errorMetrics(readThere, one).relRms, 0.3 * own) << describe(lobe);
+    }
+}
+
+TEST(Paraboloid, TheLatticeServesOnlyWhereItSparesSumsAndTheLobeEndsSoftly)
+{
+    const EnvironmentMap probe = test::constantProbe(32, 1.0f);
+    const auto serves = [&](const Lobe& lobe, const ParaboloidKnobs& knobs, size_t directions) {
+        return latticeFor(layOutHalves(probe, lobe, resolved(knobs, 32)), directions).has_value();
+    };
+    EXPECT_TRUE(serves(phongLobe(50), {}, 524288));
+    EXPECT_FALSE(serves(phongLobe(50), {}, 1000));
+    EXPECT_FALSE(serves(phongLobe(50), {.clamp = 0.1}, 524288));
+    EXPECT_FALSE(serves(diffuseLobe(), {}, 524288)) << "its horizon is a kink";
+    EXPECT_FALSE(serves(phongLobe(50), {.kernel = ParaboloidKernel::Blended}, 524288));
+}
+
 TEST(Paraboloid, PredictsItsErrorForTheWorstSun)
 {
     const std::vector<glm::dvec3> directions = evenDirections(1500);

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/image/image_io.h"
 #include "core/spheremap/document/presets.h"
+#include "core/spheremap/evaluation/evaluate.h"
 #include "support/temporary_folder.h"
 
 #include <gmock/gmock.h>
@@ -10,6 +11,7 @@
 
 #include <chrono>
 #include <fstream>
+#include <functional>
 
 namespace mirrorball {
 namespace {
@@ -98,6 +100,38 @@ TEST(LiveMaps, OfASphereMapThatIsEditedAreThoseOfTheCommandLine)
     edit([](SphereMapDocument& map) { map.layers.erase(map.layers.begin()); });
     scene.material.sphereMap.size = 64;
     expectCommandLines();
+}
+
+// A slider moves: the map is made as large as it is seen, with the lines of the whole map; a finer one that is at hand serves as well.
+TEST(LiveMaps, MakeASphereMapInHasteNoFinerThanItIsSeen)
+{
+    LiveMaps live;
+    Scene scene = paintedScene(findSphereMapPreset("jade")->document);
+    const auto change = [&](const std::function<void(SphereMapDocument&)>& step) {
+        SphereMapDocument map = *scene.material.sphereMap.document.document;
+        step(map);
+        scene.material.sphereMap.document.document = std::make_shared<const SphereMapDocument>(std::move(map));
+    };
+    const auto document = [&]() -> const SphereMapDocument& { return *scene.material.sphereMap.document.document; };
+    MapDetail haste = coarse;
+    haste.discPixels = 50;
+    const SphereMapChain full = live.update(scene, {}).maps.sphereMaps.at(0);
+    scene.material.specular.roughness = 0.4; // another slider
+    EXPECT_EQ(live.update(scene, haste).maps.sphereMaps.at(0), full);
+    for (const double opacity : {0.5, 0.6, 0.7}) {
+        change([&](SphereMapDocument& map) { map.layers.front().opacity = opacity; });
+        const SphereMapChain seen = live.update(scene, haste).maps.sphereMaps.at(0);
+        ASSERT_EQ(seen->levels.front().width, 64);
+        EXPECT_EQ(seen->levels.front(), evaluate(document(), {.size = 64, .levelSize = 128}));
+        EXPECT_EQ(seen->levels, plainChain(seen->levels.front()));
+    }
+    haste.discPixels = 65; // it is seen larger
+    EXPECT_EQ(live.update(scene, haste).maps.sphereMaps.at(0)->levels, buildMaps(planScene(scene)).sphereMaps.at(0)->levels);
+    haste.discPixels = 30;
+    EXPECT_EQ(live.update(scene, haste).maps.sphereMaps.at(0)->levels.front().width, 128);
+    change([](SphereMapDocument& map) { map.layers.push_back({.content = SilhouetteLayer{.unit = WidthUnit::Pixels}}); });
+    EXPECT_EQ(live.update(scene, haste).maps.sphereMaps.at(0)->levels, buildMaps(planScene(scene)).sphereMaps.at(0)->levels)
+        << "levels made by hand have no coarser picture";
 }
 
 TEST(LiveMaps, ShowASphereMapWithoutLayersOfUnknownKindAndNameThem)

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <random>
 
 namespace mirrorball {
@@ -74,6 +75,101 @@ TEST(SphereMapCache, GivesTheBytesOfAFullEvaluationAfterEveryKindOfChange)
         ASSERT_EQ(cache.image(), evaluate(document, {.size = 144})) << "step " << step << " choice " << choice;
         ASSERT_TRUE(equalOutside(dirty, before, cache.image())) << "step " << step << " choice " << choice;
     }
+}
+
+/// Changes a parameter that the picture depends on, whatever the kind.
+void nudge(LayerContent& content, int step)
+{
+    std::visit(
+        [step](auto& layer) {
+            if constexpr (requires { layer.azimuthDeg; })
+                layer.azimuthDeg = 10.0 + 7.0 * step;
+            else if constexpr (requires { layer.angleDeg; })
+                layer.angleDeg = 10.0 + 7.0 * step;
+            else if constexpr (requires { layer.hueDeg; })
+                layer.hueDeg = 10.0 + 7.0 * step;
+            else if constexpr (requires { layer.sigmaDeg; })
+                layer.sigmaDeg = 1.0 + 0.3 * step;
+            else if constexpr (requires { layer.width; })
+                layer.width = 0.05 + 0.01 * step;
+            else if constexpr (requires { layer.color; })
+                layer.color.x = 0.1 * step;
+            else if constexpr (requires { layer.reference; })
+                layer.reference = 400 + 50 * step;
+        },
+        content);
+}
+
+/// What a drag keeps - the picture below, what the layers above give, their masks - is not to be seen in its result.
+TEST(SphereMapCache, GivesTheBytesOfAFullEvaluationWhileAnyParameterOfAnyLayerIsDragged)
+{
+    const std::vector<Stroke> strokes = handDrawnStrokes(12, 4, 0.06, 0.6, 15);
+    const auto painted = [&](ptrdiff_t first) {
+        return PaintLayer{.unit = WidthUnit::Pixels, .reference = 400, .strokes = {strokes.begin() + first, strokes.begin() + first + 4}};
+    };
+    SphereMapDocument document;
+    document.layers = {{.content = GradientLayer{}},
+                       {.blend = BlendMode::SoftLight, .content = ToonLayer{}, .mask = Mask{.content = PhongLightsLayer{}}},
+                       {.opacity = 0.6, .content = painted(0)},
+                       {.blend = BlendMode::Overlay, .content = FillLayer{}, .mask = Mask{.content = painted(4), .invert = true}},
+                       {.content = HueSaturationLayer{.hueDeg = 20.0}},
+                       {.content = TwistLayer{.angleDeg = 40.0}},
+                       {.blend = BlendMode::Screen, .content = ColorgramLayer{}, .mask = Mask{.content = GradientLayer{}}},
+                       {.opacity = 0.5, .content = BlurLayer{.sigmaDeg = 2.0}},
+                       {.content = painted(8)},
+                       {.content = SilhouetteLayer{.unit = WidthUnit::Pixels}}};
+    const EvaluateOptions options{.size = 96, .levelSize = 192};
+    SphereMapCache cache(options);
+    cache.update(document);
+    const auto dragged = [&](size_t layer, const char* what, const std::function<void(Layer&, int)>& change) {
+        for (int step = 1; step <= 4; ++step) {
+            change(document.layers[layer], step);
+            cache.update(document, {.threads = 1 + step % 2});
+            ASSERT_EQ(cache.image(), evaluate(document, options)) << what << " of layer " << layer << ", step " << step;
+        }
+    };
+    for (size_t layer = 0; layer < document.layers.size(); ++layer) {
+        dragged(layer, "opacity", [](Layer& l, int step) { l.opacity = 0.2 * step; });
+        dragged(layer, "a parameter", [](Layer& l, int step) { nudge(l.content, step); });
+        dragged(layer, "mask", [](Layer& l, int step) {
+            if (l.mask)
+                nudge(l.mask->content, step);
+        });
+        dragged(layer, "inversion", [](Layer& l, int step) {
+            if (l.mask)
+                l.mask->invert = step % 2 != 0;
+        });
+        dragged(layer, "blending and showing", [](Layer& l, int step) {
+            l.blend = static_cast<BlendMode>(step);
+            l.visible = step != 3;
+        });
+        dragged(layer, "having a mask", [](Layer& l, int step) {
+            if (step % 2 != 0)
+                l.mask = Mask{.content = GradientLayer{.shape = GradientShape::Angular}};
+            else
+                l.mask.reset();
+        });
+        std::get<PaintLayer>(document.layers[8].content).strokes.push_back(strokes[layer % 4]); // and a stroke in between
+    }
+}
+
+TEST(Evaluate, TakesWhatALayerGivesFromWhereItIsAtHand)
+{
+    SphereMapDocument document;
+    document.layers = {{.content = GradientLayer{}},
+                       {.opacity = 0.7, .blend = BlendMode::Screen, .content = ToonLayer{}, .mask = Mask{.content = GradientLayer{}}},
+                       {.content = InvertLayer{}}};
+    EvaluateOptions options{.size = 70};
+    const Image colors = drawnLayer(document, 1, PaintTarget::Layer, options), mask = drawnLayer(document, 1, PaintTarget::Mask, options);
+    const Image plain = evaluate(document, options);
+    options.drawn = [&](size_t layer, PaintTarget target) -> const Image* {
+        return layer != 1 ? nullptr : target == PaintTarget::Mask ? &mask : &colors;
+    };
+    EXPECT_EQ(evaluate(document, options), plain);
+    document.layers[1].content = FillLayer{}; // is not looked at
+    EXPECT_EQ(evaluate(document, options), plain);
+    EXPECT_THROW(drawnLayer(document, 2, PaintTarget::Layer, options), InvalidArgument);
+    EXPECT_THROW(drawnLayer(document, 0, PaintTarget::Mask, options), InvalidArgument);
 }
 
 TEST(SphereMapCache, AStrokeEvaluatesOnlyItsTilesAndWhatContinuesThemPastTheRim)
