@@ -275,9 +275,10 @@ PredictedErrors spectralErrors(const ValueDistribution& values, const SettledSpe
     PredictedErrors errors = values.errors(settled.error);
     const double d = settled.normError;
     const PredictedErrors spread = values.errors(d * values.deviation(settled.calmMean)), dark = values.errors(d * settled.calmMean);
-    errors.relRms = std::hypot(errors.relRms, std::min(d, spread.relRms)) + spectralRounding;
-    errors.medianRel += std::min(std::max(d, dark.medianRel), spread.medianRel) + spectralRounding;
-    errors.p99Rel += std::min(std::max(d, dark.p99Rel / std::sqrt(200.0)), spread.p99Rel) + 3.0 * spectralRounding; // no tail of d's own
+    errors.relRms = std::hypot(errors.relRms, std::min(d, spread.relRms)) + spectralRounding + settled.relative;
+    errors.medianRel += std::min(std::max(d, dark.medianRel), spread.medianRel) + spectralRounding + settled.relative;
+    errors.p99Rel += std::min(std::max(d, dark.p99Rel / std::sqrt(200.0)), spread.p99Rel) + 3.0 * spectralRounding +
+                     settled.relative; // no tail of d's own
     return errors;
 }
 

@@ -22,6 +22,7 @@ struct SettledSpectral {
     const Spectrum* spectrum = nullptr; ///< the source's, of what the split leaves
     glm::dvec3 error{0.0};              ///< root mean square of truncation and interpolation, radiance of each channel
     double normError = 0.0;             ///< relative error of what the values are divided by: N
+    double relative = 0.0;              ///< what each value is off by beside that, relative to it
     glm::dvec3 calmMean{0.0}; ///< of what the split leaves; it has the same N, so that only what differs from it is divided wrongly
     PredictedErrors predicted{};
     double seconds = 0.0; ///< of one thread, from here on

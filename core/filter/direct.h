@@ -12,7 +12,7 @@ namespace mirrorball {
 
 /// The reference sum over the texels under the lobe only: those nearer to r than the angle at which k has fallen to `level` of its
 /// peak. The right choice for very narrow lobes, whose spectrum is long but whose support is a few texels; and, as rowSums(), for the
-/// widest, whose spectrum is long for their kink.
+/// widest, whose spectrum is long for their kink. Of ggx with its long tail the direct method sums less: near_far.h.
 struct DirectOptions {
     double level = 1e-12; ///< (0, 1): the texels left out weigh less than this times the peak each
 };

@@ -5,6 +5,7 @@
 #include "direct.h"
 #include "importance.h"
 #include "mip_blur.h"
+#include "near_far.h"
 #include "row_sums.h"
 #include "sh9.h"
 #include "spectral.h"
@@ -170,11 +171,21 @@ BandLimitPlan expectedSpectral(const PrefilterOptions& options, const ProbeTrait
     }
 }
 
-/// Terms of the hierarchical sum a direction: they grow as the tolerance shrinks, up to all the texels under the lobe.
+/// Terms of the hierarchical sum a direction: they grow as the tolerance shrinks, up to all the texels under the lobe. A long tail is cut
+/// into blocks until they are as small as their distance from the peak, however narrow that is.
 double hierarchicalTerms(const PrefilterOptions& options, int width)
 {
     const double most = directTaps(options.lobe, width, {.level = 0.1 * options.tolerance});
-    return std::min(most, 2000.0 * std::pow(1e-2 / options.tolerance, 0.75));
+    const double peak = std::min(most, 2000.0 * std::pow(1e-2 / options.tolerance, 0.75));
+    const double tail = options.lobe.kind == LobeKind::Ggx ? 5000.0 * std::pow(1e-2 / options.tolerance, 0.27) : 0.0;
+    return std::max(peak, std::min(tail, 0.25 * width * width)); // no more than all above the horizon
+}
+
+/// The sum over all texels under the lobe.
+double wholeSumSeconds(const PrefilterOptions& options, const ProbeTraits& probe)
+{
+    const double texels = static_cast<double>(options.target.width()) * options.target.height();
+    return texels * (cost::directTexel + cost::directTerm * directTaps(options.lobe, probe.width, {.level = directLevel(options, probe)}));
 }
 
 } // namespace
@@ -219,6 +230,11 @@ double effectiveLambda(const PrefilterOptions& options, int latlongWidth)
     return options.knobs.lambda ? *options.knobs.lambda : matchedLambda(options.lobe, environmentCube(latlongWidth));
 }
 
+bool splitsKernel(const PrefilterOptions& options, const ProbeTraits& probe)
+{
+    return !isShortPolynomial(options.lobe) && planNearFar(options, probe).seconds < wholeSumSeconds(options, probe);
+}
+
 int predictedBandLimit(Method method, const PrefilterOptions& options)
 {
     if (method == Method::Spectral)
@@ -244,8 +260,7 @@ double predictedSeconds(Method method, const PrefilterOptions& options, const Pr
     case Method::Direct:
         if (isShortPolynomial(options.lobe))
             return rowSumsSeconds(probe.width, static_cast<int>(texels));
-        return texels *
-               (cost::directTexel + cost::directTerm * directTaps(options.lobe, probe.width, {.level = directLevel(options, probe)}));
+        return std::min(wholeSumSeconds(options, probe), planNearFar(options, probe).seconds);
     case Method::Hierarchical:
         return cost::treeTexel * sources + cost::treeTerm * texels * hierarchicalTerms(options, probe.width);
     case Method::Importance:
@@ -300,6 +315,8 @@ double predictedError(Method method, const PrefilterOptions& options, const Prob
         return spectralError(expectedSpectral(options, probe), options.target, options.tolerance);
     }
     case Method::Direct:
+        if (splitsKernel(options, probe))
+            return 0.9 * options.tolerance; // at most; settleNearFar() tells better
         return isShortPolynomial(options.lobe) ? floatRounding : floatRounding + 0.1 * options.tolerance; // see directLevel()
     case Method::Hierarchical:
         return floatRounding + 0.5 * options.tolerance;

@@ -62,6 +62,9 @@ PredictedErrors predictedErrors(Method method, const PrefilterOptions& options, 
 /// where the probe is dark.
 double directLevel(const PrefilterOptions& options, const ProbeTraits& probe);
 
+/// Whether the direct method splits the lobe into a near and a far part, see near_far.h.
+bool splitsKernel(const PrefilterOptions& options, const ProbeTraits& probe);
+
 /// Lambda of the mip method: as asked for, else matched to the lobe.
 double effectiveLambda(const PrefilterOptions& options, int latlongWidth);
 

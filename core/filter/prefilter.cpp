@@ -5,6 +5,7 @@
 #include "hierarchical.h"
 #include "importance.h"
 #include "mip_blur.h"
+#include "near_far.h"
 #include "paraboloid_lattice.h"
 #include "reference.h"
 #include "sh9.h"
@@ -100,25 +101,54 @@ MapCheck check(const EnvironmentMap& map, const SettledSpectral& settled, double
     return result;
 }
 
-/// The map, where the spectral method keeps the tolerance; else nothing and the reason.
-std::optional<EnvironmentMap> runSpectral(FilterSource& source, SettledSpectral settled, const PrefilterOptions& options,
-                                          const JobControl& job, PrefilterOutcome& outcome)
+const SettledSpectral& spectralPart(const SettledSpectral& settled) { return settled; }
+const SettledSpectral& spectralPart(const SettledNearFar& settled) { return settled.far; }
+
+/// The map, where what was settled turns out to keep the tolerance; else nothing.
+/// @param make  the map, of what was settled
+/// @param again  settles it with this strictness
+template <typename Settled, typename Make, typename Again>
+std::optional<EnvironmentMap> checkedMap(Settled settled, const char* stage, double tolerance, PrefilterOutcome& outcome, Make&& make,
+                                         Again&& again)
 {
     double strictness = 1.0;
     constexpr int mostTries = 3;
-    for (int tries = 0; tries < mostTries && settled.keeps; ++tries) {
-        EnvironmentMap map = timedStage(outcome.stages, "synthesis", [&] { return synthesiseMap(source, settled, options, job); });
-        const MapCheck checked = check(map, settled, options.tolerance);
+    for (int tries = 0; tries < mostTries && spectralPart(settled).keeps; ++tries) {
+        EnvironmentMap map = timedStage(outcome.stages, stage, [&] { return make(settled); });
+        const MapCheck checked = check(map, spectralPart(settled), tolerance);
         if (checked.excess <= 1.0) {
-            outcome.bandLimit = settled.bandLimit();
+            outcome.bandLimit = spectralPart(settled).bandLimit();
             setPredicted(outcome, checked.predicted, true);
             return map;
         }
         outcome.stages.back().why = "once more: the map is darker than its spectrum let expect";
         strictness *= std::clamp(0.5 / checked.excess, 1e-4, 0.5);
-        settled = settleSpectral(source, options, job, strictness);
+        settled = again(strictness);
     }
     return std::nullopt;
+}
+
+std::optional<EnvironmentMap> runSpectral(FilterSource& source, const SettledSpectral& settled, const PrefilterOptions& options,
+                                          const JobControl& job, PrefilterOutcome& outcome)
+{
+    return checkedMap(
+        settled, "synthesis", options.tolerance, outcome, [&](const SettledSpectral& s) { return synthesiseMap(source, s, options, job); },
+        [&](double strictness) { return settleSpectral(source, options, job, strictness); });
+}
+
+/// The direct method's map of a lobe that is split into near and far, where that keeps the tolerance; else nothing.
+std::optional<EnvironmentMap> runNearFar(FilterSource& source, const PrefilterOptions& options, const JobControl& job,
+                                         PrefilterOutcome& outcome)
+{
+    const SettledNearFar settled =
+        timedStage(outcome.stages, "spectrum of the far part", [&] { return settleNearFar(source, options, job); });
+    std::optional<EnvironmentMap> map = checkedMap(
+        settled, "near sums and far part", options.tolerance, outcome,
+        [&](const SettledNearFar& s) { return filterNearFar(source, s, options, job); },
+        [&](double strictness) { return settleNearFar(source, options, job, strictness); });
+    if (!map)
+        outcome.stages.back().why = "near and far part do not keep the tolerance for this probe";
+    return map;
 }
 
 EnvironmentMap runSh9(FilterSource& source, const PrefilterOptions& options, const JobControl& job, PrefilterOutcome& outcome)
@@ -367,7 +397,16 @@ PrefilterOutcome prefilter(FilterSource& source, const PrefilterOptions& options
         });
         return outcome;
     }
+    const bool mayChange = options.method == Method::Auto && !traits(source).streamed;
+    const auto splits = [&] { return plan.method == Method::Direct && splitsKernel(options, traits(source)); };
     std::optional<EnvironmentMap> map;
+    bool wasSplit = false;
+    if (splits()) {
+        wasSplit = true;
+        map = runNearFar(source, options, job, outcome);
+        if (!map && mayChange) // else the sum over all texels is what was asked for
+            plan = cheapestPlan(options, traits(source), Method::Direct);
+    }
     if (plan.method == Method::Spectral) {
         const int knownBefore = source.knownBandLimits();
         const SettledSpectral settled = timedStage(outcome.stages, "spectrum", [&] { return settleSpectral(source, options, job); });
@@ -376,11 +415,13 @@ PrefilterOutcome prefilter(FilterSource& source, const PrefilterOptions& options
         plan = afterSettling(plan, settled, options, traits(source));
         if (plan.method == Method::Spectral) {
             map = runSpectral(source, settled, options, job, outcome);
-            if (!map && options.method == Method::Auto && !traits(source).streamed)
+            if (!map && mayChange)
                 plan = cheapestPlan(options, traits(source), Method::Spectral);
             else if (!map)
                 throw InvalidArgument(cannotKeep(options, settled, traits(source)));
         }
+        if (!map && !wasSplit && splits())
+            map = runNearFar(source, options, job, outcome);
     }
     outcome.method = plan.method;
     outcome.why = plan.why;

@@ -20,7 +20,7 @@ struct PrefilterOutcome {
     EnvironmentMap map{};
     Method method = Method::Auto; ///< the one that ran
     bool filtered = true;         ///< false: mirror or unresolved lobe, the map is a lookup of the probe
-    int bandLimit = 0;            ///< spectral only
+    int bandLimit = 0;            ///< of spectral, and of the far part where direct splits the lobe
     PredictedErrors predicted{};  ///< against the reference sum; where the lobe is unresolved against the bilinear lookup
     bool promised = false;        ///< the tolerance is kept, see errorLimits(); never by a method that only approximates
     std::string why{};            ///< why this method

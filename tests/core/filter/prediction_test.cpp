@@ -127,7 +127,15 @@ TEST(Prediction, AutoTakesWhatIsCheapest)
     const MapLayout cube{Parameterization::Cube, 64, 0}, tiny{Parameterization::Cube, 4, 0};
     EXPECT_EQ(planPrefilter({.lobe = phongLobe(50), .target = cube}, {.width = 1024}).method, Method::Spectral);
     EXPECT_EQ(planPrefilter({.lobe = phongLobe(60000), .target = cube}, {.width = 1024}).method, Method::Direct);
-    EXPECT_EQ(planPrefilter({.lobe = ggxLobe(0.01), .target = cube}, {.width = 1024}).method, Method::Spectral);
+    EXPECT_EQ(planPrefilter({.lobe = ggxLobe(0.05), .target = cube}, {.width = 1024}).method, Method::Spectral);
+    // A peak of some texels and a tail on all of them: neither a spectrum of a thousand degrees nor a sum over all texels.
+    for (const double alpha : {0.0042, 0.01}) {
+        const PrefilterOptions tail{.lobe = ggxLobe(alpha), .target = cube};
+        const PrefilterPlan plan = planPrefilter(tail, {.width = 1024});
+        EXPECT_EQ(plan.method, Method::Direct) << plan.why;
+        EXPECT_TRUE(splitsKernel(tail, {.width = 1024}));
+        EXPECT_LE(plan.predictedSeconds, 0.2);
+    }
     // A step at the horizon has a spectrum without end; a few thousand texels are soon summed.
     const PrefilterPlan step = planPrefilter({.lobe = phongLobe(0), .target = tiny}, {.width = 64});
     EXPECT_NE(step.method, Method::Spectral);
@@ -140,7 +148,7 @@ TEST(Prediction, AutoStaysWithTheSpectrumUnderASunWhateverIsKnownOfIt)
 {
     FilterSource source(renderBuiltinProbe("sky", {Parameterization::Latlong, 256, 0}));
     const MapLayout cube{Parameterization::Cube, 64, 0};
-    for (const Lobe& lobe : {phongLobe(50), diffuseLobe(), ggxLobe(0.36), ggxLobe(0.01), phongLobe(1)}) {
+    for (const Lobe& lobe : {phongLobe(50), diffuseLobe(), ggxLobe(0.36), ggxLobe(0.05), phongLobe(1)}) {
         const PrefilterOptions options{.lobe = lobe, .target = cube};
         EXPECT_EQ(planPrefilter(options, traits(source)).method, Method::Spectral) << describe(lobe);
         prefilter(source, {.lobe = lobe, .target = cube, .method = Method::Spectral});

@@ -1,0 +1,173 @@
+#include "kernel_split.h"
+
+#include "core/base/multiversion.h"
+#include "core/shading/reflection_kernel.h"
+#include "core/sphere/direction.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace mirrorball {
+
+namespace {
+
+constexpr size_t polynomialTerms = 16;
+
+/// The two terms of G when acosh y at the pole is `rise`.
+struct Terms {
+    int lowerDegree;
+    double a, b;    ///< of T_n(y)/T_n(y_z) and of T_(n-m)(y)/T_(n-m)(y_z)
+    double leftOut; ///< |G| where |y| <= 1
+
+    Terms(int degree, double rise)
+    {
+        // m = 1/rise makes leftOut smallest: it is e^(m rise)/m times what does not depend on m.
+        const int m = std::clamp(static_cast<int>(std::lround(1.0 / rise)), 1, std::max(1, degree / 2));
+        lowerDegree = degree - m;
+        // G = 1 and G' = 0 at the pole, with (ln T_n)' = n tanh(n rise)/sinh(rise).
+        const double slope = degree * std::tanh(degree * rise), lowerSlope = lowerDegree * std::tanh(lowerDegree * rise);
+        a = -lowerSlope / (slope - lowerSlope);
+        b = 1.0 - a;
+        leftOut = std::abs(a) / std::cosh(degree * rise) + std::abs(b) / std::cosh(lowerDegree * rise);
+    }
+};
+
+double riseFor(int degree, double leftOut)
+{
+    double low = 1.0 / degree, high = 80.0 / degree; // cosh stays a double
+    for (int i = 0; i < 40; ++i) {
+        const double middle = 0.5 * (low + high);
+        (Terms(degree, middle).leftOut > leftOut ? low : high) = middle;
+    }
+    return high;
+}
+
+/// Integral over angles of a function that is smooth on either side of the horizon and has degrees up to `degree`: nodes and weights.
+std::pair<std::vector<double>, std::vector<double>> anglesOfSphere(int degree)
+{
+    const GaussLegendre& rule = gaussLegendre16(); // exact to 1e-15 over panels of so many radians of the fastest harmonic
+    constexpr double radians = 14.0;
+    const int panels = 2 * std::max(4, static_cast<int>(std::ceil(0.5 * pi * degree / radians)));
+    std::vector<double> angles, weights;
+    for (int panel = 0; panel < panels; ++panel)
+        for (size_t i = 0; i < rule.nodes.size(); ++i) {
+            angles.push_back(pi / panels * (panel + 0.5 * (1.0 + rule.nodes[i])));
+            weights.push_back(pi / panels * 0.5 * rule.weights[i]);
+        }
+    return {angles, weights};
+}
+
+double oneMinusCosine(double angle) { return 2.0 * std::pow(std::sin(0.5 * angle), 2); }
+
+} // namespace
+
+/// sum w P_l, and P_(l+1) in place of P_l.
+MIRRORBALL_CLONES double legendreStep(int l, size_t count, const double* x, const double* w, double* previous, double* p)
+{
+    const double a = (2.0 * l + 1.0) / (l + 1.0), b = l / (l + 1.0);
+    constexpr size_t lanes = 8; // sums that do not wait for one another
+    double sums[lanes]{};
+    for (size_t i = 0; i + lanes <= count; i += lanes)
+        for (size_t j = 0; j < lanes; ++j) {
+            const double now = p[i + j];
+            sums[j] += w[i + j] * now;
+            p[i + j] = a * x[i + j] * now - b * previous[i + j];
+            previous[i + j] = now;
+        }
+    return ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7]));
+}
+
+KernelSplit::KernelSplit(const Lobe& lobe, int bandLimit, double leftOut)
+    : m_lobe(lobe), m_integral(LobeShape(lobe).integral()), m_degree(bandLimit + 1), m_rise(riseFor(m_degree, leftOut))
+{
+    const Terms terms(m_degree, m_rise);
+    m_lowerDegree = terms.lowerDegree;
+    m_a = terms.a;
+    m_b = terms.b;
+    m_leftOut = terms.leftOut;
+    // cosh(rise) - 1 = y - 1 at the pole = 2 (reach + beyond)/(2 - reach), beyond = z - 1
+    const double rise = 2.0 * std::pow(std::sinh(0.5 * m_rise), 2), alpha2 = lobe.alpha * lobe.alpha,
+                 beyond = 2.0 * alpha2 / (1.0 - alpha2);
+    m_reach = std::max(0.0, 2.0 * (rise - beyond) / (2.0 + rise));
+}
+
+double KernelSplit::reachAngle() const { return 2.0 * std::asin(std::sqrt(0.5 * m_reach)); }
+
+double KernelSplit::share(double u) const
+{
+    const double half = (m_reach - u) / (2.0 - m_reach); // (y - 1)/2
+    const double angle = half >= 0.0 ? 2.0 * std::asinh(std::sqrt(half)) : 2.0 * std::asin(std::sqrt(std::min(1.0, -half)));
+    const auto chebyshev = [&](int n) { return (half >= 0.0 ? std::cosh(n * angle) : std::cos(n * angle)) / std::cosh(n * m_rise); };
+    return m_a * chebyshev(m_degree) + m_b * chebyshev(m_lowerDegree);
+}
+
+double KernelSplit::unclipped(double u) const
+{
+    const double a2 = m_lobe.alpha * m_lobe.alpha, ratio = a2 / (a2 + 0.5 * (1.0 - a2) * u);
+    return (1.0 - u) * ratio * ratio / m_integral;
+}
+
+std::vector<double> KernelSplit::farCoefficients(int last) const
+{
+    const auto [angles, weights] = anglesOfSphere(bandLimit() + last);
+    const size_t count = angles.size();
+    std::vector<double> x(count), w(count), previous(count, 0.0), p(count, 1.0);
+    for (size_t i = 0; i < count; ++i) {
+        const double u = oneMinusCosine(angles[i]), k = unclipped(u);
+        x[i] = std::cos(angles[i]);
+        w[i] = 2.0 * pi * weights[i] * std::sin(angles[i]) * ((x[i] > 0.0 ? k : 0.0) - k * share(u));
+    }
+    std::vector<double> coefficients(static_cast<size_t>(last) + 1);
+    for (int l = 0; l <= last; ++l)
+        coefficients[static_cast<size_t>(l)] = legendreStep(l, count, x.data(), w.data(), previous.data(), p.data());
+    return coefficients;
+}
+
+std::vector<double> KernelSplit::sharePolynomial() const
+{
+    // Interpolated at Chebyshev's nodes, then written in powers: G is at most about 1 on the whole circle |x| = 1, and so are those.
+    constexpr size_t n = polynomialTerms;
+    std::array<double, n> series{};
+    for (size_t node = 0; node < n; ++node) {
+        const double angle = pi * (static_cast<double>(node) + 0.5) / n, value = share(0.5 * m_reach * (1.0 - std::cos(angle)));
+        for (size_t j = 0; j < n; ++j)
+            series[j] += (j == 0 ? 1.0 : 2.0) / n * value * std::cos(static_cast<double>(j) * angle);
+    }
+    std::vector<double> powers(n, 0.0), before(n, 0.0), now(n, 0.0);
+    now[0] = 1.0; // T_0, and T_(-1) = T_1 = x
+    before[1] = 1.0;
+    for (size_t j = 0; j < n; ++j) {
+        for (size_t i = 0; i < n; ++i)
+            powers[i] += series[j] * now[i];
+        std::vector<double> next(n, 0.0);
+        for (size_t i = 0; i < n; ++i)
+            next[i] = (i > 0 ? 2.0 * now[i - 1] : 0.0) - before[i];
+        before = std::exchange(now, next);
+    }
+    return powers;
+}
+
+double largestMiss(const KernelSplit& split, const std::vector<double>& farCoefficients)
+{
+    // As far from the axis as the kernel is so large that the kink does not count.
+    constexpr int places = 48;
+    constexpr double farthest = 0.2;
+    const LobeShape shape(split.lobe());
+    const double reach = split.reachAngle();
+    double largest = 0.0;
+    for (int i = 0; i < places; ++i) {
+        const double angle = std::min(farthest, 3.0 * reach) * (i + 0.5) / places, u = oneMinusCosine(angle), x = std::cos(angle);
+        double far = 0.0, previous = 0.0, p = 1.0;
+        for (int l = 0; l <= std::min(split.bandLimit(), static_cast<int>(farCoefficients.size()) - 1); ++l) {
+            far += (2.0 * l + 1.0) / (4.0 * pi) * farCoefficients[static_cast<size_t>(l)] * p;
+            previous = std::exchange(p, ((2.0 * l + 1.0) * x * p - l * previous) / (l + 1.0));
+        }
+        const double k = shape.relative(x) / shape.integral();
+        largest = std::max(largest, std::abs(far + (u < split.reach() ? k * split.share(u) : 0.0) - k) / k);
+    }
+    return largest;
+}
+
+} // namespace mirrorball

@@ -1,0 +1,176 @@
+#include "near_far.h"
+
+#include "row_sums.h"
+#include "truncation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirrorball {
+
+namespace {
+
+/// Relative error of the floats that near sums are made of; those of the far part are spectralRounding.
+constexpr double nearRounding = 4e-7;
+
+/// Share of what the tolerance leaves for the near sum's end, which changes numerator and denominator.
+constexpr double leftOutShare = 0.7;
+
+/// Share of what is allowed for reading rings; the kink at the horizon has as much, and they add up as squares.
+constexpr double interpolationShare = 0.7;
+
+/// Degrees to which the kink at the horizon is looked at, in band limits.
+constexpr int kinkReach = 2;
+
+/// Seconds of one thread. `build/ci/bin/method_table methods` shows them beside what is measured.
+namespace cost {
+constexpr double place = 1e-7, row = 1.4e-8, texel = 0.5e-9; // of the near sum
+constexpr double sourceTexel = 6e-9;                         // its tables
+constexpr double coefficient = 1e-8;                         // of the far kernel, times the band limit
+constexpr double ring = 0.5e-9;                              // of the far part, times the band limit squared
+} // namespace cost
+
+double nearSeconds(double reach, int probeWidth, double places)
+{
+    const double rows = reach * probeWidth / pi + 1.0;
+    return cost::sourceTexel * probeWidth * probeWidth / 2.0 +
+           places * (cost::place + rows * cost::row + cost::texel * NearSum::texels(reach, probeWidth));
+}
+
+double farSeconds(int bandLimit, double places)
+{
+    const double l = bandLimit, rings = 1.25 * l; // about what real probes ask for
+    return (cost::coefficient + cost::ring * rings) * l * l + 1.2e-8 * rings * rings + 6e-8 * places;
+}
+
+/// The filtered map at some hundred even directions, as coarseValues() of the spectral method.
+ValueDistribution coarseValues(const SettledNearFar& settled, const JobControl& job)
+{
+    constexpr int rings = 16, samples = 32;
+    const SettledSpectral& far = settled.far;
+    std::vector<double> theta;
+    for (int j = 0; j < rings; ++j)
+        theta.push_back(pi * (j + 0.5) / rings);
+    const FilteredRings map = synthesise(*far.spectrum, far.k, theta, samples, pi / samples,
+                                         std::vector<std::complex<double>>(far.k.size(), 1.0), job, far.longer);
+    std::vector<SpherePoint> places;
+    for (const double t : theta)
+        for (int i = 0; i < samples; ++i)
+            places.push_back({.azimuth = 2.0 * pi * (i + 0.5) / samples, .colatitude = t});
+    std::vector<glm::dvec4> sums(places.size());
+    settled.near->at(places, 0.0, sums.data());
+    ValueDistribution values;
+    for (size_t i = 0; i < places.size(); ++i) {
+        const glm::dvec3 sum = map.radiance(i) * (settled.farShare * map.norm[i]) + glm::dvec3(sums[i]);
+        values.add(sum / (settled.farShare * map.norm[i] + sums[i].w), std::sin(places[i].colatitude));
+    }
+    return values;
+}
+
+} // namespace
+
+NearFarPlan planNearFar(const PrefilterOptions& options, const ProbeTraits& probe, int least)
+{
+    NearFarPlan best;
+    const double available = options.tolerance - nearRounding - spectralRounding;
+    const bool suits = options.lobe.kind == LobeKind::Ggx && options.lobe.alpha > 0.0 && !isShortPolynomial(options.lobe);
+    if (!suits || probe.streamed || available < 0.2 * options.tolerance)
+        return best;
+    const double leftOut = std::min(0.1, 0.5 * leftOutShare * available),
+                 texels = static_cast<double>(options.target.width()) * options.target.height();
+    for (int step = 64; step <= largestBandLimit; step *= 2)
+        for (const int bandLimit : {step, step * 3 / 2}) { // as FilterSource rounds them
+            if (bandLimit < least || bandLimit > largestBandLimit)
+                continue;
+            const KernelSplit split(options.lobe, bandLimit, leftOut);
+            if (!split.hasReach())
+                continue;
+            const double forward = probe.knownBandLimit >= bandLimit ? 0.0 : forwardSeconds(probe.width, bandLimit);
+            const double seconds = forward + farSeconds(bandLimit, texels) + nearSeconds(split.reachAngle(), probe.width, texels);
+            if (seconds < best.seconds)
+                best = {bandLimit, leftOut, seconds};
+        }
+    return best;
+}
+
+SettledNearFar settleNearFar(FilterSource& source, const PrefilterOptions& options, const JobControl& job, double strictness)
+{
+    const ErrorLimits limits = errorLimits(options.tolerance);
+    NearFarPlan plan = planNearFar(options, traits(source));
+    const double mostSeconds = 4.0 * plan.seconds + 0.02; // beyond it another method is left to try
+    SettledNearFar settled;
+    while (plan.possible()) {
+        const int bandLimit = plan.bandLimit;
+        const KernelSplit split(options.lobe, bandLimit, strictness * plan.leftOut);
+        std::vector<double> k = split.farCoefficients(kinkReach * bandLimit);
+        const double miss = std::max(split.leftOut(), largestMiss(split, k));
+        settled = {.farShare = k[0], .near = std::make_shared<const NearSum>(*source.latlong(), split, job)};
+        for (double& value : k)
+            value /= settled.farShare;
+        SettledSpectral& far = settled.far;
+        far.k.assign(k.begin(), k.begin() + bandLimit + 1);
+        far.longer = k;
+        far.spectrum = &source.spectrum(bandLimit, job);
+        far.seconds = plan.seconds;
+        far.relative = 2.0 * miss + nearRounding;
+        for (int c = 0; c < 3; ++c)
+            far.calmMean[c] = far.spectrum->coefficients[static_cast<size_t>(c)][0].real() / far.spectrum->unit[0].real();
+
+        const ValueDistribution values = coarseValues(settled, job);
+        const TruncationModel model(*far.spectrum, k);
+        const double relative = spectralRounding + far.relative; // taken off what the limits allow the rest
+        const ErrorLimits rest{.relRms = limits.relRms - relative,
+                               .medianRel = limits.medianRel - relative,
+                               .p99Rel = limits.p99Rel - relative,
+                               .negative = limits.negative};
+        const double allowed = 0.9 * strictness * std::max(0.0, values.allowedRms(model.shape(), rest)) / settled.farShare;
+        far.rings = allowed > 0.0 ? std::min(largestRings, model.ringsFor(bandLimit, interpolationShare * allowed, model.shape()))
+                                  : RingGrid::leastRings(2 * bandLimit);
+        const glm::dvec3 kink = model.truncation(bandLimit), read = model.interpolation(bandLimit, far.rings);
+        far.error = settled.farShare * glm::sqrt(kink * kink + read * read);
+        far.normError = settled.farShare * model.normError(bandLimit);
+        far.predicted = spectralErrors(values, far);
+        // The bound on what is left out takes light for positive.
+        far.keeps = far.spectrum->least >= 0.0 && far.predicted.within(limits);
+        // The kink's error falls like the band limit to the power of -2.5.
+        const double excess = std::max({kink.r, kink.g, kink.b}) / std::max(interpolationShare * allowed, 1e-300),
+                     least = bandLimit * std::max(1.1, std::pow(1.2 * excess, 0.4));
+        if (far.keeps || far.spectrum->least < 0.0 || least > largestBandLimit)
+            return settled;
+        plan = planNearFar(options, traits(source), static_cast<int>(least));
+        if (plan.seconds > mostSeconds)
+            return settled;
+    }
+    return settled;
+}
+
+EnvironmentMap filterNearFar(FilterSource& source, const SettledNearFar& settled, const PrefilterOptions& options, const JobControl& job)
+{
+    const SettledSpectral& far = settled.far;
+    EnvironmentMap map(options.target);
+    const int width = map.image.width;
+    const auto w = static_cast<size_t>(width);
+    const std::span<const SpherePoint> points = source.points(options.target, job);
+    const RingGrid grid(*far.spectrum, far.k, far.rings, options.yaw, {.stop = job.stop, .progress = {}, .threads = job.threads},
+                        far.longer);
+    parallelRows(
+        map.image.height, job,
+        [&](int first, int last) {
+            const auto places = points.subspan(static_cast<size_t>(first) * w, static_cast<size_t>(last - first) * w);
+            std::vector<float> rgbn(4 * places.size());
+            std::vector<glm::dvec4> sums(places.size());
+            grid.read(places, rgbn.data());
+            settled.near->at(places, options.yaw, sums.data());
+            float* to = map.image.row(first);
+            for (size_t i = 0; i < places.size(); ++i) {
+                const double norm = sums[i].w + settled.farShare * (1.0 + rgbn[4 * i + 3]);
+                for (int c = 0; c < 3; ++c) // light is not negative, and what comes out below 0 is nearer to it there
+                    *to++ =
+                        static_cast<float>(std::max(0.0, (sums[i][c] + settled.farShare * rgbn[4 * i + static_cast<size_t>(c)]) / norm));
+            }
+        },
+        4);
+    return map;
+}
+
+} // namespace mirrorball

@@ -1,0 +1,198 @@
+#include "near_sum.h"
+
+#include "core/base/multiversion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirrorball {
+
+namespace {
+
+constexpr int lanes = 8;
+/// Eight texels side by side; loads need no alignment.
+typedef float Lanes __attribute__((vector_size(32), aligned(4), may_alias));
+typedef int Wholes __attribute__((vector_size(32)));
+
+using Tables = NearSum::Tables;
+
+/// What is the same for all texels of a row, as the loop over them takes it.
+struct Row {
+    float least = 0.0f, slope = 0.0f;             ///< u = least + slope sin^2
+    float offsetSine = 0.0f, offsetCosine = 1.0f; ///< of d/2
+    std::ptrdiff_t start = 0;                     ///< of the row in its planes
+    float weight = 0.0f;
+};
+
+/// What is the same for all rows, in all lanes.
+struct Constants {
+    Lanes share[16], toUnit, steepness, reach;
+};
+
+struct Sums {
+    Lanes red{}, green{}, blue{}, one{};
+};
+
+/// Columns [x, x + count), which lie at `table` and after in the tables of sines.
+[[gnu::always_inline]] inline void addColumns(const Tables& t, const Constants& constants, const Row& row, int x, int table, int count,
+                                              Sums& sums)
+{
+    const float *red = t.planes[0].data() + row.start + x, *green = t.planes[1].data() + row.start + x,
+                *blue = t.planes[2].data() + row.start + x, *sine = t.sine.data() + table, *cosine = t.cosine.data() + table;
+    const Lanes* g = constants.share;
+    const Lanes none{};
+    const Wholes lane{0, 1, 2, 3, 4, 5, 6, 7};
+    Lanes r{}, gr{}, b{}, one{};
+    for (int i = 0; i < count; i += lanes) {
+        const Lanes s = *reinterpret_cast<const Lanes*>(sine + i), c = *reinterpret_cast<const Lanes*>(cosine + i);
+        const Lanes v = s * row.offsetCosine - c * row.offsetSine;
+        const Lanes u = row.least + row.slope * (v * v);
+        const Lanes y = 1.0f + constants.toUnit * u, y2 = y * y; // even and odd powers apart: neither waits for the other
+        const Lanes even = g[0] + y2 * (g[2] + y2 * (g[4] + y2 * (g[6] + y2 * (g[8] + y2 * (g[10] + y2 * (g[12] + y2 * g[14]))))));
+        const Lanes odd = g[1] + y2 * (g[3] + y2 * (g[5] + y2 * (g[7] + y2 * (g[9] + y2 * (g[11] + y2 * (g[13] + y2 * g[15]))))));
+        const Lanes under = 1.0f + constants.steepness * u;
+        const Lanes all = (1.0f - u) * (even + y * odd) / (under * under);
+        const Lanes n = (u < constants.reach) & (lane < count - i) ? all : none;
+        r += n * *reinterpret_cast<const Lanes*>(red + i);
+        gr += n * *reinterpret_cast<const Lanes*>(green + i);
+        b += n * *reinterpret_cast<const Lanes*>(blue + i);
+        one += n;
+    }
+    sums.red += row.weight * r;
+    sums.green += row.weight * gr;
+    sums.blue += row.weight * b;
+    sums.one += row.weight * one;
+}
+
+[[gnu::always_inline]] inline double total(const Lanes& v)
+{
+    double sum = 0.0;
+    for (int i = 0; i < lanes; ++i)
+        sum += static_cast<double>(v[i]);
+    return sum;
+}
+
+[[gnu::always_inline]] inline glm::dvec4 sumAt(const Tables& t, const Constants& constants, double azimuth, double colatitude)
+{
+    const double rowHeight = pi / t.height, columnWidth = 2.0 * pi / t.width, turns = azimuth / (2.0 * pi);
+    const double column = (turns - std::floor(turns)) * t.width - 0.5;
+    const int nearest = static_cast<int>(std::floor(column + 0.5));
+    const double offset = 0.5 * columnWidth * (column - nearest);
+    const double sine = std::sin(0.5 * colatitude), cosine = std::cos(0.5 * colatitude), across = 2.0 * sine * cosine;
+    const int top = std::max(0, static_cast<int>(std::ceil((colatitude - t.reachAngle) / rowHeight - 0.5))),
+              bottom = std::min(t.height - 1, static_cast<int>(std::floor((colatitude + t.reachAngle) / rowHeight - 0.5)));
+    Row row{.offsetSine = static_cast<float>(std::sin(offset)), .offsetCosine = static_cast<float>(std::cos(offset))};
+    Sums sums;
+    for (int y = top; y <= bottom; ++y) {
+        const auto i = static_cast<size_t>(y);
+        const double between = sine * t.halfCosine[i] - cosine * t.halfSine[i], least = 2.0 * between * between,
+                     slope = 2.0 * across * t.rowSine[i], square = (t.reach - least) / std::max(slope, 1e-30);
+        if (square < 0.0)
+            continue;
+        row.least = static_cast<float>(least);
+        row.slope = static_cast<float>(slope);
+        row.start = y * t.stride;
+        row.weight = static_cast<float>(t.weight[i]);
+        // Columns from nearest - left to nearest + right: those within the reach, and perhaps one more, which the comparison with it drops.
+        int left = t.width / 2, right = (t.width - 1) / 2;
+        if (square < 1.0) {
+            const double s = std::sqrt(square), half = 2.0 * (s + (0.5 * pi - 1.0) * s * s * s); // asin s is less
+            const int columns = static_cast<int>(half / columnWidth + 1.5);
+            left = std::min(left, columns);
+            right = std::min(right, columns);
+        }
+        int x = nearest - left, table = t.width / 2 - left, count = left + right + 1;
+        if (x < 0) {
+            const int before = std::min(-x, count);
+            addColumns(t, constants, row, x + t.width, table, before, sums);
+            x = 0;
+            table += before;
+            count -= before;
+        }
+        const int here = std::min(count, t.width - x);
+        addColumns(t, constants, row, x, table, here, sums);
+        if (here < count)
+            addColumns(t, constants, row, 0, table + here, count - here, sums);
+    }
+    return glm::dvec4(total(sums.red), total(sums.green), total(sums.blue), total(sums.one) * t.scale) * (t.peakOfLobe / t.scale);
+}
+
+} // namespace
+
+MIRRORBALL_CLONES // hot: some hundred texels for each place
+    void
+    nearSums(const Tables& tables, const SpherePoint* places, size_t count, double yaw, glm::dvec4* sums)
+{
+    const Lanes one = Lanes{} + 1.0f;
+    Constants constants;
+    for (size_t i = 0; i < std::size(constants.share); ++i)
+        constants.share[i] = one * tables.share[i];
+    constants.toUnit = one * static_cast<float>(-2.0 / tables.reach);
+    constants.steepness = one * static_cast<float>(tables.steepness);
+    constants.reach = one * static_cast<float>(tables.reach);
+    for (size_t i = 0; i < count; ++i)
+        sums[i] = sumAt(tables, constants, places[i].azimuth + yaw, places[i].colatitude);
+}
+
+NearSum::NearSum(const EnvironmentMap& latlong, const KernelSplit& split, const JobControl& job)
+{
+    Tables& t = m_tables;
+    const Image& image = latlong.image;
+    t.width = image.width;
+    t.height = image.height;
+    t.stride = image.width + lanes; // loads of eight go beyond the last
+    float peak = 0.0f;
+    for (const float value : image.texels)
+        peak = std::max(peak, std::abs(value));
+    // Weights go up to 1 each, and rows of the largest floats must not overflow.
+    t.scale = peak > 0.0f ? std::exp2(-static_cast<double>(std::ilogb(peak))) : 1.0;
+    for (auto& plane : t.planes)
+        plane.resize(static_cast<size_t>(t.stride) * static_cast<size_t>(t.height));
+    parallelRows(t.height, {.stop = job.stop, .progress = {}, .threads = job.threads}, [&](int first, int last) {
+        for (int y = first; y < last; ++y) {
+            const float* from = image.row(y);
+            const std::ptrdiff_t start = y * t.stride;
+            float *red = t.planes[0].data() + start, *green = t.planes[1].data() + start, *blue = t.planes[2].data() + start;
+            const double scale = t.scale;
+            for (int x = 0; x < t.width; ++x, from += 3) {
+                red[x] = static_cast<float>(scale * from[0]);
+                green[x] = static_cast<float>(scale * from[1]);
+                blue[x] = static_cast<float>(scale * from[2]);
+            }
+        }
+    });
+    for (int j = 0; j < t.width + lanes; ++j) {
+        const double half = pi / t.width * (j - t.width / 2);
+        t.sine.push_back(static_cast<float>(std::sin(half)));
+        t.cosine.push_back(static_cast<float>(std::cos(half)));
+    }
+    t.peakOfLobe = 1.0 / LobeShape(split.lobe()).integral();
+    for (int y = 0; y < t.height; ++y) {
+        const double theta = pi * (y + 0.5) / t.height;
+        t.rowSine.push_back(std::sin(theta));
+        t.halfSine.push_back(std::sin(0.5 * theta));
+        t.halfCosine.push_back(std::cos(0.5 * theta));
+        t.weight.push_back(4.0 * pi / t.width * std::sin(theta) * std::sin(0.5 * pi / t.height));
+    }
+    const double alpha2 = split.lobe().alpha * split.lobe().alpha;
+    t.reach = split.reach();
+    t.reachAngle = split.reachAngle();
+    t.steepness = 0.5 * (1.0 - alpha2) / alpha2;
+    const std::vector<double> powers = split.sharePolynomial();
+    for (size_t i = 0; i < std::size(t.share); ++i)
+        t.share[i] = static_cast<float>(powers[i]);
+}
+
+void NearSum::at(std::span<const SpherePoint> places, double yaw, glm::dvec4* sums) const
+{
+    nearSums(m_tables, places.data(), places.size(), yaw, sums);
+}
+
+double NearSum::texels(double reachAngle, int latlongWidth)
+{
+    const double share = std::pow(std::sin(0.5 * reachAngle), 2); // of the sphere
+    // Rows near the poles are denser, and are met as often.
+    return share * latlongWidth * (latlongWidth / 2.0) * (pi / 2);
+}
+
+} // namespace mirrorball
