@@ -1,4 +1,6 @@
+#include "brdf_errors.h"
 #include "command.h"
+#include "reading_options.h"
 
 #include "core/base/error.h"
 #include "core/filter/lookup_table.h"
@@ -16,7 +18,10 @@ namespace mirrorball::cli {
 namespace {
 
 struct Options {
-    std::string brdf, eval, table, out;
+    std::string brdf, eval, table;
+    std::vector<std::string> out;
+    BrdfErrorsRequest errors;
+    ReadingOptions reading;
     std::optional<int> albedo;
     std::optional<double> viewDeg;
     int size = 0;
@@ -44,15 +49,6 @@ std::array<double, 4> parseAngles(const std::string& text)
     return angles;
 }
 
-/// The number in "lookups:K", 5 for "lookups"; 0 for any other word.
-int lookupCount(const std::string& word)
-{
-    if (word == "lookups")
-        return 5;
-    const bool isOne = word.size() == 9 && word.compare(0, 8, "lookups:") == 0 && word[8] >= '1' && word[8] <= '8';
-    return isOne ? word[8] - '0' : 0;
-}
-
 glm::dvec3 directionAt(double polarDeg, double azimuthDeg)
 {
     const double t = radians(polarDeg), p = radians(azimuthDeg);
@@ -63,11 +59,15 @@ void print(const glm::dvec3& rgb) { std::printf("%.9g %.9g %.9g\n", rgb.r, rgb.g
 
 void run(const Options& o)
 {
-    const int asked = !o.eval.empty() + (o.albedo || o.viewDeg ? 1 : 0) + !o.table.empty();
+    const int asked = !o.eval.empty() + (o.albedo || o.viewDeg ? 1 : 0) + !o.table.empty() + !o.errors.probe.empty();
     if (asked != 1)
-        throw InvalidArgument("brdf: give one of --eval, --albedo (or --view) and --table");
-    if (o.table.empty() != o.out.empty())
-        throw InvalidArgument(o.out.empty() ? "--output: is missing; --table writes a file" : "--output: belongs to --table");
+        throw InvalidArgument("brdf: give one of --eval, --albedo (or --view), --table and --errors");
+    if (!o.table.empty() && o.out.size() != 1)
+        throw InvalidArgument(o.out.empty() ? "--output: is missing; --table writes a file" : "--output: --table writes one file");
+    if (o.table.empty() && o.errors.probe.empty() && !o.out.empty())
+        throw InvalidArgument("--output: belongs to --table and --errors");
+    if (o.errors.probe.empty() && !(o.errors.views.empty() && o.errors.lookups.empty()))
+        throw InvalidArgument("--views, --lookups: belong to --errors");
     if (o.albedo && o.viewDeg)
         throw InvalidArgument("--view: is one angle, --albedo a row of them; give one");
     if (o.viewDeg && !(*o.viewDeg >= 0.0 && *o.viewDeg < 90.0))
@@ -75,13 +75,19 @@ void run(const Options& o)
     if (o.albedo && !(*o.albedo >= 1 && *o.albedo <= 4096))
         throw InvalidArgument("--albedo: must be a whole number of angles from 1 to 4096");
     const auto table = o.table.empty() ? std::nullopt : brdfTableFromName(o.table);
-    const int lookups = lookupCount(o.table);
-    if (!o.table.empty() && !table && lookups == 0)
-        throw InvalidArgument("--table: '" + o.table + "' is no table; choose one of " + brdfTableNames() +
-                              ", lookups (or lookups:K, 1 to 8)");
+    const auto lookups = o.table == "lookups" ? LookupChoice{} : lookupChoiceFromWord(o.table);
+    if (!o.table.empty() && !table && !lookups)
+        throw InvalidArgument("--table: '" + o.table + "' is no table; choose one of " + brdfTableNames() + ", " + lookupChoiceHelp());
     std::array<double, 4> angles{};
     if (!o.eval.empty())
         angles = parseAngles(o.eval);
+
+    BrdfErrorsRequest errors = o.errors;
+    errors.out = o.out;
+    errors.threads = o.threads;
+    errors.reading = o.reading.parse();
+    if (!errors.probe.empty())
+        checkBrdfErrors(errors);
 
     const Brdf brdf = brdfFromText(o.brdf);
     if (const auto* measured = std::get_if<MeasuredBrdf>(&brdf.model); measured && measured->gaps().holes + measured->gaps().clamped > 0)
@@ -97,10 +103,12 @@ void run(const Options& o)
             std::printf("%.6g ", deg);
             print(directionalAlbedo(brdf, radians(deg)));
         }
-    } else if (lookups > 0) {
-        writeImage(o.out, makeLookupTable(brdf, lookups, o.size, jobWithProgress("brdf", o.threads)));
+    } else if (!errors.probe.empty()) {
+        printBrdfErrors(errors, brdf);
+    } else if (lookups) {
+        writeImage(o.out[0], makeLookupTable(brdf, *lookups, o.size, jobWithProgress("brdf", o.threads)));
     } else {
-        writeImage(o.out, makeBrdfTable(brdf, *table, o.size, jobWithProgress("brdf", o.threads)));
+        writeImage(o.out[0], makeBrdfTable(brdf, *table, o.size, jobWithProgress("brdf", o.threads)));
     }
 }
 
@@ -121,9 +129,23 @@ void addBrdfCommand(CLI::App& program)
     command->add_option("--albedo", o->albedo, "print the directional albedo at so many angles of view from 0 to 89 degrees: angle R G B");
     command->add_option("--view", o->viewDeg, "print the directional albedo at this angle of view, in degrees: R G B");
     command->add_option("--table", o->table,
-                        "write a table: " + brdfTableHelp() + "; lookups:K (axis, width and weight of K lookups over n.v)");
+                        "write a table: " + brdfTableHelp() +
+                            "; lookups:K (axis, width and weight of K lookups over n.v), or those of split-sum, three, filament");
+    command->add_option(
+        "--errors", o->errors.probe,
+        "PROBE: print what lookups miss of the material in this light, rel_rms against the sum over every texel by angle of "
+        "view; an image file, or builtin:NAME");
+    command->add_option("--lookups", o->errors.lookups,
+                        "errors: which, comma-separated: " + lookupChoiceHelp() + " (default: 5,3,split-sum,three,filament)");
+    command->add_option("--views", o->errors.views, "errors: angles of view in degrees, comma-separated (default: 0,15,30,45,60,75)");
+    command->add_option("--height", o->errors.height, "errors: rows of the latlong that a larger probe is averaged to first")
+        ->check(CLI::Range(8, 1024));
+    o->reading.addTo(*command);
     command->add_option("--size", o->size, "table: entries along n.v (0: as many as it needs)")->check(CLI::Range(0, 4096));
-    command->add_option("-o,--output", o->out, "table: output file (.exr, .hdr, .tif)");
+    command
+        ->add_option("-o,--output", o->out,
+                     "table: output file (.exr, .hdr, .tif); errors: the same as .csv, .json or a plot (.png), once for each")
+        ->allow_extra_args(false);
     command->add_option("--threads", o->threads, "threads; 0: one per core")->check(CLI::Range(0, 1024));
     command->callback([o] { run(*o); });
 }

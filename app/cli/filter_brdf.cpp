@@ -4,9 +4,9 @@
 #include "reading_options.h"
 
 #include "core/base/error.h"
-#include "core/filter/brdf_lookups.h"
 #include "core/filter/brdf_stack.h"
 #include "core/filter/brdf_sum.h"
+#include "core/filter/lookup_table.h"
 #include "core/image/map_file.h"
 
 #include <charconv>
@@ -17,11 +17,12 @@ namespace mirrorball::cli {
 
 namespace {
 
-enum class BrdfMethod { Sum, Stack, Lookups, SplitSum, Round };
+enum class BrdfMethod { Sum, Stack, Lookups, Round };
 
 struct MethodChoice {
     BrdfMethod method;
-    std::optional<int> number{}; ///< lookups: how many; stack: the largest order
+    std::optional<int> number{}; ///< stack: the largest order
+    LookupChoice lookups{};
 };
 
 constexpr double usualTolerance = 1e-3; ///< of a stack: a kernel's kink at the horizon makes 1e-5 dear
@@ -43,17 +44,14 @@ MethodChoice parseMethod(const std::string& word)
         return {BrdfMethod::Sum};
     if (word == "auto" || word == "stack")
         return {BrdfMethod::Stack};
-    if (word == "split-sum")
-        return {BrdfMethod::SplitSum};
     if (word == "round")
         return {BrdfMethod::Round};
-    if (const auto k = numberAfter(word, "lookups"); k && *k >= 1 && *k <= 8)
-        return {BrdfMethod::Lookups, k};
+    if (const auto choice = lookupChoiceFromWord(word))
+        return {BrdfMethod::Lookups, {}, *choice};
     if (const auto m = numberAfter(word, "stack"); m && *m >= 0 && *m <= largestStackOrder)
         return {BrdfMethod::Stack, m};
-    throw InvalidArgument("--method: '" + word +
-                          "' is no method of --brdf; choose sum, stack (or stack:ORDERS, 0 to 40), lookups:K (1 to 8), " +
-                          "split-sum or round");
+    throw InvalidArgument("--method: '" + word + "' is no method of --brdf; choose sum, stack (or stack:ORDERS, 0 to 40), round, " +
+                          lookupChoiceHelp());
 }
 
 struct Made {
@@ -110,7 +108,7 @@ Made make(FilterSource& source, const BrdfFilterOptions& o, const MethodChoice& 
         made.why = "orders to " + std::to_string(plan.kernel.orders) + ", degrees to " + std::to_string(plan.kernel.bandLimit);
         return made;
     }
-    const LookupFit fit = choice.method == BrdfMethod::SplitSum ? splitSum(brdf, seen.view) : fitLookups(brdf, seen.view, *choice.number);
+    const LookupFit fit = lookupsFor(brdf, seen.view, choice.lookups);
     made.map = filterBrdfLookups(source, fit, seen.azimuth, target, yaw, std::min(tolerance, 1e-3), job);
     made.predictedError = fit.residual;
     made.why = lookupText(fit);

@@ -12,7 +12,7 @@ namespace mirrorball::cli {
 struct BrdfFilterOptions {
     std::string probe{}, out{}, brdf{}, to{}, stats{};
     ProbeReading reading{};
-    std::string method = "stack"; ///< sum, stack, stack:ORDERS, lookups:K, split-sum, round
+    std::string method = "stack"; ///< sum, stack, stack:ORDERS, round, or lookup_choice.h
     std::optional<double> viewDeg{}, tolerance{};
     double azimuthDeg = 0.0, yawDeg = 0.0;
     int size = 0, border = 0, threads = 0;

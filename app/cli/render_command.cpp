@@ -57,7 +57,7 @@ constexpr std::array fieldOptions{
     FieldOption{"--ior", "material.fresnel.index", "material.fresnel.kind", "dielectric"},
     FieldOption{"--metal", "material.fresnel.metal", "material.fresnel.kind", "conductor"},
     FieldOption{"--brdf", "material.brdf.model"},
-    FieldOption{"--lookups", "material.brdf.lookups"},
+    FieldOption{"--lookups", "material.brdf.lookups", "material.brdf.kind", "fitted"},
     FieldOption{"--combine", "material.combine"},
     FieldOption{"--lambda", "material.lambda"},
     FieldOption{"--lambda-grazing", "material.lambda_grazing"},
@@ -153,6 +153,11 @@ Scene makeScene(const Options& o)
                 (flag == "--sphere-map" && isSphereMapFile(given->second)) || (flag == "--brdf" && isBrdfFile(given->second));
             if (flag == "--rotate") {
                 scene.probe.reading.rotateDeg = parseRotation(option.flag, given->second);
+                continue;
+            }
+            if (const auto choice = lookupChoiceFromWord(given->second);
+                flag == "--lookups" && choice && choice->kind != LookupKind::Fitted) {
+                scene.material.brdf.kind = choice->kind;
                 continue;
             }
             setByOption(scene, option.flag, option.field, isFile ? std::filesystem::absolute(given->second).string() : given->second);

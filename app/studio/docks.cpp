@@ -1,6 +1,7 @@
 #include "docks.h"
 
 #include "widgets/controls/color_picker.h"
+#include "widgets/panels/lobe_error_panel.h"
 #include "widgets/panels/map_panel.h"
 #include "widgets/panels/material_panel.h"
 #include "widgets/panels/plan_view.h"
@@ -34,13 +35,15 @@ const std::vector<DockEntry>& dockEntries()
          [](Workspace&) -> QWidget* { return new ColorPicker; }},
         {"plan", QT_TRANSLATE_NOOP("Docks", "Plan"), "plan", "blur.md", Qt::BottomDockWidgetArea, make<PlanView>},
         {"report", QT_TRANSLATE_NOOP("Docks", "Report"), "report", "reports.md", Qt::BottomDockWidgetArea, make<ReportPanel>},
+        {"lobe-error", QT_TRANSLATE_NOOP("Docks", "Lobe error"), "lobe-error", "materials.md", Qt::BottomDockWidgetArea,
+         make<LobeErrorPanel>},
     };
     return entries;
 }
 
 const std::vector<DockTabs>& dockTabs()
 {
-    static const std::vector<DockTabs> tabs{{"material", "view"}, {"material", "sphere-map"}, {"map", "color"}, {"plan", "report"}};
+    static const std::vector<DockTabs> tabs{{"material", "view"}, {"material", "sphere-map"}, {"map", "color"}, {"plan", "lobe-error"}, {"plan", "report"}};
     return tabs;
 }
 

@@ -45,13 +45,6 @@ std::vector<glm::dvec3> brightAlong(const BrightLobe& bright, const MapLayout& t
 
 } // namespace
 
-LookupFit splitSum(const Brdf& brdf, double view)
-{
-    LookupFit fit{.view = view};
-    fit.lookups.push_back({.offset = 0.0, .alpha = equivalentAlpha(brdf), .weight = directionalAlbedo(brdf, view)});
-    return fit;
-}
-
 EnvironmentMap filterBrdfLookups(FilterSource& source, const LookupFit& fit, double azimuth, const MapLayout& target, double yaw,
                                  double tolerance, const JobControl& job)
 {

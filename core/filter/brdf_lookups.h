@@ -35,10 +35,6 @@ LookupFit fitLookups(const Brdf& brdf, double view, int count);
 /// The same starting from a fit at a view or a roughness nearby: what a table of many entries uses, so that they change smoothly.
 LookupFit fitLookups(const Brdf& brdf, double view, const LookupFit& start);
 
-/// What engines do: one lookup at r of the lobe of the material's own width (equivalentAlpha()), times the albedo, for which (A, B) stand.
-/// Source: Karis, "Real Shading in Unreal Engine 4", 2013
-LookupFit splitSum(const Brdf& brdf, double view);
-
 /// Kautz and McCool's round lobe: one radially symmetric lobe about r that varies with the view, the azimuthal mean of the kernel; exact
 /// under every light that is alike all around r. Source: 000 section 3.2.3, eqs. 18 and 19
 /// It is order 0 of a stack: planStack(brdf, view, tolerance, 0, source).

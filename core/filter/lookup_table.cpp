@@ -1,5 +1,7 @@
 #include "lookup_table.h"
 
+#include "engine_lookups.h"
+
 #include "core/base/error.h"
 
 #include <algorithm>
@@ -23,11 +25,44 @@ void put(Image& table, int column, const LookupFit& fit)
     }
 }
 
+Image engineTable(const Brdf& brdf, const LookupChoice& choice, int columns, const JobControl& job)
+{
+    std::vector<LookupFit> fits(static_cast<size_t>(columns));
+    parallelRows(
+        columns, job,
+        [&](int first, int last) {
+            for (int i = first; i < last; ++i)
+                fits[static_cast<size_t>(i)] = lookupsFor(brdf, viewAt(i, columns), choice);
+        },
+        1);
+    Image table(columns, 2 * static_cast<int>(fits[0].lookups.size()));
+    for (int i = 0; i < columns; ++i)
+        put(table, i, fits[static_cast<size_t>(i)]);
+    return table;
+}
+
 } // namespace
 
-Image makeLookupTable(const Brdf& brdf, int count, int size, const JobControl& job)
+LookupFit lookupsFor(const Brdf& brdf, double view, const LookupChoice& choice)
 {
-    const int columns = size > 0 ? size : 32;
+    switch (choice.kind) {
+    case LookupKind::SplitSum:
+        return splitSum(brdf, view);
+    case LookupKind::Three:
+        return threeLookups(engineMaterial(brdf), view);
+    case LookupKind::Filament:
+        return filamentLookups(engineMaterial(brdf), view);
+    case LookupKind::Fitted:
+        break;
+    }
+    return fitLookups(brdf, view, choice.count);
+}
+
+Image makeLookupTable(const Brdf& brdf, const LookupChoice& choice, int size, const JobControl& job)
+{
+    const int columns = size > 0 ? size : 32, count = choice.count;
+    if (choice.kind != LookupKind::Fitted)
+        return engineTable(brdf, choice, columns, job);
     Image table(columns, 2 * count);
     // From a middling view outwards; one way and the other.
     const int middle = columns / 2;
@@ -47,15 +82,6 @@ Image makeLookupTable(const Brdf& brdf, int count, int size, const JobControl& j
             }
         },
         1);
-    return table;
-}
-
-Image makeSplitSumTable(const Brdf& brdf, int size)
-{
-    const int columns = size > 0 ? size : 32;
-    Image table(columns, 2);
-    for (int i = 0; i < columns; ++i)
-        put(table, i, splitSum(brdf, viewAt(i, columns)));
     return table;
 }
 

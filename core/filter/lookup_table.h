@@ -1,6 +1,7 @@
 #pragma once
 
 #include "brdf_lookups.h"
+#include "lookup_choice.h"
 
 #include "core/base/job.h"
 #include "core/image/image.h"
@@ -14,12 +15,13 @@ namespace mirrorball {
 ///   row 2k + 1  RGB the weight
 /// Between columns all of it is linear; the weights of a column add up to the directional albedo there. Neighbouring columns are fitted one
 /// from the other, so that an entry keeps its part of the lobe. Shader twin: resources/shaders/lib/brdf_lookups.glsl.
-/// @param count  K, 1 to 8. @param size  N; 0: 32
+/// Of what an engine does (engine_lookups.h) K is 1, for three 2, and nothing is fitted.
+/// @param size  N; 0: 32
 /// @throws InvalidArgument; Cancelled
-Image makeLookupTable(const Brdf& brdf, int count, int size, const JobControl& job = {});
+Image makeLookupTable(const Brdf& brdf, const LookupChoice& choice, int size, const JobControl& job = {});
 
-/// The same of what engines do, one lookup (splitSum()): K = 1, offsets 0.
-Image makeSplitSumTable(const Brdf& brdf, int size);
+/// The lookups of one view.
+LookupFit lookupsFor(const Brdf& brdf, double view, const LookupChoice& choice);
 
 /// The table read at a view, as the shader reads it. @param view  radians in [0, pi/2)
 LookupFit lookupsAt(const Image& table, double view);

@@ -46,8 +46,8 @@ struct SphereMapPlan {
 /// The table of a BRDF's lookups. Its entries stand between the levels of the specular map, a ggx chain by chainRoughness().
 struct BrdfPlan {
     std::string model{}; ///< as the scene names it
-    int lookups = 5;     ///< 0: split sum
-    int columns = 32;    ///< angles of view
+    LookupChoice lookups{};
+    int columns = 32; ///< angles of view
     bool operator==(const BrdfPlan&) const = default;
 };
 

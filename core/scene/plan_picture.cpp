@@ -297,9 +297,10 @@ void Planner::planBrdf()
         addLevel(map, planned(filter), text(map.name, " level ", i), "", "roughness 0: the level is the environment itself");
     }
     m_plan.specular = std::move(map);
-    m_plan.brdf = BrdfPlan{brdf.model, brdf.lookups, m_detail.brdfColumns};
-    need("BRDF lookups", brdf.lookups == 0 ? text(brdf.model, ": split sum, one lookup times the albedo")
-                                           : text(brdf.model, ": ", plural(brdf.lookups, "lookup"), " at each pixel"));
+    const LookupChoice choice = brdf.choice();
+    m_plan.brdf = BrdfPlan{brdf.model, choice, m_detail.brdfColumns};
+    need("BRDF lookups", choice.kind == LookupKind::Fitted ? text(brdf.model, ": ", plural(choice.count, "lookup"), " at each pixel")
+                                                           : text(brdf.model, ": ", describe(choice), ", as an engine shows it"));
 }
 
 void Planner::planDiffuse()

@@ -2,6 +2,7 @@
 
 #include "core/base/fields.h"
 #include "core/filter/lobe.h"
+#include "core/filter/lookup_choice.h"
 #include "core/filter/method.h"
 #include "core/image/color.h"
 #include "core/image/probe_reading.h"
@@ -162,10 +163,16 @@ struct DiffuseSettings {
 /// ggx chain, as an engine would. lookup_table.h
 struct BrdfSettings {
     std::string model{};
+    LookupKind kind = LookupKind::Fitted;
     int lookups = 5;
     UnknownKeys unknown{};
 
     bool isNone() const { return model.empty(); }
+    /// What the picture reads: lookups 0 are the split sum, as before there were kinds.
+    LookupChoice choice() const
+    {
+        return kind == LookupKind::Fitted && lookups == 0 ? LookupChoice{LookupKind::SplitSum} : LookupChoice{kind, lookups};
+    }
     bool operator==(const BrdfSettings&) const = default;
     template <typename Self, typename Visit>
     static void visitFields(Self& self, Visit&& visit)
@@ -173,7 +180,9 @@ struct BrdfSettings {
         visit(Field{"model", "ggx:roughness=0.5,metal=gold, another model, or a measured file (.binary .brdf .csv .txt), in place of the "
                              "specular lobe and the Fresnel term; empty: those"},
               self.model);
-        visit(Field{"lookups", "into a ggx chain that stand for the lobe at each angle of view; 0: the split sum of engines", 0, 8},
+        visit(Field{"kind", "fitted: lookups that are fitted to the lobe; split-sum, three, filament: what those show, to compare"},
+              self.kind);
+        visit(Field{"lookups", "fitted: how many into a ggx chain stand for the lobe at each angle of view; 0: the split sum", 0, 8},
               self.lookups);
     }
 };

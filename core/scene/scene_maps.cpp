@@ -159,9 +159,7 @@ SphereMapTexels buildSphereMap(const Scene& scene, const SphereMapPlan& plan, co
 
 std::shared_ptr<const Image> buildBrdfLookups(const Scene& scene, const BrdfPlan& plan, const JobControl& job)
 {
-    const Brdf brdf = brdfOf(scene);
-    return std::make_shared<const Image>(plan.lookups == 0 ? makeSplitSumTable(brdf, plan.columns)
-                                                           : makeLookupTable(brdf, plan.lookups, plan.columns, job));
+    return std::make_shared<const Image>(makeLookupTable(brdfOf(scene), plan.lookups, plan.columns, job));
 }
 
 SceneMaps buildMaps(const Scene& scene, const Plan& plan, SceneProbe& probe, const JobControl& job)

@@ -1,10 +1,10 @@
 #include "core/base/error.h"
-#include "core/filter/brdf_lookups.h"
 #include "core/filter/brdf_stack.h"
-#include "core/filter/brdf_sum.h"
+#include "core/filter/lookup_table.h"
 #include "core/image/image_io.h"
 #include "core/image/reproject.h"
-#include "core/report/error_metrics.h"
+#include "core/report/brdf_errors.h"
+#include "core/report/curve_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,19 +15,22 @@
 
 /// What a material's map misses by method, roughness and angle of view, against the sum over every texel: one row a cell, as CSV.
 ///
-///   brdf_table FOLDER [MODEL...]     default: ggx:alpha=%A cook-torrance:m=%A; %A stands for roughness squared
+///   brdf_table FOLDER [--rows N] [--plot OUT.png] [MODEL...]     default: ggx:alpha=%A cook-torrance:m=%A; %A stands for roughness squared
 ///
-/// FOLDER holds .hdr latlongs of 1024 x 512; they are resampled to 256 x 128 first. Each figure is rel_rms over 256 frames: the directions
-/// of a latlong map of 16 x 8, weighted by solid angle, at two azimuths of the normal. "indoor" is the worst of the probes whose bright
-/// texels (bright_texels.h) hold less than a tenth of the light, "sunlit" that of the others; "stack" is asked for 1e-2 and stands beside
-/// what it predicts ("kept": in how many probes the prediction held); "best" counts the indoor probes in which five lookups are at least
-/// four times below the split sum.
+/// FOLDER holds .hdr latlongs of 1024 x 512; they are averaged to N rows (128) first. Each figure is rel_rms over the 256 frames of
+/// BrdfFrames. "indoor" is the worst of the probes whose bright texels (bright_texels.h) hold less than a tenth of the light, "sunlit" that
+/// of the others; "stack" is asked for 1e-2 and stands beside what it predicts ("kept": in how many probes the prediction held); "best"
+/// counts the indoor probes in which five lookups are at least four times below the split sum, "worse" those in which they are above it by
+/// more than 0.005. The plot is the first model's indoor columns, a panel a roughness.
 namespace mirrorball {
 namespace {
 
-const MapLayout frames{Parameterization::Latlong, 8, 0};
-constexpr double azimuths[] = {0.7, 3.9};
 const JobControl oneThread{.threads = 1};
+constexpr double roughnesses[] = {0.2, 0.3, 0.5, 0.7, 0.9};
+constexpr double viewsDeg[] = {0.0, 30.0, 45.0, 60.0, 75.0, 80.0};
+const std::vector<LookupChoice> choices{
+    {LookupKind::Fitted, 5}, {LookupKind::Fitted, 3}, {LookupKind::SplitSum}, {LookupKind::Three}, {LookupKind::Filament}};
+constexpr size_t five = 0, engine = 2;
 
 struct NamedProbe {
     std::string name;
@@ -36,7 +39,7 @@ struct NamedProbe {
     bool isSunlit;
 };
 
-std::vector<NamedProbe> probes(const std::filesystem::path& folder)
+std::vector<NamedProbe> probes(const std::filesystem::path& folder, int rows)
 {
     std::vector<std::filesystem::path> paths;
     for (const auto& entry : std::filesystem::directory_iterator(folder))
@@ -46,7 +49,7 @@ std::vector<NamedProbe> probes(const std::filesystem::path& folder)
     std::vector<NamedProbe> all;
     for (const auto& path : paths) {
         const Image image = readImage(path);
-        const MapLayout layout{Parameterization::Latlong, 128, 0};
+        const MapLayout layout{Parameterization::Latlong, rows, 0};
         EnvironmentMap map = reproject(EnvironmentMap({Parameterization::Latlong, image.height, 0}, image), {.target = layout});
         FilterSource source(map);
         const double share = source.brightTexels(1).energy.g / (4.0 * pi * meanRadiance(map).g);
@@ -56,71 +59,123 @@ std::vector<NamedProbe> probes(const std::filesystem::path& folder)
     return all;
 }
 
-/// rel_rms over both azimuths.
-template <typename Make>
-double errorOf(const std::vector<EnvironmentMap>& truth, Make&& make)
-{
-    double sum = 0.0;
-    for (size_t i = 0; i < truth.size(); ++i)
-        sum += std::pow(errorMetrics(make(azimuths[i]), truth[i]).relRms, 2.0);
-    return std::sqrt(sum / static_cast<double>(truth.size()));
-}
-
+/// The worst probe's figures.
 struct Worst {
-    double stack = 0.0, five = 0.0, three = 0.0, engine = 0.0;
+    double stack = 0.0;
+    std::vector<double> lookups = std::vector<double>(choices.size(), 0.0);
 };
 
-void row(std::vector<NamedProbe>& all, const std::string& text, double roughness, double viewDeg)
+/// @return of the indoor probes
+Worst row(std::vector<NamedProbe>& all, const std::string& text, double roughness, double viewDeg)
 {
     const Brdf brdf = brdfFromText(text);
     const double view = viewDeg * pi / 180.0;
-    const LookupFit five = fitLookups(brdf, view, 5), three = fitLookups(brdf, view, 3), engine = splitSum(brdf, view);
+    std::vector<LookupFit> fits;
+    for (const LookupChoice& choice : choices)
+        fits.push_back(lookupsFor(brdf, view, choice));
     Worst indoor, sunlit;
     double predicted = 0.0;
-    int kept = 0, best = 0, indoors = 0, orders = 0, degrees = 0;
+    int kept = 0, best = 0, worse = 0, indoors = 0, orders = 0, degrees = 0;
     for (NamedProbe& probe : all) {
-        std::vector<EnvironmentMap> truth;
-        for (const double azimuth : azimuths)
-            truth.push_back(filterBrdfSum(probe.map, brdf, {view, azimuth}, frames, 0.0, oneThread));
+        const BrdfFrames frames(probe.map, brdf, view, oneThread);
         const StackPlan plan = planStack(brdf, view, 1e-2, probe.source, oneThread);
-        const double stack = errorOf(truth, [&](double a) { return filterBrdfStack(probe.source, plan, a, frames, 0.0, oneThread); });
-        const auto lookups = [&](const LookupFit& fit) {
-            return errorOf(truth, [&](double a) { return filterBrdfLookups(probe.source, fit, a, frames, 0.0, 1e-3, oneThread); });
-        };
-        const double e5 = lookups(five), e3 = lookups(three), e1 = lookups(engine);
+        const double stack = frames.relRms(
+            [&](double azimuth) { return filterBrdfStack(probe.source, plan, azimuth, BrdfFrames::layout(), 0.0, oneThread); });
         Worst& worst = probe.isSunlit ? sunlit : indoor;
-        worst = {std::max(worst.stack, stack), std::max(worst.five, e5), std::max(worst.three, e3), std::max(worst.engine, e1)};
+        worst.stack = std::max(worst.stack, stack);
+        std::vector<double> errors;
+        for (size_t i = 0; i < fits.size(); ++i) {
+            errors.push_back(frames.relRms([&](double azimuth) {
+                return filterBrdfLookups(probe.source, fits[i], azimuth, BrdfFrames::layout(), 0.0, 1e-3, oneThread);
+            }));
+            worst.lookups[i] = std::max(worst.lookups[i], errors[i]);
+        }
         predicted = std::max(predicted, plan.predictedError);
         kept += stack <= plan.predictedError;
         orders = std::max(orders, plan.kernel.orders);
         degrees = std::max(degrees, plan.kernel.bandLimit);
         if (!probe.isSunlit) {
             ++indoors;
-            best += 4.0 * e5 <= e1;
+            best += 4.0 * errors[five] <= errors[engine];
+            worse += errors[five] > errors[engine] + 0.005;
         }
     }
-    std::printf("%s,%.2f,%.0f,%.4f,%.4f,%.4f,%d/%zu,%d,%d,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%d/%d\n", text.c_str(), roughness, viewDeg,
-                indoor.stack, sunlit.stack, predicted, kept, all.size(), orders, degrees, indoor.five, indoor.three, indoor.engine,
-                sunlit.five, sunlit.three, sunlit.engine, best, indoors);
+    std::printf("%s,%.2f,%.0f,%.4f,%.4f,%.4f,%d/%zu,%d,%d", text.c_str(), roughness, viewDeg, indoor.stack, sunlit.stack, predicted, kept,
+                all.size(), orders, degrees);
+    for (const Worst* worst : {&indoor, &sunlit})
+        for (const double error : worst->lookups)
+            std::printf(",%.4f", error);
+    std::printf(",%d/%d,%d\n", best, indoors, worse);
     std::fflush(stdout);
+    return indoor;
 }
 
-int run(int argc, char** argv)
+/// A panel a roughness, three in a row.
+void savePlot(const std::string& path, const std::vector<std::vector<Worst>>& cells)
 {
-    std::vector<std::string> models(argv + std::min(argc, 2), argv + argc);
+    std::vector<Image> panels;
+    for (size_t r = 0; r < cells.size(); ++r) {
+        char title[32];
+        std::snprintf(title, sizeof title, "roughness %.1f", roughnesses[r]);
+        CurvePlot plot{.title = title, .xTitle = "angle of view, degrees", .yTitle = "rel_rms", .width = 430, .height = 300};
+        plot.xTicks.assign(std::begin(viewsDeg), std::end(viewsDeg));
+        const auto add = [&](const std::string& label, size_t hue, auto&& of) {
+            Curve curve{.label = label, .color = curveColor(hue)};
+            for (size_t v = 0; v < cells[r].size(); ++v)
+                curve.points.emplace_back(viewsDeg[v], of(cells[r][v]));
+            plot.curves.push_back(std::move(curve));
+        };
+        add("exact", 5, [](const Worst& worst) { return worst.stack; });
+        for (size_t i = 0; i < choices.size(); ++i)
+            add(describe(choices[i]), i, [i](const Worst& worst) { return worst.lookups[i]; });
+        panels.push_back(curvePicture(plot));
+    }
+    const int columns = 3, width = panels[0].width, height = panels[0].height,
+              rows = (static_cast<int>(panels.size()) + columns - 1) / columns;
+    Image sheet(columns * width, rows * height);
+    std::fill(sheet.texels.begin(), sheet.texels.end(), 1.0f);
+    for (size_t i = 0; i < panels.size(); ++i)
+        for (int y = 0; y < height; ++y)
+            std::copy_n(panels[i].texel(0, y), 3 * width,
+                        sheet.texel(static_cast<int>(i) % columns * width, static_cast<int>(i) / columns * height + y));
+    writeImage(path, sheet, {.encoding = Encoding::Display});
+}
+
+int run(const std::vector<std::string>& words)
+{
+    std::vector<std::string> models;
+    std::string plot;
+    int rows = 128;
+    for (size_t i = 1; i < words.size(); ++i) {
+        if (i + 1 < words.size() && words[i] == "--plot")
+            plot = words[++i];
+        else if (i + 1 < words.size() && words[i] == "--rows")
+            rows = std::stoi(words[++i]);
+        else
+            models.push_back(words[i]);
+    }
     if (models.empty())
         models = {"ggx:alpha=%A", "cook-torrance:m=%A"};
-    std::vector<NamedProbe> all = probes(argv[1]);
-    std::puts("model,roughness,view,stack indoor,stack sunlit,stack predicted,kept,orders,degrees,K=5 indoor,K=3 indoor,split sum indoor,"
-              "K=5 sunlit,K=3 sunlit,split sum sunlit,best");
-    for (const std::string& model : models)
-        for (const double roughness : {0.3, 0.5, 0.7, 0.9})
-            for (const double view : {0.0, 30.0, 45.0, 60.0, 75.0}) {
-                std::string text = model;
+    std::vector<NamedProbe> all = probes(words[0], rows);
+    std::printf("model,roughness,view,stack indoor,stack sunlit,stack predicted,kept,orders,degrees");
+    for (const char* place : {"indoor", "sunlit"})
+        for (const LookupChoice& choice : choices)
+            std::printf(",%s %s", describe(choice).c_str(), place);
+    std::puts(",best,worse");
+    for (size_t m = 0; m < models.size(); ++m) {
+        std::vector<std::vector<Worst>> cells;
+        for (const double roughness : roughnesses) {
+            cells.emplace_back();
+            for (const double view : viewsDeg) {
+                std::string text = models[m];
                 if (const size_t at = text.find("%A"); at != std::string::npos)
                     text.replace(at, 2, std::to_string(roughness * roughness));
-                row(all, text, roughness, view);
+                cells.back().push_back(row(all, text, roughness, view));
             }
+        }
+        if (m == 0 && !plot.empty())
+            savePlot(plot, cells);
+    }
     return 0;
 }
 
@@ -130,11 +185,11 @@ int run(int argc, char** argv)
 int main(int argc, char** argv)
 {
     if (argc < 2) {
-        std::fputs("brdf_table FOLDER [MODEL...]\n", stderr);
+        std::fputs("brdf_table FOLDER [--rows N] [--plot OUT.png] [MODEL...]\n", stderr);
         return 2;
     }
     try {
-        return mirrorball::run(argc, argv);
+        return mirrorball::run({argv + 1, argv + argc});
     } catch (const mirrorball::Error& e) {
         std::fprintf(stderr, "brdf_table: %s\n", e.what());
         return 1;

@@ -58,10 +58,34 @@ TEST(BrdfCommand, WritesTables)
     const Image lookups = write("ggx:alpha=0.3 --table lookups:3 --size 8");
     EXPECT_EQ(lookups.width, 8);
     EXPECT_EQ(lookups.height, 6);
+    EXPECT_EQ(write("ggx:alpha=0.3 --table three --size 8").height, 4) << "one along r, one at the normal";
     // A + B is the albedo of F = 1; rows are roughness, so the second of four is (1.5/4)^2.
     const Image ab = write("ggx:alpha=0.3 --table ab --size 4"), albedo = write("ggx:alpha=0.140625 --table albedo --size 4");
     for (int x = 0; x < 4; ++x)
         EXPECT_NEAR(ab.texel(x, 1)[0] + ab.texel(x, 1)[1], albedo.texel(x, 0)[1], 1e-5);
+}
+
+TEST(BrdfCommand, MeasuresWhatLookupsMissByAngleOfView)
+{
+    const TemporaryFolder folder;
+    writeImage(folder / "probe.exr", test::noiseProbe(32, 3).image);
+    const std::string csv = (folder / "e.csv").string(), json = (folder / "e.json").string(), png = (folder / "e.png").string();
+    const ProgramRun run = mirrorballRuns("brdf ggx:roughness=0.6 --errors " + (folder / "probe.exr").string() +
+                                          " --lookups 3,split-sum --views 0,70 -o " + csv + " -o " + json + " -o " + png);
+    ASSERT_EQ(run.status, 0) << run.err;
+    std::istringstream lines(run.out);
+    std::string titles, straight, aslant;
+    std::getline(lines, titles);
+    std::getline(lines, straight);
+    std::getline(lines, aslant);
+    EXPECT_EQ(titles, "view  lookups:3  split-sum");
+    const auto row = numbers(aslant);
+    ASSERT_EQ(row.size(), 3u);
+    EXPECT_EQ(row[0], 70.0);
+    EXPECT_LT(2.0 * row[1], row[2]);
+    for (const std::string& file : {csv, json, png})
+        EXPECT_TRUE(std::filesystem::exists(file)) << file;
+    EXPECT_EQ(readImage(png).width, 640);
 }
 
 TEST(BrdfCommand, RefusesInOneLineAndWritesNothing)
@@ -74,6 +98,12 @@ TEST(BrdfCommand, RefusesInOneLineAndWritesNothing)
     EXPECT_FAILS(mirrorballRuns("brdf ggx:alpha=0.3 --table bogus" + out), 2, "choose one of albedo");
     EXPECT_FAILS(mirrorballRuns("brdf phong:exponent=3 --table ab" + out), 2, "choose ggx");
     EXPECT_FAILS(mirrorballRuns("brdf nowhere.brdf --albedo 3"), 2, "is not there");
+    const std::string errors = "brdf ggx:alpha=0.3 --errors builtin:sky";
+    EXPECT_FAILS(mirrorballRuns(errors + out), 2, "must end in .csv");
+    EXPECT_FAILS(mirrorballRuns(errors + " --lookups unity"), 2, "'unity' is none");
+    EXPECT_FAILS(mirrorballRuns(errors + " --views 0,90"), 2, "below 90");
+    EXPECT_FAILS(mirrorballRuns("brdf ggx:alpha=0.002 --errors builtin:sky"), 2, "narrower than a texel");
+    EXPECT_FAILS(mirrorballRuns("brdf ggx:alpha=0.3 --albedo 3 --views 3"), 2, "belong to --errors");
     const std::string filter = "filter builtin:sky --to latlong --size 8" + out;
     EXPECT_FAILS(mirrorballRuns(filter + " --brdf ggx:alpha=0.3"), 2, "--view: is missing");
     EXPECT_FAILS(mirrorballRuns(filter + " --brdf ggx:alpha=0.3 --view 90"), 2, "below 90");
@@ -99,6 +129,8 @@ TEST(FilterCommand, FiltersByABrdfInEveryWay)
     EXPECT_LE(error("stack --tolerance 0.01"), 0.01);
     const double five = error("lookups:5"), engine = error("split-sum");
     EXPECT_LT(five, engine);
+    EXPECT_LT(five, error("three"));
+    EXPECT_LT(five, error("filament"));
     EXPECT_LT(error("stack:4"), error("round"));
 }
 

@@ -13,7 +13,7 @@ using BrdfLookupsShader = mirrorball::test::GlTest;
 TEST_F(BrdfLookupsShader, ReadsTheTableAsTheLibraryDoes)
 {
     const int columns = 6;
-    const Image table = makeLookupTable(brdfFromText("ggx:alpha=0.3,metal=gold"), 2, columns);
+    const Image table = makeLookupTable(brdfFromText("ggx:alpha=0.3,metal=gold"), {LookupKind::Fitted, 2}, columns);
     const GlObject texture = makeTexture(GL_TEXTURE_2D);
     glTextureStorage2D(texture, 1, GL_RGB32F, table.width, table.height);
     glTextureSubImage2D(texture, 0, 0, 0, table.width, table.height, GL_RGB, GL_FLOAT, table.texels.data());

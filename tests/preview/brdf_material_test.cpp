@@ -46,6 +46,11 @@ EnvironmentMap smallProbe()
     });
 }
 
+EnvironmentMap whiteSky()
+{
+    return environmentFrom({Parameterization::Latlong, 32, 0}, [](const glm::dvec3&) { return glm::vec3(1.0f); });
+}
+
 struct Picture {
     Image radiance;
     GeometryBuffers buffers;
@@ -99,10 +104,11 @@ double errorOf(const Picture& picture, const Brdf& brdf, const EnvironmentMap& p
 // In white light of 1 the reflected radiance is the directional albedo, for any number of lookups.
 TEST_F(BrdfMaterial, UnderAWhiteSkyShowsItsDirectionalAlbedo)
 {
-    const EnvironmentMap white = environmentFrom({Parameterization::Latlong, 32, 0}, [](const glm::dvec3&) { return glm::vec3(1.0f); });
-    const Brdf brdf = brdfFromText("ggx:roughness=0.6,metal=gold");
+    const EnvironmentMap white = whiteSky();
+    const std::string model = "ggx:roughness=0.6,f0=0.7";
+    const Brdf brdf = brdfFromText(model);
     for (const int lookups : {0, 3, 5}) {
-        const Picture picture = draw(ballOf("ggx:roughness=0.6,metal=gold", lookups), white);
+        const Picture picture = draw(ballOf(model, lookups), white);
         int seen = 0;
         for (int y = 0; y < edge; y += 2)
             for (int x = 0; x < edge; x += 2) {
@@ -116,6 +122,21 @@ TEST_F(BrdfMaterial, UnderAWhiteSkyShowsItsDirectionalAlbedo)
                 ++seen;
             }
         EXPECT_GT(seen, 100);
+    }
+}
+
+// A white metal under a white sky: three and Filament add what bounces more than once, all of it.
+TEST_F(BrdfMaterial, OfAnEngineInAFurnaceVanishesInTheSky)
+{
+    for (const LookupKind kind : {LookupKind::Three, LookupKind::Filament}) {
+        Scene scene = ballOf("ggx:roughness=0.8", 5);
+        scene.material.brdf.kind = kind;
+        const Picture picture = draw(scene, whiteSky());
+        for (int y = 0; y < edge; y += 3)
+            for (int x = 0; x < edge; x += 3)
+                if (picture.buffers.normal.texel(x, y)[3] == 1.0f && glm::dot(at(picture.buffers.normal, x, y), picture.toViewer) > 0.05) {
+                    EXPECT_NEAR(picture.radiance.texel(x, y)[1], 1.0f, 2e-3) << describe(LookupChoice{kind});
+                }
     }
 }
 

@@ -1,10 +1,11 @@
 #include "method_chart.h"
 
+#include "chart_style.h"
+
 #include "widgets/controls/text.h"
 
 #include "widgets/controls/color_scale_bar.h"
 
-#include <QGraphicsLayout>
 #include <QMouseEvent>
 #include <QToolTip>
 #include <QtCharts/QChart>
@@ -42,28 +43,16 @@ MethodChart::MethodChart(QWidget* parent)
     setAccessibleName(tr("Error against run time"));
     setToolTip(tr("A point is a method with one setting: further left is faster, further down more accurate. Click one to pick it; the "
                   "table below does the same."));
-    setRenderHint(QPainter::Antialiasing);
+    styleChart(*this);
     setMouseTracking(true);
     viewport()->setMouseTracking(true);
-    setFrameShape(QFrame::NoFrame);
     QChart* c = chart();
-    c->setBackgroundBrush(QColor(0x1c, 0x1c, 0x1c));
-    c->setBackgroundRoundness(0);
-    c->setMargins(QMargins(2, 2, 6, 2));
-    c->layout()->setContentsMargins(0, 0, 0, 0);
     c->legend()->hide(); // the table beside it has the methods in their colours
     for (QLogValueAxis* axis : {m_time, m_error}) {
         axis->setBase(10.0);
         axis->setMinorTickCount(0);
-        axis->setLabelsColor(QColor(0xbb, 0xbb, 0xbb));
-        axis->setTitleBrush(QColor(0xbb, 0xbb, 0xbb));
-        axis->setGridLineColor(QColor(0x38, 0x38, 0x38));
-        axis->setLinePenColor(QColor(0x55, 0x55, 0x55));
         axis->setLabelFormat(QStringLiteral("%.0e"));
-        QFont small = axis->labelsFont();
-        small.setPointSizeF(0.85 * font().pointSizeF());
-        axis->setLabelsFont(small);
-        axis->setTitleFont(small);
+        styleAxis(*axis, font());
     }
     m_time->setTitleText(tr("seconds"));
     m_error->setTitleText(tr("rel_rms"));

@@ -1,6 +1,7 @@
 #include "core/filter/brdf_lookups.h"
 #include "core/filter/brdf_stack.h"
 #include "core/filter/brdf_sum.h"
+#include "core/filter/engine_lookups.h"
 #include "core/filter/lookup_table.h"
 #include "core/filter/reference.h"
 #include "core/filter/spin_transform.h"
@@ -263,7 +264,7 @@ TEST(BrdfLookups, LieInThePlaneOfIncidenceTowardsTheNormal)
 TEST(LookupTable, IsAFitAtEveryView)
 {
     const Brdf brdf = brdfFromText("ggx:alpha=0.25,metal=copper");
-    const Image table = makeLookupTable(brdf, 3, 12);
+    const Image table = makeLookupTable(brdf, {LookupKind::Fitted, 3}, 12);
     ASSERT_EQ(table.height, 6);
     for (int i = 0; i < 12; ++i) {
         const double view = std::acos((i + 0.5) / 12);

@@ -42,6 +42,7 @@ const std::map<std::string, Touches> classes = [] {
                               "material.fresnel.n",
                               "material.fresnel.k",
                               "material.brdf.model",
+                              "material.brdf.kind",
                               "material.brdf.lookups",
                               "material.combine",
                               "material.diffuse.weight",

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "test_class.h"
+
+namespace mirrorball::test {
+
+class LobeErrorPanelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void drawsALineForEachChoiceOfLookups();
+    void saysThatARoundLobeHasNoCurve();
+    void measuresAnewWhenTheMaterialChanges();
+    void copiesTheCommandThatMeasuresTheSame();
+};
+
+} // namespace mirrorball::test
