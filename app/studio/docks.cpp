@@ -43,7 +43,8 @@ const std::vector<DockEntry>& dockEntries()
 
 const std::vector<DockTabs>& dockTabs()
 {
-    static const std::vector<DockTabs> tabs{{"material", "view"}, {"material", "sphere-map"}, {"map", "color"}, {"plan", "lobe-error"}, {"plan", "report"}};
+    static const std::vector<DockTabs> tabs{
+        {"material", "view"}, {"material", "sphere-map"}, {"map", "color"}, {"plan", "lobe-error"}, {"plan", "report"}};
     return tabs;
 }
 

@@ -135,6 +135,7 @@ TEST(FilterCommand, FiltersByABrdfInEveryWay)
     EXPECT_LT(five, error("three"));
     EXPECT_LT(five, error("filament"));
     EXPECT_LT(error("stack:4"), error("round"));
+    EXPECT_LT(error("warp:5"), error("warp:40"));
 }
 
 } // namespace
