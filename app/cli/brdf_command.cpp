@@ -4,9 +4,11 @@
 
 #include "core/base/error.h"
 #include "core/filter/lookup_table.h"
+#include "core/image/image_format.h"
 #include "core/image/image_io.h"
 #include "core/shading/brdf.h"
 #include "core/shading/brdf_table.h"
+#include "core/shading/reflectance_map.h"
 #include "core/shading/reflection_kernel.h"
 
 #include <charconv>
@@ -57,7 +59,61 @@ glm::dvec3 directionAt(double polarDeg, double azimuthDeg)
 
 void print(const glm::dvec3& rgb) { std::printf("%.9g %.9g %.9g\n", rgb.r, rgb.g, rgb.b); }
 
-void run(const Options& o)
+/// What --table names.
+struct TableChoice {
+    std::optional<BrdfTable> byFormula{};
+    std::optional<LookupChoice> lookups{};
+    bool isMirrorMap = false;
+    std::optional<double> hemisphereDeg{};
+};
+
+/// Degrees after "hemisphere:".
+std::optional<double> hemisphereOf(const std::string& word)
+{
+    constexpr std::string_view prefix = "hemisphere:";
+    if (!word.starts_with(prefix))
+        return std::nullopt;
+    double angle = -1.0;
+    const auto [end, error] = std::from_chars(word.data() + prefix.size(), word.data() + word.size(), angle);
+    if (error != std::errc() || end != word.data() + word.size() || !(angle >= 0.0 && angle < 90.0))
+        throw InvalidArgument("--table: hemisphere: must be followed by an angle of at least 0 and below 90 degrees; it is '" + word + "'");
+    return angle;
+}
+
+TableChoice parseTable(const std::string& word)
+{
+    const TableChoice choice{.byFormula = brdfTableFromName(word),
+                             .lookups = word == "lookups" ? LookupChoice{} : lookupChoiceFromWord(word),
+                             .isMirrorMap = word == "mirror-map",
+                             .hemisphereDeg = hemisphereOf(word)};
+    if (!choice.byFormula && !choice.lookups && !choice.isMirrorMap && !choice.hemisphereDeg)
+        throw InvalidArgument("--table: '" + word + "' is no table; choose one of " + brdfTableNames() + ", mirror-map, hemisphere:DEG, " +
+                              lookupChoiceHelp());
+    return choice;
+}
+
+void writeTable(const Options& o, const TableChoice& choice, const Brdf& brdf)
+{
+    constexpr int usualMap = 256;
+    const std::string& path = o.out.front();
+    const int edge = o.size > 0 ? o.size : usualMap;
+    if (choice.hemisphereDeg) {
+        const Image map = hemisphereMap(brdf, radians(*choice.hemisphereDeg), edge);
+        if (writableFormat(path).samples == StoredSamples::Byte)
+            writeImage(path, falseColored(map), {.encoding = Encoding::Display});
+        else
+            writeImage(path, map);
+    } else if (choice.isMirrorMap) {
+        writeImage(path, mirrorReflectanceMap(brdf, edge), {.bytes = ByteEncoding::Srgb});
+    } else if (choice.lookups) {
+        writeImage(path, makeLookupTable(brdf, *choice.lookups, o.size, jobWithProgress("brdf", o.threads)));
+    } else {
+        writeImage(path, makeBrdfTable(brdf, *choice.byFormula, o.size, jobWithProgress("brdf", o.threads)));
+    }
+}
+
+/// Refuses what does not go together, before any work.
+void check(const Options& o)
 {
     const int asked = !o.eval.empty() + (o.albedo || o.viewDeg ? 1 : 0) + !o.table.empty() + !o.errors.probe.empty();
     if (asked != 1)
@@ -74,14 +130,13 @@ void run(const Options& o)
         throw InvalidArgument("--view: must be an angle of at least 0 and below 90 degrees");
     if (o.albedo && !(*o.albedo >= 1 && *o.albedo <= 4096))
         throw InvalidArgument("--albedo: must be a whole number of angles from 1 to 4096");
-    const auto table = o.table.empty() ? std::nullopt : brdfTableFromName(o.table);
-    const auto lookups = o.table == "lookups" ? LookupChoice{} : lookupChoiceFromWord(o.table);
-    if (!o.table.empty() && !table && !lookups)
-        throw InvalidArgument("--table: '" + o.table + "' is no table; choose one of " + brdfTableNames() + ", " + lookupChoiceHelp());
-    std::array<double, 4> angles{};
-    if (!o.eval.empty())
-        angles = parseAngles(o.eval);
+}
 
+void run(const Options& o)
+{
+    check(o);
+    const TableChoice table = o.table.empty() ? TableChoice{} : parseTable(o.table);
+    const std::array<double, 4> angles = o.eval.empty() ? std::array<double, 4>{} : parseAngles(o.eval);
     BrdfErrorsRequest errors = o.errors;
     errors.out = o.out;
     errors.threads = o.threads;
@@ -105,10 +160,8 @@ void run(const Options& o)
         }
     } else if (!errors.probe.empty()) {
         printBrdfErrors(errors, brdf);
-    } else if (lookups) {
-        writeImage(o.out[0], makeLookupTable(brdf, *lookups, o.size, jobWithProgress("brdf", o.threads)));
     } else {
-        writeImage(o.out[0], makeBrdfTable(brdf, *table, o.size, jobWithProgress("brdf", o.threads)));
+        writeTable(o, table, brdf);
     }
 }
 
@@ -141,10 +194,12 @@ void addBrdfCommand(CLI::App& program)
     command->add_option("--height", o->errors.height, "errors: rows of the latlong that a larger probe is averaged to first")
         ->check(CLI::Range(8, 1024));
     o->reading.addTo(*command);
-    command->add_option("--size", o->size, "table: entries along n.v (0: as many as it needs)")->check(CLI::Range(0, 4096));
+    command->add_option("--size", o->size, "table: entries along n.v, or texels of a map's edge (0: as many as it needs)")
+        ->check(CLI::Range(0, 4096));
     command
-        ->add_option("-o,--output", o->out,
-                     "table: output file (.exr, .hdr, .tif); errors: the same as .csv, .json or a plot (.png), once for each")
+        ->add_option(
+            "-o,--output", o->out,
+            "table: output file (.exr, .hdr, .tif, maps .png, too); errors: the same as .csv, .json or a plot (.png), once for each")
         ->allow_extra_args(false);
     command->add_option("--threads", o->threads, "threads; 0: one per core")->check(CLI::Range(0, 1024));
     command->callback([o] { run(*o); });

@@ -7,6 +7,7 @@
 #include "core/filter/brdf_stack.h"
 #include "core/filter/brdf_sum.h"
 #include "core/filter/lookup_table.h"
+#include "core/filter/view_warp.h"
 #include "core/image/map_file.h"
 
 #include <charconv>
@@ -17,11 +18,11 @@ namespace mirrorball::cli {
 
 namespace {
 
-enum class BrdfMethod { Sum, Stack, Lookups, Round };
+enum class BrdfMethod { Sum, Stack, Lookups, Round, Warp };
 
 struct MethodChoice {
     BrdfMethod method;
-    std::optional<int> number{}; ///< stack: the largest order
+    std::optional<int> number{}; ///< stack: the largest order; warp: degrees between the views
     LookupChoice lookups{};
 };
 
@@ -50,8 +51,10 @@ MethodChoice parseMethod(const std::string& word)
         return {BrdfMethod::Lookups, {}, *choice};
     if (const auto m = numberAfter(word, "stack"); m && *m >= 0 && *m <= largestStackOrder)
         return {BrdfMethod::Stack, m};
+    if (const auto degrees = numberAfter(word, "warp"); degrees && *degrees >= 0 && *degrees < 180)
+        return {BrdfMethod::Warp, degrees};
     throw InvalidArgument("--method: '" + word + "' is no method of --brdf; choose sum, stack (or stack:ORDERS, 0 to 40), round, " +
-                          lookupChoiceHelp());
+                          "warp:DEG, " + lookupChoiceHelp());
 }
 
 struct Made {
@@ -106,6 +109,12 @@ Made make(FilterSource& source, const BrdfFilterOptions& o, const MethodChoice& 
         made.bandLimit = plan.kernel.bandLimit;
         made.predictedError = plan.predictedError;
         made.why = "orders to " + std::to_string(plan.kernel.orders) + ", degrees to " + std::to_string(plan.kernel.bandLimit);
+        return made;
+    }
+    if (choice.method == BrdfMethod::Warp) {
+        made.map = filterBrdfWarped(source, brdf, seen, radians(*choice.number), target, yaw, tolerance, job);
+        made.predictedError = std::nan("");
+        made.why = "the mean of three views " + std::to_string(*choice.number) + " degrees away, each where it mirrors the same direction";
         return made;
     }
     const LookupFit fit = lookupsFor(brdf, seen.view, choice.lookups);

@@ -299,7 +299,7 @@ void addFilterCommand(CLI::App& program)
                       "every mip level, down to one texel; ggx without a roughness makes the chain of roughness 0 to 1 from base to top");
     command->add_option("--method", o->method,
                         "auto, reference, spectral, direct, hierarchical, importance, paraboloid, mip or sh9; brdf: sum, stack, "
-                        "lookups:K, split-sum or round");
+                        "lookups:K, split-sum, three, filament, round or warp:DEG");
     command
         ->add_option("--tolerance", o->tolerance,
                      "what is promised, in (0, 1]: rel_rms and median_rel against the reference sum, five times it for p99_rel, and no "

@@ -14,20 +14,30 @@ namespace mirrorball {
 
 namespace {
 
-// Where a lookup's axis lies on the sphere, from that of r: a turn by `offset` in the direction whose azimuth about r is psi. All places of
-// one colatitude move alike.
+// Where a lookup's axis lies about r: the angle between them and its azimuth from the plane of incidence, 0 towards the normal.
+struct AboutR {
+    double angle, azimuth;
+};
+AboutR aboutR(const BrdfLookup& lookup)
+{
+    const double out = std::sin(lookup.turn), along = std::sin(lookup.offset) * std::cos(lookup.turn);
+    return {std::atan2(std::hypot(along, out), std::cos(lookup.offset) * std::cos(lookup.turn)), std::atan2(out, along)};
+}
+
+// Where the axis lies on the sphere, from r's place: a turn by `angle` in the direction whose azimuth about r is psi. All places of one
+// colatitude move alike.
 struct Moved {
     double colatitude, azimuth; ///< the azimuth is what is added
 };
-Moved moved(double colatitude, double offset, double psi)
+Moved moved(double colatitude, double angle, double psi)
 {
-    const double c = std::cos(colatitude), s = std::sin(colatitude), co = std::cos(offset), so = std::sin(offset);
+    const double c = std::cos(colatitude), s = std::sin(colatitude), co = std::cos(angle), so = std::sin(angle);
     const double up = c * co + s * so * std::cos(psi), out = s * co - c * so * std::cos(psi), east = so * std::sin(psi);
     return {std::atan2(std::hypot(out, east), up), std::atan2(east, out)};
 }
 
 /// The bright texels as the lookup of every texel of the map finds them; empty where there are none.
-std::vector<glm::dvec3> brightAlong(const BrightLobe& bright, const MapLayout& target, double yaw, const SurfaceView& seen, double offset,
+std::vector<glm::dvec3> brightAlong(const BrightLobe& bright, const MapLayout& target, double yaw, const AboutR& axis, double azimuth,
                                     const JobControl& job)
 {
     if (bright.empty())
@@ -37,8 +47,8 @@ std::vector<glm::dvec3> brightAlong(const BrightLobe& bright, const MapLayout& t
     parallelRows(target.height(), job, [&](int first, int last) {
         for (int y = first; y < last; ++y)
             for (size_t x = 0; x < width; ++x)
-                result[static_cast<size_t>(y) * width + x] =
-                    bright.radiance(normalAt(yawed(texelDirection(target, static_cast<int>(x), y), -yaw), {offset, seen.azimuth}));
+                result[static_cast<size_t>(y) * width + x] = bright.radiance(
+                    normalAt(yawed(texelDirection(target, static_cast<int>(x), y), -yaw), {axis.angle, azimuth + axis.azimuth}));
     });
     return result;
 }
@@ -53,6 +63,7 @@ EnvironmentMap filterBrdfLookups(FilterSource& source, const LookupFit& fit, dou
     const size_t texels = map.image.texels.size() / 3;
     std::vector<double> sums(3 * texels);
     for (const BrdfLookup& lookup : fit.lookups) {
+        const AboutR axis = aboutR(lookup);
         const Lobe lobe = ggxLobe(std::clamp(lookup.alpha, 1e-3, 1.0));
         // As far as the lobe's spectrum asks for in this probe; a longer list of coefficients where its end was met.
         BandLimitPlan plan;
@@ -63,10 +74,10 @@ EnvironmentMap filterBrdfLookups(FilterSource& source, const LookupFit& fit, dou
         }
         const Spectrum& spectrum = stackSpectrum(source, plan.bandLimit, job);
         const BrightLobe bright(source.latlong() ? source.brightTexels(1, job) : BrightTexels{}, lobe);
-        const std::vector<glm::dvec3> suns = brightAlong(bright, target, yaw, {fit.view, azimuth}, lookup.offset, job);
+        const std::vector<glm::dvec3> suns = brightAlong(bright, target, yaw, axis, azimuth, job);
         RingSet rings = own;
         for (size_t i = 0; i < rings.colatitude.size(); ++i) {
-            const Moved to = moved(own.colatitude[i], lookup.offset, azimuth);
+            const Moved to = moved(own.colatitude[i], axis.angle, azimuth + axis.azimuth);
             rings.colatitude[i] = to.colatitude;
             rings.azimuth[i] += to.azimuth;
         }

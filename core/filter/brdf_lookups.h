@@ -7,6 +7,7 @@
 #include "core/base/job.h"
 #include "core/image/environment_map.h"
 
+#include <span>
 #include <vector>
 
 namespace mirrorball {
@@ -16,10 +17,11 @@ struct BrdfLookup {
     double offset = 0.0;    ///< radians in the plane of incidence from r: towards the normal where positive, to the horizon where negative
     double alpha = 0.1;     ///< of the ggx lobe (lobe.h); each engine's law turns it into a level
     glm::dvec3 weight{1.0}; ///< at least 0
+    double turn = 0.0;      ///< radians out of that plane, after the offset; lookups beside it come in pairs, one a side
 };
 
 /// A BRDF at one angle of view as a few lookups, the successor of the split sum's one:
-///   L_o(r) = sum_k w_k E(axis_k; alpha_k),   axis_k in the plane of n and r.
+///   L_o(r) = sum_k w_k E(axis_k; alpha_k),   axis_k in the plane of n and r, or two of them on either side of it.
 /// The weights add up to the directional albedo, so a constant probe is exact. Fitted without any probe: the mean square of the error over
 /// all frames under light whose power is that of nature in the mean, sum_m |a_lm|^2 ~ 1/(l+1) about its mean, which by the power of kernels
 /// in degrees is
@@ -32,8 +34,9 @@ struct LookupFit {
 
 /// @param count  1 to 8
 LookupFit fitLookups(const Brdf& brdf, double view, int count);
-/// The same starting from a fit at a view or a roughness nearby: what a table of many entries uses, so that they change smoothly.
-LookupFit fitLookups(const Brdf& brdf, double view, const LookupFit& start);
+/// The same at many views, in their order, each fitted from its neighbor's so that they change smoothly; how many lookups stand in pairs
+/// is decided for all views together.
+std::vector<LookupFit> fitLookups(const Brdf& brdf, std::span<const double> views, int count, const JobControl& job = {});
 
 /// Kautz and McCool's round lobe: one radially symmetric lobe about r that varies with the view, the azimuthal mean of the kernel; exact
 /// under every light that is alike all around r. Source: 000 section 3.2.3, eqs. 18 and 19

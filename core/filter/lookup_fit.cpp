@@ -1,64 +1,20 @@
 #include "brdf_lookups.h"
 
-#include "lobe.h"
-#include "spin_transform.h"
+#include "lookup_products.h"
 
 #include "core/base/error.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <memory>
-#include <mutex>
+#include <optional>
 
 namespace mirrorball {
 
 namespace {
 
-constexpr double leastAlpha = 2e-3, growth = 1.12; ///< of the tabulated lobes
 constexpr size_t mostLookups = 8;
-
-/// Legendre coefficients of ggx lobes at many widths, linear in ln alpha between them.
-class LobeTable {
-public:
-    explicit LobeTable(int bandLimit)
-    {
-        for (double alpha = leastAlpha;; alpha *= growth) {
-            m_k.push_back(legendreCoefficients(ggxLobe(std::min(alpha, 1.0)), bandLimit));
-            if (alpha >= 1.0)
-                break;
-        }
-    }
-    void read(double alpha, std::vector<double>& k) const
-    {
-        const double x = std::clamp(std::log(alpha / leastAlpha) / std::log(growth), 0.0, static_cast<double>(m_k.size() - 1) - 1e-9);
-        const auto i = static_cast<size_t>(x);
-        const double t = x - static_cast<double>(i);
-        k.resize(m_k[0].size());
-        for (size_t l = 0; l < k.size(); ++l)
-            k[l] = (1.0 - t) * m_k[i][l] + t * m_k[i + 1][l];
-    }
-
-    /// Made once for each band limit (powers of two): a table is read by every fit.
-    static std::shared_ptr<const LobeTable> of(int bandLimit)
-    {
-        static std::mutex mutex;
-        static std::map<int, std::shared_ptr<const LobeTable>> made;
-        const std::lock_guard lock(mutex);
-        auto& table = made[bandLimit];
-        if (!table)
-            table = std::make_shared<const LobeTable>(bandLimit);
-        return table;
-    }
-
-private:
-    std::vector<std::vector<double>> m_k{};
-};
-
-struct Atom {
-    double offset, alpha;
-};
 
 using Small = std::array<std::array<double, mostLookups>, mostLookups>;
 
@@ -131,235 +87,293 @@ Weights solve(const Small& gram, const std::array<double, mostLookups>& b, size_
     return best;
 }
 
-/// The kernel, the metric and the lobes in one place: costs of sets of atoms.
-class Fitter {
+/// One lookup in the plane of incidence, or two beside it, one a side, that share their weight.
+struct Group {
+    double offset = 0.0, alpha = 0.1, turn = 0.0;
+    bool isPair = false;
+};
+
+/// How many of the lookups stand in pairs. What a kernel is wide across the plane of incidence only pairs can follow; what it is long along
+/// it, lookups one by one.
+struct Pattern {
+    int singles = 0, pairs = 0;
+};
+
+std::vector<Pattern> patternsOf(int count)
+{
+    std::vector<Pattern> patterns;
+    for (int pairs = 0; 2 * pairs < count; ++pairs)
+        patterns.push_back({count - 2 * pairs, pairs});
+    return patterns;
+}
+
+/// Groups with their products kept, so that changing one of them costs a row.
+class GroupSet {
 public:
-    Fitter(const KernelSpectrum& kernel, const LobeTable& lobes) : m_kernel(kernel), m_lobes(lobes)
-    {
-        // Of a kernel in color the form is fitted to the mean of its channels.
-        const auto degrees = static_cast<size_t>(kernel.bandLimit) + 1;
-        m_metric.resize(degrees);
-        for (size_t l = 1; l < degrees; ++l)
-            m_metric[l] = 1.0 / ((2.0 * static_cast<double>(l) + 1.0) * (static_cast<double>(l) + 1.0));
-        for (int c = 0; c < channels(); ++c)
-            m_square[static_cast<size_t>(c)] = squareOf(c);
-        for (int m = 0; m <= kernel.orders; ++m)
-            m_harmonics.emplace_back(m, kernel.bandLimit);
-        for (size_t l = 0; l < degrees; ++l)
-            m_scale.push_back(std::sqrt((2.0 * static_cast<double>(l) + 1.0) / (4.0 * pi)));
-    }
+    explicit GroupSet(const KernelProducts& kernel) : m_kernel(&kernel) {}
 
-    int channels() const { return m_kernel.isGrey ? 1 : 3; }
-    double square(int channel) const { return m_square[m_kernel.isGrey ? 0 : static_cast<size_t>(channel)]; }
-
-    /// sum_l s_l k_l(alpha) (the kernel's part of degree l, read at the atom's axis)
-    std::array<double, 3> meets(const Atom& atom) const
+    size_t size() const { return m_size; }
+    const Group& operator[](size_t i) const { return m_members[i].group; }
+    void put(size_t i, const Group& group)
     {
-        std::vector<double> k, part;
-        m_lobes.read(atom.alpha, k);
-        std::array<double, 3> sum{};
-        for (int c = 0; c < channels(); ++c) {
-            kernelAlong(atom.offset, c, part);
-            for (size_t l = 1; l < m_metric.size(); ++l)
-                sum[static_cast<size_t>(c)] += m_metric[l] * k[l] * part[l];
-        }
-        return sum;
+        m_size = std::max(m_size, i + 1);
+        Member& member = m_members[i];
+        member = {group, LobeProducts::taps(group.alpha), lookupAxis(group.offset, group.turn)};
+        m_b[i] = m_kernel->at(member.taps, member.axis);
+        for (size_t j = 0; j < m_size; ++j)
+            m_gram[i][j] = m_gram[j][i] = product(member, m_members[j]);
     }
-    double meets(const Atom& a, const Atom& b) const
-    {
-        std::vector<double> ka, kb;
-        m_lobes.read(a.alpha, ka);
-        m_lobes.read(b.alpha, kb);
-        const double x = std::cos(a.offset - b.offset);
-        double before = 1.0, p = x, sum = 0.0;
-        for (size_t l = 1; l < m_metric.size(); ++l) {
-            const auto d = static_cast<double>(l);
-            sum += m_metric[l] * ka[l] * kb[l] * (2.0 * d + 1.0) / (4.0 * pi) * p;
-            const double next = ((2.0 * d + 1.0) * x * p - d * before) / (d + 1.0);
-            before = p;
-            p = next;
-        }
-        return sum;
-    }
+    /// Share of the kernel's square that the best weights leave.
+    double left() const { return std::max(solve(m_gram, m_b, m_size).cost + m_kernel->square(), 0.0) / m_kernel->square(); }
 
 private:
-    double squareOf(int c) const
+    struct Member {
+        Group group{};
+        CubicTaps taps{};
+        glm::dvec3 axis{0.0, 0.0, 1.0};
+    };
+    /// Of pairs the mean over both sides.
+    double product(const Member& a, const Member& b) const
     {
-        double sum = 0.0;
-        for (int m = 0; m <= m_kernel.orders; ++m)
-            for (int l = std::max(m, 1); l <= m_kernel.bandLimit; ++l)
-                sum += m_metric[static_cast<size_t>(l)] * m_kernel.term(l, m, c);
-        return sum;
-    }
-    /// The kernel's part of each degree at a place in the plane of incidence. The offset is chi = 0 where positive, chi = pi where
-    /// negative.
-    void kernelAlong(double offset, int channel, std::vector<double>& part) const
-    {
-        const auto degrees = static_cast<size_t>(m_kernel.bandLimit) + 1;
-        std::vector<double> lambda(degrees);
-        part.assign(degrees, 0.0);
-        for (int m = 0; m <= m_kernel.orders; ++m) {
-            m_harmonics[static_cast<size_t>(m)].at(std::abs(offset), lambda);
-            const double sign = offset < 0.0 && m % 2 == 1 ? -1.0 : 1.0;
-            const auto k = m_kernel.order(m, channel);
-            for (size_t l = static_cast<size_t>(m); l < degrees; ++l)
-                part[l] += sign * k[l] * m_scale[l] * lambda[l];
-        }
+        const LobeProducts& lobes = m_kernel->lobes();
+        const double near = lobes.at(a.taps, b.taps, glm::dot(a.axis, b.axis));
+        if (!(a.group.isPair && b.group.isPair))
+            return near;
+        return 0.5 * (near + lobes.at(a.taps, b.taps, glm::dot(a.axis, b.axis * glm::dvec3(1.0, -1.0, 1.0))));
     }
 
-    const KernelSpectrum& m_kernel;
-    const LobeTable& m_lobes;
-    std::vector<OrderHarmonics> m_harmonics{};
-    std::vector<double> m_metric{}, m_scale{};
-    std::array<double, 3> m_square{};
+    const KernelProducts* m_kernel;
+    size_t m_size = 0;
+    std::array<Member, mostLookups> m_members{};
+    Small m_gram{};
+    std::array<double, mostLookups> m_b{};
 };
 
-/// A set of atoms with its products kept, so that changing one of them costs a row.
-struct AtomSet {
-    std::vector<Atom> atoms{};
-    Small gram{};
-    std::array<std::array<double, mostLookups>, 3> b{};
-
-    void put(const Fitter& fitter, size_t i, const Atom& atom)
-    {
-        if (i == atoms.size())
-            atoms.push_back(atom);
-        atoms[i] = atom;
-        const auto meets = fitter.meets(atom);
-        for (size_t c = 0; c < 3; ++c)
-            b[c][i] = meets[c];
-        for (size_t j = 0; j < atoms.size(); ++j)
-            gram[i][j] = gram[j][i] = fitter.meets(atom, atoms[j]);
-    }
-    /// Mean over the channels of the square that is left, over that of the kernel.
-    double left(const Fitter& fitter) const
-    {
-        double sum = 0.0;
-        for (int c = 0; c < fitter.channels(); ++c)
-            sum += std::max(solve(gram, b[static_cast<size_t>(c)], atoms.size()).cost + fitter.square(c), 0.0) / fitter.square(c);
-        return sum / fitter.channels();
-    }
-};
-
+/// How far a table's entries may lie: above the horizon and a little below it, where a lobe's tail is all that is above.
 struct Range {
     double least, most;
 };
+Range offsetRange(double view) { return {-(0.5 * pi - view) - 0.15, 0.5 * pi + view}; }
 
-/// Coordinate search with steps that halve where nothing improves.
-void refine(const Fitter& fitter, AtomSet& set, const Range& offsets)
+/// A group with one of its numbers moved, within its range.
+enum class Knob { Offset, Width, Turn };
+Group moved(Group group, Knob knob, double step, const Range& offsets)
 {
-    double best = set.left(fitter);
-    std::vector<std::array<double, 2>> steps;
-    for (const Atom& atom : set.atoms)
-        steps.push_back({0.3 * atom.alpha, 0.25});
-    for (int round = 0; round < 60; ++round) {
+    if (knob == Knob::Offset)
+        group.offset = std::clamp(group.offset + step, offsets.least, offsets.most);
+    else if (knob == Knob::Width)
+        group.alpha = std::clamp(group.alpha * std::exp(step), leastLookupAlpha, 1.0);
+    else
+        group.turn = std::clamp(group.turn + step, 0.0, 0.5 * pi);
+    return group;
+}
+
+/// Coordinate search: steps grow where they help and halve where they do not.
+void refine(GroupSet& set, const Range& offsets)
+{
+    struct Step {
+        size_t group;
+        Knob knob;
+        double size, least;
+    };
+    std::vector<Step> steps;
+    for (size_t i = 0; i < set.size(); ++i) {
+        const double alpha = set[i].alpha;
+        steps.push_back({i, Knob::Offset, 0.3 * alpha, 1e-3 * alpha});
+        steps.push_back({i, Knob::Width, 0.25, 1e-3});
+        if (set[i].isPair)
+            steps.push_back({i, Knob::Turn, 0.3 * alpha, 1e-3 * alpha});
+    }
+    double best = set.left();
+    for (int round = 0; round < 80; ++round) {
         const double before = best;
         bool isFine = true;
-        for (size_t i = 0; i < set.atoms.size(); ++i)
-            for (size_t axis = 0; axis < 2; ++axis) {
-                bool improved = false;
-                for (const double direction : {1.0, -1.0}) {
-                    AtomSet tried = set;
-                    Atom atom = set.atoms[i];
-                    const double step = direction * steps[i][axis];
-                    if (axis == 0)
-                        atom.offset = std::clamp(atom.offset + step, offsets.least, offsets.most);
-                    else
-                        atom.alpha = std::clamp(atom.alpha * std::exp(step), leastAlpha, 1.0);
-                    tried.put(fitter, i, atom);
-                    const double left = tried.left(fitter);
-                    if (left < best) {
-                        best = left;
-                        set = tried;
-                        improved = true;
-                        break;
-                    }
+        for (Step& step : steps) {
+            bool improved = false;
+            for (const double direction : {1.0, -1.0}) {
+                GroupSet tried = set;
+                tried.put(step.group, moved(set[step.group], step.knob, direction * step.size, offsets));
+                const double left = tried.left();
+                if (left < best) {
+                    best = left;
+                    set = tried;
+                    improved = true;
+                    step.size *= direction;
+                    break;
                 }
-                steps[i][axis] *= improved ? 1.6 : 0.5;
-                isFine = isFine && steps[i][axis] < (axis == 0 ? 2e-3 * set.atoms[i].alpha : 2e-3);
             }
-        if (isFine || (round > 12 && before - best < 1e-5 * before))
+            step.size *= improved ? 1.6 : 0.5;
+            isFine = isFine && std::abs(step.size) < step.least;
+        }
+        if (isFine || (round > 12 && before - best < 1e-4 * before))
             break;
     }
 }
 
-LookupFit finish(const Fitter& fitter, const KernelSpectrum& kernel, const AtomSet& set)
+/// Where a group may begin: dense about r, as wide as the material's lobe and around it.
+std::vector<Group> candidates(double alpha, const Range& offsets, bool arePairs)
 {
-    LookupFit fit{.view = kernel.view, .residual = std::sqrt(set.left(fitter))};
-    for (const Atom& atom : set.atoms)
-        fit.lookups.push_back({atom.offset, atom.alpha, glm::dvec3(0.0)});
-    for (int c = 0; c < 3; ++c) {
-        const Weights weights = solve(set.gram, set.b[kernel.isGrey ? 0 : static_cast<size_t>(c)], set.atoms.size());
-        for (size_t i = 0; i < fit.lookups.size(); ++i)
-            fit.lookups[i].weight[c] = weights.w[i] * kernel.albedo[c];
-    }
-    std::sort(fit.lookups.begin(), fit.lookups.end(), [](const BrdfLookup& a, const BrdfLookup& b) { return a.offset < b.offset; });
-    return fit;
+    std::vector<Group> all;
+    const int steps = arePairs ? 6 : 12;
+    for (const double width : {0.2, 0.35, 0.5, 0.7, 1.0, 1.5, 2.2})
+        for (int i = -steps; i <= steps; ++i) {
+            const double share = static_cast<double>(i) / steps, offset = (i < 0 ? -offsets.least : offsets.most) * share * std::abs(share);
+            Group group{
+                .offset = std::max(offset, offsets.least), .alpha = std::clamp(width * alpha, leastLookupAlpha, 1.0), .isPair = arePairs};
+            if (!arePairs)
+                all.push_back(group);
+            else
+                for (const double turn : {0.3, 0.6, 1.0, 1.5}) {
+                    group.turn = std::min(turn * alpha, 0.45 * pi);
+                    all.push_back(group);
+                }
+        }
+    return all;
 }
 
+/// From nothing: the best of the candidates, one after the other, each followed by a search.
+GroupSet fitAnew(const KernelProducts& kernel, double alpha, const Pattern& pattern, const Range& offsets)
+{
+    GroupSet set(kernel);
+    const std::vector<Group> singles = candidates(alpha, offsets, false), pairs = candidates(alpha, offsets, true);
+    for (int k = 0; k < pattern.singles + pattern.pairs; ++k) {
+        double best = 1e300;
+        const Group* chosen = nullptr;
+        for (const Group& group : k < pattern.singles ? singles : pairs) {
+            GroupSet tried = set;
+            tried.put(set.size(), group);
+            if (const double left = tried.left(); left < best) {
+                best = left;
+                chosen = &group;
+            }
+        }
+        set.put(set.size(), *chosen);
+        refine(set, offsets);
+    }
+    return set;
+}
+
+/// A view made ready: its kernel's spectrum and products.
+struct View {
+    double view = 0.0;
+    KernelSpectrum spectrum{};
+    std::unique_ptr<const KernelProducts> products{};
+};
+
 /// As many degrees as a lobe of this width fills, and as many orders as a lobe bent along the plane of incidence.
-KernelSpectrum spectrumFor(const Brdf& brdf, double view)
+View madeReady(const Brdf& brdf, double view)
 {
     const double alpha = equivalentAlpha(brdf) * std::max(std::cos(view), 0.15);
     int bandLimit = 64;
-    while (bandLimit < 512 && bandLimit * alpha < 6.0)
-        bandLimit *= 2;
-    return kernelSpectrum(ReflectionKernel(brdf, view), bandLimit, 32);
+    for (int grown = 96; bandLimit < 512 && bandLimit * alpha < 4.0; grown = bandLimit % 3 == 0 ? bandLimit / 3 * 4 : bandLimit / 2 * 3)
+        bandLimit = grown;
+    View made{.view = view, .spectrum = kernelSpectrum(ReflectionKernel(brdf, view), bandLimit, 32)};
+    made.products = std::make_unique<const KernelProducts>(made.spectrum);
+    return made;
 }
 
-/// Lookups lie above the horizon and a little below it, where a lobe's tail is all that is above.
-Range offsetRange(double view) { return {-(0.5 * pi - view) - 0.15, 0.5 * pi + view}; }
+/// The table's entries of a pattern, each fitted from its neighbor's, from a middling view outwards, so that they change smoothly.
+std::vector<GroupSet> march(const std::vector<View>& views, double alpha, const Pattern& pattern, const JobControl& job)
+{
+    const size_t middle = views.size() / 2;
+    std::vector<GroupSet> sets(views.size(), GroupSet(*views[middle].products));
+    sets[middle] = fitAnew(*views[middle].products, alpha, pattern, offsetRange(views[middle].view));
+    const auto follow = [&](size_t to, size_t from) {
+        job.checkStop();
+        const Range offsets = offsetRange(views[to].view);
+        GroupSet set(*views[to].products);
+        for (size_t i = 0; i < sets[from].size(); ++i)
+            set.put(i, moved(sets[from][i], Knob::Offset, 0.0, offsets));
+        refine(set, offsets);
+        sets[to] = set;
+    };
+    for (size_t i = middle + 1; i < views.size(); ++i)
+        follow(i, i - 1);
+    for (size_t i = middle; i-- > 0;)
+        follow(i, i + 1);
+    return sets;
+}
+
+/// The weights of every channel, by sums without a table.
+LookupFit finish(const View& view, const GroupSet& set)
+{
+    const KernelSpectrum& spectrum = view.spectrum;
+    const ExactProducts exact(spectrum);
+    const size_t n = set.size();
+    std::array<std::vector<double>, mostLookups> lobes{};
+    std::array<glm::dvec3, mostLookups> axes{};
+    Small gram{};
+    for (size_t i = 0; i < n; ++i) {
+        lobes[i] = exact.lobe(set[i].alpha);
+        axes[i] = lookupAxis(set[i].offset, set[i].turn);
+        for (size_t j = 0; j <= i; ++j) {
+            double product = exact.lobes(lobes[i], lobes[j], glm::dot(axes[i], axes[j]));
+            if (set[i].isPair && set[j].isPair)
+                product = 0.5 * (product + exact.lobes(lobes[i], lobes[j], glm::dot(axes[i], axes[j] * glm::dvec3(1.0, -1.0, 1.0))));
+            gram[i][j] = gram[j][i] = product;
+        }
+    }
+    LookupFit fit{.view = view.view};
+    for (size_t i = 0; i < n; ++i)
+        for (const double side : {1.0, -1.0})
+            if (side > 0.0 || set[i].isPair)
+                fit.lookups.push_back(
+                    {.offset = set[i].offset, .alpha = set[i].alpha, .weight = glm::dvec3(0.0), .turn = side * set[i].turn});
+    const int channels = spectrum.isGrey ? 1 : 3;
+    std::array<std::array<double, mostLookups>, 3> b{};
+    for (size_t i = 0; i < n; ++i) {
+        const glm::dvec3 products = exact.kernel(lobes[i], axes[i]);
+        for (size_t c = 0; c < 3; ++c)
+            b[c][i] = products[static_cast<int>(c)];
+    }
+    double left = 0.0;
+    for (int c = 0; c < channels; ++c) {
+        const Weights weights = solve(gram, b[static_cast<size_t>(c)], n);
+        left += std::max(weights.cost + exact.square(c), 0.0) / exact.square(c);
+        size_t at = 0;
+        for (size_t i = 0; i < n; ++i)
+            for (int side = 0; side < (set[i].isPair ? 2 : 1); ++side, ++at)
+                fit.lookups[at].weight[c] = weights.w[i] * spectrum.albedo[c] * (set[i].isPair ? 0.5 : 1.0);
+    }
+    if (spectrum.isGrey)
+        for (BrdfLookup& lookup : fit.lookups)
+            lookup.weight = glm::dvec3(lookup.weight.x);
+    fit.residual = std::sqrt(left / channels);
+    return fit;
+}
 
 } // namespace
 
-LookupFit fitLookups(const Brdf& brdf, double view, int count)
+LookupFit fitLookups(const Brdf& brdf, double view, int count) { return fitLookups(brdf, std::array{view}, count).front(); }
+
+std::vector<LookupFit> fitLookups(const Brdf& brdf, std::span<const double> angles, int count, const JobControl& job)
 {
     if (count < 1 || count > static_cast<int>(mostLookups))
         throw InvalidArgument("lookups: must be a whole number from 1 to " + std::to_string(mostLookups));
-    const KernelSpectrum kernel = spectrumFor(brdf, view);
-    const auto lobes = LobeTable::of(kernel.bandLimit);
-    const Fitter fitter(kernel, *lobes);
-    const Range offsets = offsetRange(view);
-    const double alpha = equivalentAlpha(brdf);
-
-    // Candidates: dense about r, as wide as the material's lobe and around it.
-    std::vector<Atom> candidates;
-    for (const double width : {0.2, 0.35, 0.5, 0.7, 1.0, 1.5, 2.2})
-        for (int i = -12; i <= 12; ++i) {
-            const double offset = (i < 0 ? -offsets.least : offsets.most) * i * std::abs(i) / 144.0;
-            candidates.push_back({i < 0 ? std::max(offset, offsets.least) : offset, std::clamp(width * alpha, leastAlpha, 1.0)});
-        }
-    AtomSet set;
-    for (int k = 0; k < count; ++k) {
-        double best = 1e300;
-        AtomSet chosen;
-        for (const Atom& atom : candidates) {
-            AtomSet tried = set;
-            tried.put(fitter, set.atoms.size(), atom);
-            const double left = tried.left(fitter);
-            if (left < best) {
-                best = left;
-                chosen = std::move(tried);
-            }
-        }
-        set = std::move(chosen);
-        refine(fitter, set, offsets);
-    }
-    return finish(fitter, kernel, set);
-}
-
-LookupFit fitLookups(const Brdf& brdf, double view, const LookupFit& start)
-{
-    const KernelSpectrum kernel = spectrumFor(brdf, view);
-    const auto lobes = LobeTable::of(kernel.bandLimit);
-    const Fitter fitter(kernel, *lobes);
-    const Range offsets = offsetRange(view);
-    AtomSet set;
-    for (const BrdfLookup& lookup : start.lookups)
-        set.put(fitter, set.atoms.size(),
-                {std::clamp(lookup.offset, offsets.least, offsets.most), std::clamp(lookup.alpha, leastAlpha, 1.0)});
-    refine(fitter, set, offsets);
-    return finish(fitter, kernel, set);
+    std::vector<View> views(angles.size());
+    const auto each = [&](size_t number, auto&& work) {
+        parallelRows(
+            static_cast<int>(number), job,
+            [&](int first, int last) {
+                for (int i = first; i < last; ++i)
+                    work(static_cast<size_t>(i));
+            },
+            1);
+    };
+    each(views.size(), [&](size_t i) { views[i] = madeReady(brdf, angles[i]); });
+    const std::vector<Pattern> patterns = patternsOf(count);
+    std::vector<std::vector<GroupSet>> tried(patterns.size());
+    each(patterns.size(), [&](size_t p) { tried[p] = march(views, equivalentAlpha(brdf), patterns[p], job); });
+    const auto leftBy = [](const std::vector<GroupSet>& sets) {
+        double sum = 0.0;
+        for (const GroupSet& set : sets)
+            sum += set.left();
+        return sum;
+    };
+    const auto best = std::min_element(tried.begin(), tried.end(), [&](const auto& a, const auto& b) { return leftBy(a) < leftBy(b); });
+    std::vector<LookupFit> fits(views.size());
+    each(views.size(), [&](size_t i) { fits[i] = finish(views[i], (*best)[i]); });
+    return fits;
 }
 
 } // namespace mirrorball

@@ -20,25 +20,10 @@ void put(Image& table, int column, const LookupFit& fit)
         float *place = table.texel(column, static_cast<int>(2 * k)), *weight = table.texel(column, static_cast<int>(2 * k + 1));
         place[0] = static_cast<float>(lookup.offset);
         place[1] = static_cast<float>(lookup.alpha);
+        place[2] = static_cast<float>(lookup.turn);
         for (int c = 0; c < 3; ++c)
             weight[c] = static_cast<float>(lookup.weight[c]);
     }
-}
-
-Image engineTable(const Brdf& brdf, const LookupChoice& choice, int columns, const JobControl& job)
-{
-    std::vector<LookupFit> fits(static_cast<size_t>(columns));
-    parallelRows(
-        columns, job,
-        [&](int first, int last) {
-            for (int i = first; i < last; ++i)
-                fits[static_cast<size_t>(i)] = lookupsFor(brdf, viewAt(i, columns), choice);
-        },
-        1);
-    Image table(columns, 2 * static_cast<int>(fits[0].lookups.size()));
-    for (int i = 0; i < columns; ++i)
-        put(table, i, fits[static_cast<size_t>(i)]);
-    return table;
 }
 
 } // namespace
@@ -60,28 +45,24 @@ LookupFit lookupsFor(const Brdf& brdf, double view, const LookupChoice& choice)
 
 Image makeLookupTable(const Brdf& brdf, const LookupChoice& choice, int size, const JobControl& job)
 {
-    const int columns = size > 0 ? size : 32, count = choice.count;
-    if (choice.kind != LookupKind::Fitted)
-        return engineTable(brdf, choice, columns, job);
-    Image table(columns, 2 * count);
-    // From a middling view outwards; one way and the other.
-    const int middle = columns / 2;
-    const LookupFit first = fitLookups(brdf, viewAt(middle, columns), count);
-    put(table, middle, first);
-    parallelRows(
-        2, job,
-        [&](int firstWay, int lastWay) {
-            for (int way = firstWay; way < lastWay; ++way) {
-                const int step = way == 0 ? 1 : -1;
-                LookupFit fit = first;
-                for (int i = middle + step; i >= 0 && i < columns; i += step) {
-                    job.checkStop();
-                    fit = fitLookups(brdf, viewAt(i, columns), fit);
-                    put(table, i, fit);
-                }
-            }
-        },
-        1);
+    const int columns = size > 0 ? size : 32;
+    std::vector<double> views;
+    for (int i = 0; i < columns; ++i)
+        views.push_back(viewAt(i, columns));
+    std::vector<LookupFit> fits(views.size());
+    if (choice.kind == LookupKind::Fitted)
+        fits = fitLookups(brdf, views, choice.count, job);
+    else
+        parallelRows(
+            columns, job,
+            [&](int first, int last) {
+                for (int i = first; i < last; ++i)
+                    fits[static_cast<size_t>(i)] = lookupsFor(brdf, views[static_cast<size_t>(i)], choice);
+            },
+            1);
+    Image table(columns, 2 * static_cast<int>(fits[0].lookups.size()));
+    for (int i = 0; i < columns; ++i)
+        put(table, i, fits[static_cast<size_t>(i)]);
     return table;
 }
 
@@ -95,7 +76,8 @@ LookupFit lookupsAt(const Image& table, double view)
         const auto read = [&](int row, int c) {
             return (1.0 - t) * static_cast<double>(table.texel(left, row)[c]) + t * static_cast<double>(table.texel(right, row)[c]);
         };
-        fit.lookups.push_back({read(2 * k, 0), read(2 * k, 1), {read(2 * k + 1, 0), read(2 * k + 1, 1), read(2 * k + 1, 2)}});
+        fit.lookups.push_back(
+            {read(2 * k, 0), read(2 * k, 1), {read(2 * k + 1, 0), read(2 * k + 1, 1), read(2 * k + 1, 2)}, read(2 * k, 2)});
     }
     return fit;
 }

@@ -1,5 +1,6 @@
 #include "spin_transform.h"
 
+#include "core/base/multiversion.h"
 #include "core/base/open_mp.h"
 #include "core/sphere/direction.h"
 
@@ -70,6 +71,33 @@ void OrderHarmonics::at(double gamma, std::span<double> lambda) const
         before = current;
         current = next;
         lambda[l] = current;
+    }
+}
+
+// Several angles at a time: one recurrence waits for itself.
+MIRRORBALL_CLONES void OrderHarmonics::addSums(std::span<const double> gamma, std::span<const double> scale, std::span<double> sums) const
+{
+    constexpr size_t block = 16;
+    const auto diagonal = static_cast<size_t>(m_order);
+    for (size_t first = 0; first < gamma.size() && diagonal < sums.size(); first += block) {
+        double x[block] = {}, before[block] = {}, now[block] = {}; // those past the end stay 0
+        for (size_t j = 0; j < block && first + j < gamma.size(); ++j) {
+            x[j] = std::cos(gamma[first + j]);
+            now[j] = scale[first + j] * m_diagonal * std::pow(std::sin(gamma[first + j]), m_order);
+        }
+        for (size_t l = diagonal; l < sums.size(); ++l) {
+            double sum = 0.0;
+            const bool isLast = l + 1 == sums.size();
+            const double a = isLast ? 0.0 : m_a[l + 1], b = isLast ? 0.0 : m_b[l + 1];
+#pragma omp simd reduction(+ : sum)
+            for (size_t j = 0; j < block; ++j) {
+                sum += now[j];
+                const double next = a * (x[j] * now[j] - b * before[j]);
+                before[j] = now[j];
+                now[j] = next;
+            }
+            sums[l] += sum;
+        }
     }
 }
 

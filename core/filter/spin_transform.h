@@ -22,6 +22,8 @@ public:
     OrderHarmonics(int m, int bandLimit);
     /// @param lambda  L + 1 values, those below m are 0
     void at(double gamma, std::span<double> lambda) const;
+    /// Adds sum_j scale_j lambda_lm(cos gamma_j) to the L + 1 values of `sums`.
+    void addSums(std::span<const double> gamma, std::span<const double> scale, std::span<double> sums) const;
 
 private:
     int m_order;

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
 
 namespace mirrorball {
 
@@ -54,6 +56,23 @@ glm::dvec3 reflectance(const std::vector<Band>& bands, double c)
     return sum;
 }
 
+/// Over the cosine; every kernel of the metal reads the same one.
+std::shared_ptr<const std::vector<glm::dvec3>> tableOf(const std::string& metal)
+{
+    static std::mutex mutex;
+    static std::map<std::string, std::shared_ptr<const std::vector<glm::dvec3>>> made;
+    const std::vector<Band> bands = bandsOf(metal);
+    const std::lock_guard lock(mutex);
+    auto& table = made[metal];
+    if (!table) {
+        std::vector<glm::dvec3> values;
+        for (int i = 0; i <= intervals; ++i)
+            values.push_back(reflectance(bands, static_cast<double>(i) / intervals));
+        table = std::make_shared<const std::vector<glm::dvec3>>(std::move(values));
+    }
+    return table;
+}
+
 void check(const BrdfFresnel& fresnel)
 {
     if (fresnel.kind == BrdfFresnelKind::Dielectric && !(std::isfinite(fresnel.index) && fresnel.index > 0.0))
@@ -85,10 +104,7 @@ FresnelCurve::FresnelCurve(const BrdfFresnel& fresnel) : m_fresnel(fresnel)
     check(fresnel);
     if (fresnel.kind != BrdfFresnelKind::Metal)
         return;
-    const std::vector<Band> bands = bandsOf(fresnel.metal);
-    m_table.reserve(intervals + 1);
-    for (int i = 0; i <= intervals; ++i)
-        m_table.push_back(reflectance(bands, static_cast<double>(i) / intervals));
+    m_table = tableOf(fresnel.metal);
 }
 
 glm::dvec3 FresnelCurve::at(double c) const
@@ -101,7 +117,7 @@ glm::dvec3 FresnelCurve::at(double c) const
     case BrdfFresnelKind::Metal: {
         const double x = std::clamp(c, 0.0, 1.0) * intervals;
         const auto i = std::min(static_cast<size_t>(x), static_cast<size_t>(intervals - 1));
-        return glm::mix(m_table[i], m_table[i + 1], x - static_cast<double>(i));
+        return glm::mix((*m_table)[i], (*m_table)[i + 1], x - static_cast<double>(i));
     }
     case BrdfFresnelKind::None:
         break;

@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -45,7 +46,7 @@ public:
 
 private:
     BrdfFresnel m_fresnel;
-    std::vector<glm::dvec3> m_table{};
+    std::shared_ptr<const std::vector<glm::dvec3>> m_table{}; ///< made once for each metal
 };
 
 } // namespace mirrorball

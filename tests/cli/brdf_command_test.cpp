@@ -59,6 +59,8 @@ TEST(BrdfCommand, WritesTables)
     EXPECT_EQ(lookups.width, 8);
     EXPECT_EQ(lookups.height, 6);
     EXPECT_EQ(write("ggx:alpha=0.3 --table three --size 8").height, 4) << "one along r, one at the normal";
+    EXPECT_EQ(write("ggx:alpha=0.3 --table mirror-map --size 32").width, 32);
+    EXPECT_GT(write("phong:exponent=20 --table hemisphere:30 --size 33").texel(24, 16)[1], 1.0f) << "opposite of the light";
     // A + B is the albedo of F = 1; rows are roughness, so the second of four is (1.5/4)^2.
     const Image ab = write("ggx:alpha=0.3 --table ab --size 4"), albedo = write("ggx:alpha=0.140625 --table albedo --size 4");
     for (int x = 0; x < 4; ++x)
@@ -97,6 +99,7 @@ TEST(BrdfCommand, RefusesInOneLineAndWritesNothing)
     EXPECT_FAILS(mirrorballRuns("brdf ggx:alpha=0.3 --eval 1,2,3"), 2, "--eval: must be four angles");
     EXPECT_FAILS(mirrorballRuns("brdf ggx:alpha=0.3 --table bogus" + out), 2, "choose one of albedo");
     EXPECT_FAILS(mirrorballRuns("brdf phong:exponent=3 --table ab" + out), 2, "choose ggx");
+    EXPECT_FAILS(mirrorballRuns("brdf phong:exponent=3 --table hemisphere:90" + out), 2, "below 90");
     EXPECT_FAILS(mirrorballRuns("brdf nowhere.brdf --albedo 3"), 2, "is not there");
     const std::string errors = "brdf ggx:alpha=0.3 --errors builtin:sky";
     EXPECT_FAILS(mirrorballRuns(errors + out), 2, "must end in .csv");
@@ -132,6 +135,7 @@ TEST(FilterCommand, FiltersByABrdfInEveryWay)
     EXPECT_LT(five, error("three"));
     EXPECT_LT(five, error("filament"));
     EXPECT_LT(error("stack:4"), error("round"));
+    EXPECT_LT(error("warp:5"), error("warp:40"));
 }
 
 } // namespace

@@ -41,7 +41,7 @@ std::vector<LookupChoice> choicesFor(int lookups)
 QString choiceText(const LookupChoice& choice)
 {
     if (choice.kind == LookupKind::Fitted)
-        return LobeErrorPanel::tr("%n lookup(s)", nullptr, choice.count);
+        return LobeErrorPanel::tr("Lookups: %1").arg(choice.count);
     return labelText(words(choice.kind)[static_cast<size_t>(choice.kind)]);
 }
 
@@ -66,7 +66,9 @@ LobeErrorPanel::LobeErrorPanel(Workspace& workspace, QWidget* parent)
     m_table->setRootIsDecorated(false);
     m_table->setUniformRowHeights(true);
     m_table->setMinimumHeight(60);
+    m_table->header()->setStretchLastSection(false);
     m_table->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->header()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_status->setWordWrap(true);
     m_status->setObjectName(QStringLiteral("lobe_error.status"));
     m_progress->setTextVisible(false);
@@ -94,8 +96,8 @@ LobeErrorPanel::LobeErrorPanel(Workspace& workspace, QWidget* parent)
     splitter->setChildrenCollapsible(false);
     splitter->addWidget(m_chart);
     splitter->addWidget(side);
-    splitter->setStretchFactor(0, 3);
-    splitter->setStretchFactor(1, 2);
+    splitter->setSizes({400, 360});
+    splitter->setStretchFactor(0, 1);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
     layout->addWidget(splitter);
@@ -125,9 +127,7 @@ void LobeErrorPanel::buildChart()
     m_chart->setMinimumSize(200, 120);
     styleChart(*m_chart);
     QChart* chart = m_chart->chart();
-    chart->legend()->setAlignment(Qt::AlignRight);
-    chart->legend()->setLabelColor(QColor(0xdc, 0xdc, 0xdc));
-    chart->legend()->setMarkerShape(QLegend::MarkerShapeCircle);
+    chart->legend()->hide(); // the table beside it has the lookups in their colors
     m_error->setBase(10.0);
     m_error->setMinorTickCount(0);
     m_error->setLabelFormat(QStringLiteral("%g"));
@@ -180,11 +180,11 @@ void LobeErrorPanel::measure()
         },
         [this, now](const BrdfErrors& errors) {
             m_measured = now;
-            show(errors);
+            draw(errors);
         });
 }
 
-void LobeErrorPanel::show(const BrdfErrors& errors)
+void LobeErrorPanel::draw(const BrdfErrors& errors)
 {
     m_errors = errors;
     QChart* chart = m_chart->chart();
@@ -217,9 +217,8 @@ void LobeErrorPanel::show(const BrdfErrors& errors)
     }
     m_error->setRange(std::pow(10.0, std::floor(std::log10(least))), std::pow(10.0, std::ceil(std::log10(most))));
     m_copy->setEnabled(true);
-    m_status->setText(tr("%1: error of the reflected light against the sum over every texel of the probe, averaged to %2 rows.")
-                          .arg(toQString(errors.model))
-                          .arg(rows));
+    m_status->setText(
+        tr("%1: error against the sum over every texel of the probe, averaged to %2 rows.").arg(toQString(errors.model)).arg(rows));
 }
 
 void LobeErrorPanel::clear(const QString& status)

@@ -51,7 +51,7 @@ private:
     void buildChart();
     void follow();
     void measure();
-    void show(const BrdfErrors& errors);
+    void draw(const BrdfErrors& errors);
     void clear(const QString& status);
     QString command() const;
 

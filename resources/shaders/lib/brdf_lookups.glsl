@@ -19,10 +19,11 @@ BrdfLookup brdfLookup(sampler2D table, int k, vec3 n, vec3 r)
     float x = clamp(nv * float(columns) - 0.5, 0.0, float(columns - 1));
     int left = int(x), right = min(left + 1, columns - 1);
     float t = x - float(left);
-    vec2 place = mix(texelFetch(table, ivec2(left, 2 * k), 0).xy, texelFetch(table, ivec2(right, 2 * k), 0).xy, t);
+    vec3 place = mix(texelFetch(table, ivec2(left, 2 * k), 0).xyz, texelFetch(table, ivec2(right, 2 * k), 0).xyz, t);
     vec3 weight = mix(texelFetch(table, ivec2(left, 2 * k + 1), 0).rgb, texelFetch(table, ivec2(right, 2 * k + 1), 0).rgb, t);
     vec3 across = n - nv * r;
     float length2 = dot(across, across);
     across = length2 > 1e-12 ? across * inversesqrt(length2) : vec3(0.0); // seen straight on the axis is r
-    return BrdfLookup(normalize(cos(place.x) * r + sin(place.x) * across), place.y, weight);
+    vec3 axis = cos(place.z) * (cos(place.x) * r + sin(place.x) * across) + sin(place.z) * cross(r, across);
+    return BrdfLookup(normalize(axis), place.y, weight);
 }

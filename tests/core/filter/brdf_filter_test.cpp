@@ -260,6 +260,55 @@ TEST(BrdfLookups, LieInThePlaneOfIncidenceTowardsTheNormal)
         EXPECT_NEAR(map.image.texels[3 * i + 1], expected[i].g, 2e-4);
 }
 
+// The same beside the plane: first moved in it, then turned out of it about the axis that lies in it and across the first.
+TEST(BrdfLookups, LieBesideThePlaneOfIncidenceByTheirTurn)
+{
+    const EnvironmentMap probe = test::noiseProbe(32, 4);
+    FilterSource source(probe);
+    const LookupFit fit{.view = 0.9, .lookups = {{.offset = -0.4, .alpha = 0.3, .weight = glm::dvec3(1.0), .turn = 0.5}}};
+    const EnvironmentMap map = filterBrdfLookups(source, fit, 2.2, smallLatlong, 0.0, 1e-6);
+    std::vector<glm::dvec3> axes;
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 32; ++x) {
+            const glm::dvec3 r = texelDirection(smallLatlong, x, y), n = normalAt(r, {0.9, 2.2});
+            const glm::dvec3 side = glm::normalize(glm::cross(r, n)), across = glm::cross(side, r);
+            axes.push_back(std::cos(0.5) * (std::cos(-0.4) * r + std::sin(-0.4) * across) + std::sin(0.5) * side);
+        }
+    const auto expected = referenceSum(probe, ggxLobe(0.3), axes);
+    for (size_t i = 0; i < axes.size(); ++i)
+        EXPECT_NEAR(map.image.texels[3 * i + 1], expected[i].g, 2e-4);
+}
+
+// Kernels have a left side as they have a right one; a rough one is wider than any lookup of the chain.
+TEST(BrdfLookups, OfARoughMaterialStandInPairsBesideThePlane)
+{
+    const LookupFit fit = fitLookups({GgxBrdf{0.81}}, 0.0, 5), one = fitLookups({GgxBrdf{0.81}}, 0.0, 1);
+    double sum = 0.0, turned = 0.0;
+    for (const BrdfLookup& lookup : fit.lookups) {
+        sum += lookup.weight.g * std::sin(lookup.turn);
+        turned += lookup.weight.g * std::abs(std::sin(lookup.turn));
+    }
+    EXPECT_NEAR(sum, 0.0, 1e-12);
+    EXPECT_GT(turned, 0.005);
+    EXPECT_LT(fit.residual, 0.5 * one.residual) << "alpha 1 is too narrow";
+}
+
+// A material that sends back more to one view than to the next changes its lookups by little.
+TEST(BrdfLookups, ChangeSmoothlyWithTheView)
+{
+    std::vector<double> views;
+    for (int i = 0; i < 16; ++i)
+        views.push_back(std::acos((i + 0.5) / 16));
+    const auto fits = fitLookups({GgxBrdf{0.25}}, views, 3);
+    ASSERT_EQ(fits.size(), views.size());
+    for (size_t i = 0; i + 1 < fits.size(); ++i) {
+        for (size_t k = 0; k < 3; ++k) {
+            EXPECT_NEAR(fits[i].lookups[k].offset, fits[i + 1].lookups[k].offset, 0.5) << i << ' ' << k;
+            EXPECT_NEAR(std::log(fits[i].lookups[k].alpha), std::log(fits[i + 1].lookups[k].alpha), 1.0) << i << ' ' << k;
+        }
+    }
+}
+
 // A column is a fit; between columns the table is nearly one.
 TEST(LookupTable, IsAFitAtEveryView)
 {
