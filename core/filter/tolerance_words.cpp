@@ -1,6 +1,6 @@
 #include "tolerance_words.h"
 
-#include "spectral.h"
+#include "source_file.h"
 
 #include <algorithm>
 #include <sstream>
