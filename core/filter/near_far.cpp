@@ -19,6 +19,10 @@ constexpr double leftOutShare = 0.7;
 /// Share of what is allowed for reading rings; the kink at the horizon has as much, and they add up as squares.
 constexpr double interpolationShare = 0.7;
 
+/// Bright texels go through the lobe one by one, as with the spectral method, whose spectrum of the rest is shared then; and the kink at
+/// the horizon, which they would show most, is exact for them.
+constexpr size_t brightSplit = 1;
+
 /// Degrees to which the kink at the horizon is looked at, in band limits.
 constexpr int kinkReach = 2;
 
@@ -43,8 +47,10 @@ double farSeconds(int bandLimit, double places)
     return (cost::coefficient + cost::ring * rings) * l * l + 1.2e-8 * rings * rings + 6e-8 * places;
 }
 
+glm::dvec3 seenAt(const BrightLobe& bright, const glm::dvec3& r) { return bright.empty() ? glm::dvec3(0.0) : bright.radiance(r); }
+
 /// The filtered map at some hundred even directions, as coarseValues() of the spectral method.
-ValueDistribution coarseValues(const SettledNearFar& settled, const JobControl& job)
+ValueDistribution coarseValues(const SettledNearFar& settled, const BrightLobe& bright, const JobControl& job)
 {
     constexpr int rings = 16, samples = 32;
     const SettledSpectral& far = settled.far;
@@ -61,8 +67,10 @@ ValueDistribution coarseValues(const SettledNearFar& settled, const JobControl& 
     settled.near->at(places, 0.0, sums.data());
     ValueDistribution values;
     for (size_t i = 0; i < places.size(); ++i) {
-        const glm::dvec3 sum = map.radiance(i) * (settled.farShare * map.norm[i]) + glm::dvec3(sums[i]);
-        values.add(sum / (settled.farShare * map.norm[i] + sums[i].w), std::sin(places[i].colatitude));
+        const double lon = pi - places[i].azimuth, sine = std::sin(places[i].colatitude);
+        const glm::dvec3 r(std::sin(lon) * sine, std::cos(places[i].colatitude), std::cos(lon) * sine);
+        const glm::dvec3 sum = map.radiance(i) * (settled.farShare * map.norm[i]) + glm::dvec3(sums[i]) + seenAt(bright, r);
+        values.add(sum / (settled.farShare * map.norm[i] + sums[i].w), sine);
     }
     return values;
 }
@@ -86,7 +94,8 @@ NearFarPlan planNearFar(const PrefilterOptions& options, const ProbeTraits& prob
             if (!split.hasReach())
                 continue;
             const double forward = probe.knownBandLimit >= bandLimit ? 0.0 : forwardSeconds(probe.width, bandLimit);
-            const double seconds = forward + farSeconds(bandLimit, texels) + nearSeconds(split.reachAngle(), probe.width, texels);
+            const double seconds = forward + farSeconds(bandLimit, texels) + nearSeconds(split.reachAngle(), probe.width, texels) +
+                                   brightSeconds(options.lobe, brightSplits[brightSplit].mostTexels / 2, options.target);
             if (seconds < best.seconds)
                 best = {bandLimit, leftOut, seconds};
         }
@@ -98,25 +107,27 @@ SettledNearFar settleNearFar(FilterSource& source, const PrefilterOptions& optio
     const ErrorLimits limits = errorLimits(options.tolerance);
     NearFarPlan plan = planNearFar(options, traits(source));
     const double mostSeconds = 4.0 * plan.seconds + 0.02; // beyond it another method is left to try
+    const BrightTexels& bright = source.brightTexels(brightSplit, job);
     SettledNearFar settled;
     while (plan.possible()) {
         const int bandLimit = plan.bandLimit;
         const KernelSplit split(options.lobe, bandLimit, strictness * plan.leftOut);
         std::vector<double> k = split.farCoefficients(kinkReach * bandLimit);
         const double miss = std::max(split.leftOut(), largestMiss(split, k));
-        settled = {.farShare = k[0], .near = std::make_shared<const NearSum>(*source.latlong(), split, job)};
+        settled = {.farShare = k[0], .near = std::make_shared<const NearSum>(*source.latlong(), bright.changes, split, job)};
         for (double& value : k)
             value /= settled.farShare;
         SettledSpectral& far = settled.far;
         far.k.assign(k.begin(), k.begin() + bandLimit + 1);
         far.longer = k;
-        far.spectrum = &source.spectrum(bandLimit, job);
+        far.split = brightSplit;
+        far.spectrum = &source.calmSpectrum(brightSplit, bandLimit, job);
         far.seconds = plan.seconds;
         far.relative = 2.0 * miss + nearRounding;
         for (int c = 0; c < 3; ++c)
             far.calmMean[c] = far.spectrum->coefficients[static_cast<size_t>(c)][0].real() / far.spectrum->unit[0].real();
 
-        const ValueDistribution values = coarseValues(settled, job);
+        const ValueDistribution values = coarseValues(settled, BrightLobe(bright, options.lobe), job);
         const TruncationModel model(*far.spectrum, k);
         const double relative = spectralRounding + far.relative; // taken off what the limits allow the rest
         const ErrorLimits rest{.relRms = limits.relRms - relative,
@@ -153,6 +164,7 @@ EnvironmentMap filterNearFar(FilterSource& source, const SettledNearFar& settled
     const std::span<const SpherePoint> points = source.points(options.target, job);
     const RingGrid grid(*far.spectrum, far.k, far.rings, options.yaw, {.stop = job.stop, .progress = {}, .threads = job.threads},
                         far.longer);
+    const BrightLobe bright(source.brightTexels(far.split, job), options.lobe);
     parallelRows(
         map.image.height, job,
         [&](int first, int last) {
@@ -163,10 +175,14 @@ EnvironmentMap filterNearFar(FilterSource& source, const SettledNearFar& settled
             settled.near->at(places, options.yaw, sums.data());
             float* to = map.image.row(first);
             for (size_t i = 0; i < places.size(); ++i) {
+                const int x = static_cast<int>(i % w), y = first + static_cast<int>(i / w);
+                const glm::dvec3 seen =
+                    bright.empty() ? glm::dvec3(0.0) : bright.radiance(yawed(texelDirection(options.target, x, y), -options.yaw));
                 const double norm = sums[i].w + settled.farShare * (1.0 + rgbn[4 * i + 3]);
-                for (int c = 0; c < 3; ++c) // light is not negative, and what comes out below 0 is nearer to it there
-                    *to++ =
-                        static_cast<float>(std::max(0.0, (sums[i][c] + settled.farShare * rgbn[4 * i + static_cast<size_t>(c)]) / norm));
+                for (int c = 0; c < 3; ++c) { // light is not negative, and what comes out below 0 is nearer to it there
+                    const double sum = sums[i][c] + settled.farShare * rgbn[4 * i + static_cast<size_t>(c)] + seen[c];
+                    *to++ = static_cast<float>(std::max(0.0, sum / norm));
+                }
             }
         },
         4);

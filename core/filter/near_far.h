@@ -20,6 +20,8 @@ namespace mirrorball {
 ///
 ///   E(r) = (sum_(t < reach) w L n + sum_lm f_l a_lm Y_lm) / (the same of a constant 1)
 ///
+/// L is the calm part of the probe; the excess of its brightest texels goes through the whole lobe (BrightLobe).
+///
 /// How the work is shared out.
 struct NearFarPlan {
     int bandLimit = 0;                                        ///< of the far part

@@ -134,7 +134,8 @@ MIRRORBALL_CLONES // hot: some hundred texels for each place
         sums[i] = sumAt(tables, constants, places[i].azimuth + yaw, places[i].colatitude);
 }
 
-NearSum::NearSum(const EnvironmentMap& latlong, const KernelSplit& split, const JobControl& job)
+NearSum::NearSum(const EnvironmentMap& latlong, std::span<const BrightTexels::Change> changes, const KernelSplit& split,
+                 const JobControl& job)
 {
     Tables& t = m_tables;
     const Image& image = latlong.image;
@@ -161,6 +162,9 @@ NearSum::NearSum(const EnvironmentMap& latlong, const KernelSplit& split, const 
             }
         }
     });
+    for (const BrightTexels::Change& change : changes)
+        for (int c = 0; c < 3; ++c)
+            t.planes[c][static_cast<size_t>(change.y * t.stride + change.x)] = static_cast<float>(t.scale * change.calm[c]);
     for (int j = 0; j < t.width + lanes; ++j) {
         const double half = pi / t.width * (j - t.width / 2);
         t.sine.push_back(static_cast<float>(std::sin(half)));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bright_texels.h"
 #include "kernel_split.h"
 #include "ring_grid.h"
 
@@ -22,8 +23,9 @@ namespace mirrorball {
 /// are positive. Weights and sums are floats, eight sums side by side, which are added up in double.
 class NearSum {
 public:
-    /// @param latlong  must outlive the sums' making only
-    NearSum(const EnvironmentMap& latlong, const KernelSplit& split, const JobControl& job = {});
+    /// @param changes  texels that are to count as others, see BrightTexels
+    NearSum(const EnvironmentMap& latlong, std::span<const BrightTexels::Change> changes, const KernelSplit& split,
+            const JobControl& job = {});
 
     /// @param yaw  radians, as yawed(): added to the azimuths
     void at(std::span<const SpherePoint> places, double yaw, glm::dvec4* sums) const;
