@@ -11,7 +11,6 @@ private slots:
     void drawsALineForEachChoiceOfLookups();
     void saysThatARoundLobeHasNoCurve();
     void measuresAnewWhenTheMaterialChanges();
-    void copiesTheCommandThatMeasuresTheSame();
 };
 
 } // namespace mirrorball::test
