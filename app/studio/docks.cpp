@@ -6,6 +6,7 @@
 #include "widgets/panels/plan_view.h"
 #include "widgets/panels/probes_panel.h"
 #include "widgets/panels/report_panel.h"
+#include "widgets/panels/snapshots_panel.h"
 #include "widgets/panels/view_panel.h"
 #include "widgets/spheremap/sphere_map_panel.h"
 
@@ -34,13 +35,15 @@ const std::vector<DockEntry>& dockEntries()
          [](Workspace&) -> QWidget* { return new ColorPicker; }},
         {"plan", QT_TRANSLATE_NOOP("Docks", "Plan"), "plan", "blur.md", Qt::BottomDockWidgetArea, make<PlanView>},
         {"report", QT_TRANSLATE_NOOP("Docks", "Report"), "report", "reports.md", Qt::BottomDockWidgetArea, make<ReportPanel>},
+        {"snapshots", QT_TRANSLATE_NOOP("Docks", "Snapshots"), "snapshot", "comparing.md", Qt::LeftDockWidgetArea, make<SnapshotsPanel>},
     };
     return entries;
 }
 
 const std::vector<DockTabs>& dockTabs()
 {
-    static const std::vector<DockTabs> tabs{{"material", "view"}, {"material", "sphere-map"}, {"map", "color"}, {"plan", "report"}};
+    static const std::vector<DockTabs> tabs{
+        {"material", "view"}, {"material", "sphere-map"}, {"map", "color"}, {"map", "snapshots"}, {"plan", "report"}};
     return tabs;
 }
 
