@@ -7,6 +7,7 @@
 #include "widgets/panels/plan_view.h"
 #include "widgets/panels/probes_panel.h"
 #include "widgets/panels/report_panel.h"
+#include "widgets/panels/snapshots_panel.h"
 #include "widgets/panels/view_panel.h"
 #include "widgets/spheremap/sphere_map_panel.h"
 
@@ -37,14 +38,15 @@ const std::vector<DockEntry>& dockEntries()
         {"report", QT_TRANSLATE_NOOP("Docks", "Report"), "report", "reports.md", Qt::BottomDockWidgetArea, make<ReportPanel>},
         {"lobe-error", QT_TRANSLATE_NOOP("Docks", "Lobe error"), "lobe-error", "materials.md", Qt::BottomDockWidgetArea,
          make<LobeErrorPanel>},
+        {"snapshots", QT_TRANSLATE_NOOP("Docks", "Snapshots"), "snapshot", "comparing.md", Qt::LeftDockWidgetArea, make<SnapshotsPanel>},
     };
     return entries;
 }
 
 const std::vector<DockTabs>& dockTabs()
 {
-    static const std::vector<DockTabs> tabs{
-        {"material", "view"}, {"material", "sphere-map"}, {"map", "color"}, {"plan", "lobe-error"}, {"plan", "report"}};
+    static const std::vector<DockTabs> tabs{{"material", "view"}, {"material", "sphere-map"}, {"map", "color"},
+                                            {"map", "snapshots"}, {"plan", "lobe-error"},     {"plan", "report"}};
     return tabs;
 }
 

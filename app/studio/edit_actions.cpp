@@ -24,9 +24,11 @@ EditActions::EditActions(QWidget& window, Workspace& workspace, FileOpener& open
 void EditActions::addTo(QMenu& menu)
 {
     QAction* undo = m_workspace.document.undoStack().createUndoAction(this, tr("Undo"));
+    undo->setObjectName(QStringLiteral("edit.undo"));
     undo->setIcon(icon("undo"));
     undo->setShortcut(QKeySequence::Undo);
     QAction* redo = m_workspace.document.undoStack().createRedoAction(this, tr("Redo"));
+    redo->setObjectName(QStringLiteral("edit.redo"));
     redo->setIcon(icon("redo"));
     redo->setShortcuts({QKeySequence::Redo, QKeySequence(Qt::CTRL | Qt::Key_Y)});
     menu.addActions({undo, redo});

@@ -5,6 +5,7 @@
 #include "docks.h"
 #include "palette_entries.h"
 #include "panel_rest.h"
+#include "preferences_dialog.h"
 #include "theme.h"
 #include "work_status.h"
 
@@ -77,6 +78,7 @@ MainWindow::MainWindow(const QString& recoveryFolder, QWidget* parent)
     addDocks();
     addOpening();
     addMenus();
+    m_keys = new CommandKeys(*this, *middle);
     new WorkStatus(*statusBar(), *m_workspace, *m_preview, m_pictures); // the bar's child
     watch();
     showTitle();
@@ -206,6 +208,7 @@ void MainWindow::addMenus()
     picture->setToolTip(tr("Save the picture as PNG, or its radiance as EXR"));
     file->addSeparator();
     QAction* quit = file->addAction(icon("close"), tr("&Quit"), this, &QWidget::close);
+    quit->setObjectName(QStringLiteral("file.quit"));
     quit->setShortcut(QKeySequence::Quit);
     quit->setMenuRole(QAction::QuitRole);
 
@@ -215,6 +218,12 @@ void MainWindow::addMenus()
     QAction* palette = edit->addAction(icon("palette"), tr("Command &palette…"), this, &MainWindow::openPalette);
     palette->setObjectName(QStringLiteral("edit.palette"));
     palette->setShortcuts({QKeySequence(Qt::CTRL | Qt::Key_P), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P)});
+
+    QAction* preferences = edit->addAction(icon("view"), tr("P&references…"), this, &MainWindow::openPreferences);
+    preferences->setObjectName(QStringLiteral("edit.preferences"));
+    preferences->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Comma));
+    preferences->setToolTip(tr("Keys of commands, drags in the picture, how soon unsaved changes are kept"));
+    preferences->setMenuRole(QAction::PreferencesRole);
 
     QMenu* view = menuBar()->addMenu(tr("&View"));
     m_views->addTo(*view);
@@ -234,6 +243,7 @@ void MainWindow::addMenus()
     hide->setToolTip(tr("Tab on the picture, F9 anywhere"));
     QAction* full = m_dockMenu->addAction(icon("fullscreen"), tr("&Full screen"), this,
                                           [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+    full->setObjectName(QStringLiteral("window.full"));
     full->setShortcut(QKeySequence(Qt::Key_F11));
     m_dockMenu->addAction(icon("layout"), tr("&Reset layout"), this, &MainWindow::resetLayout)
         ->setObjectName(QStringLiteral("window.reset"));
@@ -335,6 +345,14 @@ void MainWindow::openExport()
     connect(dialog, &ExportDialog::saveRequested, m_files, &FileActions::save);
     connect(dialog, &ExportDialog::exported, m_tour, &Tour::noteExport);
     m_help->serve(*dialog, QStringLiteral("engines.md"));
+    dialog->open();
+}
+
+void MainWindow::openPreferences()
+{
+    auto* dialog = new PreferencesDialog(*m_keys, *m_recovery, *this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    m_help->serve(*dialog, QStringLiteral("studio.md"));
     dialog->open();
 }
 

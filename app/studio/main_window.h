@@ -1,5 +1,6 @@
 #pragma once
 
+#include "command_keys.h"
 #include "edit_actions.h"
 #include "file_actions.h"
 #include "help/help_actions.h"
@@ -49,6 +50,7 @@ public slots:
     void resetLayout();
     void openPalette();
     void openExport();
+    void openPreferences();
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -78,6 +80,7 @@ private:
     EditActions* m_edits;
     Tour* m_tour;
     HelpActions* m_help;
+    CommandKeys* m_keys = nullptr;
     QMenu* m_dockMenu = nullptr;
     QList<QDockWidget*> m_hiddenDocks;
     QByteArray m_firstLayout;

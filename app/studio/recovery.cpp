@@ -10,6 +10,7 @@
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QSettings>
 #include <QStandardPaths>
 #include <QUuid>
 
@@ -19,6 +20,7 @@ namespace mirrorball::studio {
 
 namespace {
 
+const QString secondsKey = QStringLiteral("recovery/seconds");
 constexpr const char* originalKey = "studio_recovers"; ///< in the copy: the document's own file
 
 /// A text as JSON, and back.
@@ -61,7 +63,7 @@ Recovery::Recovery(Document& document, QString folder, QObject* parent)
     m_lock->setStaleLockTime(0); // only a process that is gone makes it stale
     m_lock->tryLock(0);
     m_soon.setSingleShot(true);
-    m_soon.setInterval(1000);
+    m_soon.setInterval(1000 * std::clamp(QSettings().value(secondsKey, 1).toInt(), leastSeconds, mostSeconds));
     connect(&m_soon, &QTimer::timeout, this, &Recovery::write);
     connect(&m_document, &Document::changed, this, &Recovery::follow);
     connect(&m_document, &Document::modifiedChanged, this, &Recovery::follow);
@@ -72,6 +74,12 @@ Recovery::~Recovery()
     m_runner.reset(); // waits for a copy that is being written
     QFile::remove(m_copy);
     m_lock.reset();
+}
+
+void Recovery::setSeconds(int seconds)
+{
+    m_soon.setInterval(1000 * std::clamp(seconds, leastSeconds, mostSeconds)); // a running timer starts anew
+    QSettings().setValue(secondsKey, this->seconds());
 }
 
 void Recovery::follow()

@@ -12,8 +12,9 @@
 
 namespace mirrorball::studio {
 
-/// Keeps a copy of unsaved changes beside the user's files, a second after they were made, and finds the copies that a program left which
-/// did not end by itself. A copy appears whole or not at all, and goes when its document is saved or closed.
+/// Keeps a copy of unsaved changes beside the user's files, a second - or as many as somebody prefers - after they were made, and finds the
+/// copies that a program left which did not end by itself. A copy appears whole or not at all, and goes when its document is saved or
+/// closed.
 class Recovery : public QObject {
     Q_OBJECT
 
@@ -33,6 +34,12 @@ public:
     /// Makes a copy the document, unsaved. @throws FileError
     void restore(const Found& found);
     void discard(const Found& found);
+
+    static constexpr int leastSeconds = 1, mostSeconds = 600;
+    /// How long after a change its copy is written.
+    int seconds() const { return m_soon.interval() / 1000; }
+    /// From now on and in the next run. @param seconds  brought into leastSeconds to mostSeconds
+    void setSeconds(int seconds);
 
     const QString& copyPath() const { return m_copy; }
     static QString defaultFolder();

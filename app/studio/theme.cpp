@@ -24,6 +24,7 @@ QLabel[role="heading"] { color: #f0f0f0; font-weight: bold; padding-top: 10px; p
 QLabel[role="footnote"] { color: #a8a8a8; }
 QPushButton[role="badge"] { background: rgba(20, 20, 20, 200); color: #f0f0f0; border: 1px solid #606060; border-radius: 4px; padding: 3px 8px; }
 QPushButton[role="badge"]:hover, QPushButton[role="badge"]:focus { border-color: #b0b0b0; }
+QWidget[role="pictureLabel"] { background: rgba(20, 20, 20, 200); color: #f0f0f0; border-radius: 4px; padding: 3px 8px; }
 QFrame[role="notice"] { background: #4a3a1e; }
 QFrame[role="tour"] { background: #2f3a2c; }
 QFrame[role="notice"] QLabel { color: #f5e3bd; }

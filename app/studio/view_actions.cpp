@@ -1,36 +1,28 @@
 #include "view_actions.h"
 
+#include "command_keys.h"
 #include "theme.h"
 #include "widgets/controls/text.h"
 #include "widgets/panels/view_panel.h"
 
+#include <QCoreApplication>
 #include <QSettings>
 #include <QToolButton>
 #include <QWidgetAction>
 
 namespace mirrorball::studio {
 
-namespace {
-
-/// Whether a key is one that is typed in texts, too.
-bool isPlainKey(const QKeySequence& key)
-{
-    return key.count() == 1 && !(key[0].keyboardModifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) &&
-           key[0].key() < Qt::Key_Escape; // letters, digits and signs; what has no letter comes after
-}
-
-} // namespace
-
 ViewActions::ViewActions(PreviewWidget& preview, Workspace& workspace, QObject* parent)
     : QObject(parent), m_preview(preview), m_workspace(workspace), m_geometry(this), m_shading(this), m_projection(this),
-      m_background(this), m_compare(this), m_turn(this)
+      m_background(this), m_compare(this), m_turn(this), m_mouse(this)
 {
     makeGeometry();
     makeShading();
     makeCamera();
     makeBackground();
     makeComparison();
-    makeTurn();
+    makeHabits();
+    makeInspection();
     connect(&m_workspace.document, &Document::changed, this, &ViewActions::refresh);
     refresh();
 }
@@ -72,6 +64,8 @@ void ViewActions::popUp(const QPoint& global, const QList<QAction*>& others)
     menu->addSeparator();
     menu->addAction(m_snapshot);
     menu->addActions(m_compare.actions());
+    menu->addSeparator();
+    menu->addActions(m_inspect);
     menu->addSeparator();
     menu->addActions(others);
     menu->popup(global);
@@ -201,29 +195,65 @@ void ViewActions::makeComparison()
             {});
     compare(Comparison::Wipe, "compare.wipe", "compare-wipe", tr("&Wipe"), tr("Snapshot on the left, now on the right; drag the line"),
             QKeySequence(Qt::Key_W));
+    compare(Comparison::SideBySide, "compare.side", "compare-side", tr("Si&de by side"),
+            tr("Snapshot on the left and now on the right, each whole"), QKeySequence(Qt::Key_S));
     compare(Comparison::Difference, "compare.difference", "compare-difference", tr("&Difference"),
             tr("Difference to the snapshot, four times as bright"), QKeySequence(Qt::Key_D));
 }
 
-// A habit of the hand, not of the scene: it is kept with the settings and not undone.
-void ViewActions::makeTurn()
+/// One of several habits of the hand, not of the scene: it is kept with the settings and not undone.
+void ViewActions::addHabit(QActionGroup& group, const QString& id, const char* iconName, const QString& text, const QString& help,
+                           std::function<void()> use)
 {
-    const QString key = QStringLiteral("preview/turnGesture");
-    const QString kept = QSettings().value(key).toString();
-    const auto gesture = [&](TurnGesture turn, const char* id, const QString& text) {
-        QAction* action = add(id, "background-environment", text, tr("Dragging so turns the environment"), {}, [this, turn, key, id] {
-            m_preview.setTurnGesture(turn);
-            QSettings().setValue(key, QLatin1String(id));
+    const QString key = QStringLiteral("preview/%1Gesture").arg(id.section(u'.', 0, 0));
+    QAction* action = add(id.toLatin1().constData(), iconName, text, help, {}, [use, key, id] {
+        use();
+        QSettings().setValue(key, id);
+    });
+    action->setCheckable(true);
+    group.addAction(action);
+    const bool isKept = QSettings().value(key).toString() == id;
+    if (isKept)
+        use();
+    action->setChecked(isKept || group.actions().size() == 1); // the first is what it is at first
+}
+
+void ViewActions::makeHabits()
+{
+    const auto turn = [&](TurnGesture gesture, const char* id, const QString& text) {
+        addHabit(m_turn, QLatin1String(id), "background-environment", text, tr("Dragging so turns the environment"),
+                 [this, gesture] { m_preview.setTurnGesture(gesture); });
+    };
+    turn(TurnGesture::ShiftRight, "turn.shift-right", tr("Shift and right drag"));
+    turn(TurnGesture::ControlLeft, "turn.control-left", tr("Ctrl and left drag"));
+    turn(TurnGesture::ControlMiddle, "turn.control-middle", tr("Ctrl and middle drag"));
+    for (const MousePreset& preset : mousePresets)
+        addHabit(m_mouse, QStringLiteral("mouse.") + QLatin1String(preset.id), "view",
+                 QCoreApplication::translate("MousePresets", preset.title), tr("Dragging so moves the camera"),
+                 [this, &preset] { m_preview.setMousePreset(preset); });
+}
+
+// How somebody works, too.
+void ViewActions::makeInspection()
+{
+    const QString key = QStringLiteral("preview/inspect");
+    PictureInspector& inspector = m_preview.inspector();
+    inspector.setInspections(Inspections::fromInt(QSettings().value(key).toUInt()));
+    const auto inspect = [&](Inspect what, const char* id, const char* iconName, const QString& text, const QString& help,
+                             Qt::Key shortcut) {
+        QAction* action = add(id, iconName, text, help, QKeySequence(shortcut), [&inspector, what, key] {
+            inspector.setInspections(inspector.inspections() ^ what);
+            QSettings().setValue(key, inspector.inspections().toInt());
         });
         action->setCheckable(true);
-        m_turn.addAction(action);
-        if (kept == QLatin1String(id))
-            m_preview.setTurnGesture(turn);
-        action->setChecked(m_preview.turnGesture() == turn);
+        action->setChecked(inspector.inspections().testFlag(what));
+        m_inspect << action;
     };
-    gesture(TurnGesture::ShiftRight, "turn.shift-right", tr("Shift and right drag"));
-    gesture(TurnGesture::ControlLeft, "turn.control-left", tr("Ctrl and left drag"));
-    gesture(TurnGesture::ControlMiddle, "turn.control-middle", tr("Ctrl and middle drag"));
+    inspect(Inspect::Values, "inspect.values", "eyedropper", tr("Pixel &values"),
+            tr("Tell the light, display value, direction and level of the pixel under the mouse"), Qt::Key_I);
+    inspect(Inspect::Histogram, "inspect.histogram", "report", tr("&Histogram"), tr("Show how often each display value occurs"), Qt::Key_H);
+    inspect(Inspect::Clipping, "inspect.clipping", "warning", tr("&Clipping"),
+            tr("Mark where exposed light is above 1, red, or below 0, blue"), Qt::Key_C);
 }
 
 void ViewActions::addTo(QMenu& menu)
@@ -235,6 +265,8 @@ void ViewActions::addTo(QMenu& menu)
     submenu(tr("&Projection"), m_projection.actions());
     submenu(tr("&Background"), m_background.actions());
     submenu(tr("&Compare"), QList<QAction*>{m_snapshot} + m_compare.actions());
+    submenu(tr("&Inspect"), m_inspect);
+    submenu(tr("&Move the camera by"), m_mouse.actions());
     submenu(tr("&Turn the environment by"), m_turn.actions());
     menu.addSeparator();
     menu.addActions(m_camera);
@@ -272,6 +304,8 @@ void ViewActions::addTo(QToolBar& bar)
     bar.addSeparator();
     bar.addAction(m_snapshot);
     bar.addActions(m_compare.actions());
+    bar.addSeparator();
+    bar.addActions(m_inspect);
 }
 
 void ViewActions::refresh()

@@ -36,19 +36,22 @@ private:
     /// An action that is checked while `isOn` holds of the scene.
     QAction* addChoice(QActionGroup& group, const char* id, const char* iconName, const QString& text, const QKeySequence& key,
                        const QString& undoLabel, std::function<void(Scene&)> choose, std::function<bool(const Scene&)> isOn);
+    void addHabit(QActionGroup& group, const QString& id, const char* iconName, const QString& text, const QString& help,
+                  std::function<void()> use);
     void makeGeometry();
     void makeShading();
     void makeCamera();
     void makeBackground();
     void makeComparison();
-    void makeTurn();
+    void makeHabits();
+    void makeInspection();
     void refresh();
     void say();
 
     PreviewWidget& m_preview;
     Workspace& m_workspace;
-    QActionGroup m_geometry, m_shading, m_projection, m_background, m_compare, m_turn;
-    QList<QAction*> m_camera, m_exposure, m_plainKeys;
+    QActionGroup m_geometry, m_shading, m_projection, m_background, m_compare, m_turn, m_mouse;
+    QList<QAction*> m_camera, m_exposure, m_inspect, m_plainKeys;
     QAction* m_lookup = nullptr;
     QAction* m_snapshot = nullptr;
     QVector<std::pair<QAction*, std::function<bool(const Scene&)>>> m_choices;

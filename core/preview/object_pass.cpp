@@ -182,6 +182,7 @@ void Renderer::Resources::drawDebug(const RenderSettings& settings, const Render
                                          {"HAS_TEXCOORD", settings.shading == Shading::TexCoords ? "1" : "0"},
                                          {"SPHERE_VERTEX", "0"},
                                          {"ENCODED", settings.display && output == Output::Display ? "1" : "0"},
+                                         {"LEVEL_VALUE", output == Output::Values ? "1" : "0"},
                                          {"HAS_SPECULAR", hasLevels ? "1" : "0"}};
     if (settings.shading == Shading::Seams)
         defines.emplace_back("SEAMS_OF", number(static_cast<int>(settings.seamsOf)));
@@ -203,6 +204,20 @@ void Renderer::Resources::drawDebug(const RenderSettings& settings, const Render
     drawMesh(settings, shader);
     if (settings.shading == Shading::NormalLines || settings.shading == Shading::Bounds)
         drawLines(settings, output);
+}
+
+// As drawBuffers().
+void Renderer::Resources::drawLevel(const RenderSettings& settings, const RenderMaps& maps, const RenderTarget& target, glm::ivec2 corner)
+{
+    RenderSettings levels = settings;
+    levels.shading = Shading::Mips;
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+    glViewport(-corner.x, -corner.y, settings.width, settings.height);
+    glDisable(GL_SCISSOR_TEST);
+    beginDrawing(target);
+    drawDebug(levels, maps, Output::Values);
+    glDisable(GL_DEPTH_TEST);
+    glUseProgram(0);
 }
 
 // A viewport that begins left of and below the target moves one pixel of the picture to its (0, 0), on the same grid of samples.

@@ -11,7 +11,11 @@
 
 namespace mirrorball::preview {
 
-enum class Output { Display, Radiance };
+enum class Output {
+    Display,
+    Radiance,
+    Values, ///< of a debug view: the numbers that its colors stand for
+};
 
 /// What a renderer keeps in its context, and the passes that a picture is made of. Only the renderer's own files know it.
 struct Renderer::Resources {
@@ -27,7 +31,7 @@ struct Renderer::Resources {
     DisplayTables displayTables{};
     Geometry geometry{};
     std::unique_ptr<MeshBuffer> meshBuffer{};
-    RenderTarget objectTarget{}, pictureTarget{}, bufferTarget{}, pickTarget{}, placesTarget{};
+    RenderTarget objectTarget{}, pictureTarget{}, bufferTarget{}, pickTarget{}, levelTarget{}, placesTarget{};
 
     const MeshBuffer& mesh(const Geometry& wanted);
     RenderTarget& target(RenderTarget& slot, int width, int height, int samples, GLenum colorFormat, int count, GLenum depthFormat);
@@ -47,6 +51,8 @@ struct Renderer::Resources {
     void drawLines(const RenderSettings& settings, Output output); ///< line_pass.cpp: those of Shading::NormalLines and Shading::Bounds
     /// edge_pass.cpp: shades the edges inside of the object, which has been drawn, sample by sample.
     void smoothEdges(const RenderSettings& settings, const RenderMaps& maps, Output output, const RenderTarget& object);
+    /// The levels that the specular lookups of some pixels read, to a target of those. @param corner pixel of the picture at (0, 0)
+    void drawLevel(const RenderSettings& settings, const RenderMaps& maps, const RenderTarget& target, glm::ivec2 corner);
     /// Position, normal, direction and, with five, what else a SurfaceHit holds. @param corner pixel of the picture at (0, 0)
     void drawBuffers(const RenderSettings& settings, const RenderTarget& target, glm::ivec2 corner);
     /// Places in the painted sphere map, to a target of two channels.

@@ -190,6 +190,22 @@ std::optional<SurfaceHit> Renderer::pick(const RenderSettings& settings, int x, 
     return SurfaceHit{.position = position, .normal = read(1), .texCoord = glm::vec2(read(3)), .reflected = read(4), .lookup = read(2)};
 }
 
+std::optional<float> Renderer::level(const RenderSettings& settings, const RenderMaps& maps, int x, int y)
+{
+    validate(settings);
+    checkPixel(settings, x, y);
+    if (!neededMaps(settings).specular || settings.material.hasBrdf || !maps.specular || maps.specular->size() < 2)
+        return std::nullopt;
+    Resources& r = resources();
+    // A footprint is a difference inside of a quad of 2 x 2 pixels: the same quad as in the whole picture.
+    const RenderTarget& quad = r.target(r.levelTarget, 2, 2, 1, GL_RGBA32F, 1, GL_DEPTH_COMPONENT32F);
+    const glm::ivec2 pixel(x, settings.height - 1 - y), corner = pixel & ~1;
+    r.drawLevel(settings, maps, quad, corner);
+    const Image levels = readImage(quad);
+    const float* level = levels.texel(pixel.x - corner.x, 1 - (pixel.y - corner.y));
+    return level[3] == 0.0f ? std::nullopt : std::optional(level[0]);
+}
+
 DiscPlaces Renderer::discPlaces(const RenderSettings& settings, SphereMapIndex index)
 {
     validate(settings);

@@ -71,6 +71,10 @@ public:
     /// What one pixel of the picture shows, x and y from the upper left; nothing beside the object. Draws that pixel only.
     std::optional<SurfaceHit> pick(const RenderSettings& settings, int x, int y);
 
+    /// The mip level that the specular lookup of one pixel reads, x and y from the upper left, as Shading::Mips colors it; nothing beside
+    /// the object, where no specular map of levels is read, or where a BRDF reads several of them. Draws that pixel only.
+    std::optional<float> level(const RenderSettings& settings, const RenderMaps& maps, int x, int y);
+
     /// Where each pixel looks a painted sphere map up that is indexed so; through a window, the nearest layer outside. One sample per
     /// pixel.
     DiscPlaces discPlaces(const RenderSettings& settings, SphereMapIndex index);

@@ -36,7 +36,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Lobe error</source>
+        <source>Snapshots</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2758,6 +2758,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>into a ggx chain that stand for the lobe at each angle of view; 0: the split sum of engines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>lookups</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2767,30 +2771,6 @@
     </message>
     <message>
         <source>satin-lacquer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>filament</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>fitted</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>fitted: how many into a ggx chain stand for the lobe at each angle of view; 0: the split sum</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>fitted: lookups that are fitted to the lobe; split-sum, three, filament: what those show, to compare</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>split-sum</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>three</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2858,6 +2838,21 @@
     </message>
     <message>
         <source>Everything that can be opened (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>MousePresets</name>
+    <message>
+        <source>Left orbits, middle pans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt and left orbit, middle pan, right zoom (Maya, Substance)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Middle orbits, with Shift pans, with Ctrl zooms (Blender)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3079,6 +3074,21 @@
     </message>
     <message>
         <source>Enter or click runs the command, or goes to the control</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::ComparisonLabels</name>
+    <message>
+        <source>A: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>B: now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>4 |A − B|, A: %1, B: now</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4262,77 +4272,6 @@
     </message>
 </context>
 <context>
-    <name>mirrorball::studio::LobeErrorPanel</name>
-    <message>
-        <source>Lookups: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Copy command</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Errors of the lookups</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>rel_rms by angle of view, in degrees: 0.01 is a hundredth of the light, all over the sphere</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Measuring</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Copies the command line that measures the same</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The material is measured once it has come to rest.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Error over angle of view</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How far the light that lookups give is from the integral of the BRDF over the probe, by the angle between surface normal and view; further down is more accurate</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>rel_rms</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>angle of view, degrees</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The material has no BRDF: its specular lobe is the round one that the map holds. Choose a BRDF in the Material panel.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The probe is too large to be held whole; the command line measures it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Measuring %1…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Lookups</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1°</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1: error against the sum over every texel of the probe, averaged to %2 rows.</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>mirrorball::studio::MainWindow</name>
     <message>
         <source>Picture</source>
@@ -4464,6 +4403,14 @@
     </message>
     <message>
         <source>picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>P&amp;references…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys of commands, drags in the picture, how soon unsaved changes are kept</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5116,6 +5063,41 @@ The picture shows what was read before. It follows when the file is there again;
     </message>
 </context>
 <context>
+    <name>mirrorball::studio::PictureInspector</name>
+    <message>
+        <source>Histogram of the display values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pixel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>display</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clipped: looking…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 % above 1, %2 % below 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>mirrorball::studio::PictureQuestion</name>
     <message>
         <source>Reading the picture…</source>
@@ -5198,6 +5180,121 @@ The picture shows what was read before. It follows when the file is there again;
     </message>
     <message>
         <source>Last update: %1. Left out: %2 of %3 stages.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::PreferencesDialog</name>
+    <message>
+        <source>&amp;Reset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;No key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find a command or a key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows the commands that have these letters in their name or their keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a command, then press its new key in the field below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press the key that the chosen command is to have</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the chosen command the key that it has at first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave the chosen command without a key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset &amp;all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give every command the key that it has at first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New &amp;key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which drags in the picture move the camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the environment by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which drag in the picture turns the environment; it goes before the camera&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The wheel zooms. While a sphere map is painted on the model, left paints and right changes the brush; with Alt they move the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep unsaved changes after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How long after a change a copy of the scene is kept, which is offered again if the program or the machine stops</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 belongs to &quot;%2&quot;: give that another key first</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5681,6 +5778,104 @@ The picture shows what was read before. It follows when the file is there again;
     </message>
     <message>
         <source>Choose one that is built in</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::Snapshots</name>
+    <message>
+        <source>Snapshot %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measuring…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rel_rms %1, PSNR %2 dB, SSIM %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::SnapshotsPanel</name>
+    <message>
+        <source>Snapshots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The chosen one is A, which is compared with what is shown now; F2 renames it, Delete takes it off the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the chosen snapshot, A, is compared with what is shown now, B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The snapshot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wipe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the display values (sRGB, 0 to 1) of the two pictures as they are shown, A being the reference: relative root mean square, peak signal to noise, structural similarity of the luma</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the scene what the chosen snapshot keeps, seen from where the camera is now; undo takes it back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the chosen snapshot another name (F2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the chosen snapshot off the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No snapshot is kept: Ctrl+K keeps what is shown, to be compared with what comes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wipe, side by side and difference say how far B is from A.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring back %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6473,6 +6668,50 @@ The picture shows what was read before. It follows when the file is there again;
     </message>
     <message>
         <source>One color</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Si&amp;de by side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Snapshot on the left and now on the right, each whole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dragging so moves the camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pixel &amp;values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tell the light, display value, direction and level of the pixel under the mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Histogram</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show how often each display value occurs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Clipping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark where exposed light is above 1, red, or below 0, blue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Inspect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Move the camera by</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

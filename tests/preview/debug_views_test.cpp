@@ -3,6 +3,7 @@
 #include "gl_fixture.h"
 #include "test_environments.h"
 
+#include "core/base/error.h"
 #include "core/image/mip_pyramid.h"
 
 #include <cmath>
@@ -168,6 +169,33 @@ TEST_F(DebugViews, MipLevelsAreThoseThatTheLookupReads)
             EXPECT_EQ(compared, 400);
         }
     }
+}
+
+// Drawn alone, a pixel reads the level whose color it has in the whole picture.
+TEST_F(DebugViews, TheLevelOfAPixelIsWhatItsColorStandsFor)
+{
+    Renderer renderer;
+    const MapLevels levels = pyramid({Parameterization::Latlong, 64, 0});
+    RenderSettings settings = view(Shading::Mips, GeometryKind::Sphere);
+    const Image picture = renderer.renderRadiance(settings, {levels, {}, {}});
+    settings.shading = Shading::Material;
+    int shown = 0;
+    for (int y = 5; y < settings.height; y += 10)
+        for (int x = 5; x < settings.width; x += 10) {
+            const std::optional<float> level = renderer.level(settings, {levels, {}, {}}, x, y);
+            ASSERT_EQ(level.has_value(), picture.texel(x, y)[3] == 1.0f) << x << " " << y;
+            if (level) {
+                EXPECT_LT(glm::distance(at(picture, x, y), glm::dvec3(levelColor(*level))), 1e-3) << x << " " << y;
+                ++shown;
+            }
+        }
+    EXPECT_GT(shown, 20);
+    EXPECT_THROW(renderer.level(settings, {levels, {}, {}}, settings.width, 0), InvalidArgument);
+
+    const auto one = std::make_shared<const std::vector<EnvironmentMap>>(std::vector{levels->front()});
+    EXPECT_FALSE(renderer.level(settings, {one, {}, {}}, 80, 60)); // a map without levels has none to read
+    settings.material.hasBrdf = true;
+    EXPECT_FALSE(renderer.level(settings, {levels, {}, {}}, 80, 60)); // a BRDF reads several
 }
 
 TEST_F(DebugViews, LevelColoursOfShaderAndCoreAgree)

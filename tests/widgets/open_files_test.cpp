@@ -1,5 +1,6 @@
 #include "open_files_test.h"
 
+#include "file_dialog_answer.h"
 #include "studio_window.h"
 #include "widget_driver.h"
 
@@ -54,43 +55,11 @@ struct Files {
     QStringList all() const { return {scene, probe, mesh, sphereMap, material}; }
 };
 
-/// Answers the file dialog that comes up next, by typing a path and Enter; what it showed at first is kept.
-class Answer {
-public:
-    explicit Answer(QString path) : m_path(std::move(path))
-    {
-        m_timer.setInterval(20);
-        QObject::connect(&m_timer, &QTimer::timeout, [this] { answer(); });
-        m_timer.start();
-    }
-    QString folder() const { return m_folder; }
-    bool isDone() const { return m_isDone; }
-
-private:
-    void answer()
-    {
-        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-        if (!dialog || m_isDone)
-            return;
-        m_isDone = true;
-        m_folder = dialog->directory().absolutePath();
-        auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-        name->setText(m_path);
-        QTest::keyClick(name, Qt::Key_Return);
-        if (dialog->isVisible()) // a completer took the key
-            QMetaObject::invokeMethod(dialog, "accept", Qt::QueuedConnection);
-    }
-
-    QString m_path, m_folder;
-    bool m_isDone = false;
-    QTimer m_timer;
-};
-
 /// Ctrl+O, as the user does it.
 QString openByKeys(StudioWindow& window, const QString& path)
 {
     QApplication::setActiveWindow(&*window); // as a window manager would, when the dialog before has closed
-    Answer answer(path);
+    FileDialogAnswer answer(path);
     QTest::keyClick(&*window, Qt::Key_O, Qt::ControlModifier);
     return answer.isDone() ? answer.folder() : QStringLiteral("no dialog");
 }
@@ -239,7 +208,7 @@ void OpenFilesTest::dialogsRememberTheirFolders()
         window.show();
         openByKeys(window, files.probe);
         QCOMPARE(openByKeys(window, files.mesh), fromPath(files.folder.path()));
-        Answer save(fromPath(pictures / "a.png"));
+        FileDialogAnswer save(fromPath(pictures / "a.png"));
         QTest::keyClick(&*window, Qt::Key_F12);
         QVERIFY(save.isDone());
         QTRY_VERIFY_WITH_TIMEOUT(std::filesystem::exists(pictures / "a.png"), 60000);

@@ -8,14 +8,13 @@
 
 namespace mirrorball::studio {
 
-/// How a kept picture is compared with the live one.
-enum class Comparison { Off, Hold, Wipe, Difference };
-
 /// |A - B| of two display pictures, amplified. Belongs to the context that is current when it first draws.
 class PictureDifference {
 public:
     /// Targets for the two pictures, of the size asked for. @return the framebuffer to draw A (0) or B (1) into
     unsigned target(int index, int width, int height);
+    /// What was drawn into it last.
+    const preview::RenderTarget& drawn(int index) const { return m_targets[index]; }
     /// Lays gain |A - B| into the framebuffer.
     void draw(unsigned framebuffer, float gain);
 

@@ -7,9 +7,8 @@
 #include "core/preview/scene_settings.h"
 #include "core/scene/scene_dependencies.h"
 
-#include <QMouseEvent>
+#include <QKeyEvent>
 #include <QPainter>
-#include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -18,9 +17,6 @@
 namespace mirrorball::studio {
 
 namespace {
-
-constexpr double degreesPerPixel = 0.4;
-constexpr int wipeGrip = 6; ///< pixels to either side of the line
 
 /// What the places of lookups in a painted sphere map depend on.
 preview::RenderSettings placesOnly(const preview::RenderSettings& settings)
@@ -36,7 +32,9 @@ preview::RenderSettings placesOnly(const preview::RenderSettings& settings)
 
 } // namespace
 
-PreviewWidget::PreviewWidget(Workspace& workspace, QWidget* parent) : QWidget(parent), m_workspace(workspace)
+PreviewWidget::PreviewWidget(Workspace& workspace, QWidget* parent)
+    : QWidget(parent), m_workspace(workspace), m_meter(workspace.snapshots, m_thread, this),
+      m_labels(new ComparisonLabels(workspace.snapshots, *this)), m_inspector(new PictureInspector(m_thread, *this))
 {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
@@ -86,7 +84,12 @@ PreviewWidget::PreviewWidget(Workspace& workspace, QWidget* parent) : QWidget(pa
         if (!m_isPointing)
             redraw();
     });
+    connect(&m_workspace.snapshots, &Snapshots::comparisonChanged, this, [this] {
+        redraw();
+        emit comparisonChanged();
+    });
     connect(&m_thread, &RenderThread::drawn, this, &PreviewWidget::show);
+    connect(m_inspector, &PictureInspector::marksChanged, this, qOverload<>(&QWidget::update));
     new PictureBadges(m_workspace, *this);
 }
 
@@ -96,11 +99,25 @@ QSize PreviewWidget::deviceSize() const
     return {std::max(1, static_cast<int>(std::lround(width() * ratio))), std::max(1, static_cast<int>(std::lround(height() * ratio)))};
 }
 
+/// Of one scene's picture in device pixels: side by side, two of them share the widget.
+QSize PreviewWidget::sceneSize() const
+{
+    const QSize whole = deviceSize();
+    return comparison() == Comparison::SideBySide ? QSize(std::max(1, whole.width() / 2), whole.height()) : whole;
+}
+
+/// The place in the picture of now, in device pixels; nothing where side by side the snapshot is shown.
+std::optional<QPointF> PreviewWidget::nowPixel(const QPointF& position) const
+{
+    const QPointF pixel = position * devicePixelRatioF() - QPointF(deviceSize().width() - sceneSize().width(), 0.0);
+    return pixel.x() < 0.0 ? std::nullopt : std::optional(pixel);
+}
+
 // The maps are of the scene that was made; what needs no map is of this moment.
 preview::RenderSettings PreviewWidget::settings(const PreparedScene& made) const
 {
     Scene shown = shownNow(made.scene, m_workspace.document.scene());
-    const QSize size = deviceSize();
+    const QSize size = sceneSize();
     shown.view.width = size.width();
     shown.view.height = size.height();
     preview::RenderSettings settings = preview::renderSettings(shown, made.plan, made.mesh, made.display);
@@ -131,13 +148,20 @@ void PreviewWidget::order()
     const std::shared_ptr<const PreparedScene> made = m_workspace.live.made();
     if (!made || !isVisible())
         return; // the first maps, or being shown, ask again
-    PictureOrder order{.made = made, .settings = settings(*made), .comparison = m_comparison};
-    if (m_comparison != Comparison::Off) {
-        order.snapshot = m_snapshot;
-        order.snapshotSettings = settings(*m_snapshot);
+    PictureOrder order{.made = made, .settings = settings(*made), .size = deviceSize(), .comparison = comparison()};
+    if (order.comparison != Comparison::Off) {
+        order.snapshot = m_workspace.snapshots.compared()->made;
+        order.snapshotSettings = settings(*order.snapshot);
         order.wipe = static_cast<int>(std::lround(m_wipe * order.settings.width));
     }
     order.number = m_ordered.number;
+    if (m_workspace.document.isDragging() || m_workspace.sphereMap.isPainting()) {
+        m_meter.wait();
+        m_inspector->wait();
+    } else {
+        m_meter.measure(order);
+        m_inspector->inspect(order);
+    }
     if (!patchSphereMap(*made) && order == m_ordered)
         return; // it is being drawn, or shown
     ++order.number;
@@ -157,6 +181,9 @@ void PreviewWidget::show(const Picture& picture)
     m_workspace.notices.clear(QStringLiteral("preview"));
     m_picture = picture;
     m_picture.image.setDevicePixelRatio(devicePixelRatioF());
+    m_inspector->setPicture(m_picture);
+    if (underMouse() && m_inspector->inspections().testFlag(Inspect::Values) && !m_pointing.isActive())
+        m_pointing.start(); // something else may be there now
     m_isNew = true;
     update();
 }
@@ -172,11 +199,12 @@ void PreviewWidget::paintEvent(QPaintEvent*)
         paintChequer(painter, size());
     if (m_picture.image.size() == deviceSize()) {
         painter.drawImage(0, 0, m_picture.image);
+        painter.drawImage(rect(), m_inspector->marks());
     } else {
         paintInPlaceOf(painter, m_picture.image, size());
         redraw();
     }
-    if (m_comparison == Comparison::Wipe)
+    if (comparison() == Comparison::Wipe)
         paintWipeLine(painter, m_wipe * width(), height());
     if (std::exchange(m_isNew, false))
         emit painted(m_picture.order.made, m_picture.seconds);
@@ -224,131 +252,27 @@ void PreviewWidget::resetExposure()
 
 void PreviewWidget::takeSnapshot()
 {
-    m_snapshot = m_workspace.live.made();
-    if (m_comparison != Comparison::Off)
-        redraw();
-    emit comparisonChanged();
+    if (const auto made = m_workspace.live.made())
+        m_workspace.snapshots.keep(made, comparison() == Comparison::Off ? m_picture.image : QImage()); // the meter draws it alone, else
 }
 
-void PreviewWidget::setComparison(Comparison comparison)
-{
-    m_comparison = m_snapshot ? comparison : Comparison::Off;
-    redraw();
-    emit comparisonChanged();
-}
+void PreviewWidget::setComparison(Comparison comparison) { m_workspace.snapshots.setComparison(comparison); }
 
 void PreviewWidget::setWipe(double fraction)
 {
     m_wipe = std::clamp(fraction, 0.0, 1.0);
+    m_labels->setWipe(m_wipe);
     redraw();
-}
-
-bool PreviewWidget::isOnWipe(const QPointF& position) const
-{
-    return m_comparison == Comparison::Wipe && std::abs(position.x() - m_wipe * width()) <= wipeGrip;
-}
-
-void PreviewWidget::mousePressEvent(QMouseEvent* event)
-{
-    m_last = event->position();
-    if (isTurn(*event))
-        m_drag = Drag::TurnEnvironment;
-    else if (event->button() == Qt::LeftButton)
-        m_drag = isOnWipe(m_last) ? Drag::Wipe : Drag::Orbit;
-    else if (event->button() == Qt::MiddleButton)
-        m_drag = Drag::Pan;
-}
-
-bool PreviewWidget::isTurn(const QMouseEvent& event) const
-{
-    switch (m_turnGesture) {
-    case TurnGesture::ShiftRight:
-        return event.button() == Qt::RightButton && event.modifiers().testFlag(Qt::ShiftModifier);
-    case TurnGesture::ControlLeft:
-        return event.button() == Qt::LeftButton && event.modifiers().testFlag(Qt::ControlModifier);
-    case TurnGesture::ControlMiddle:
-        return event.button() == Qt::MiddleButton && event.modifiers().testFlag(Qt::ControlModifier);
-    }
-    return false;
-}
-
-void PreviewWidget::mouseMoveEvent(QMouseEvent* event)
-{
-    const QPointF moved = event->position() - m_last;
-    m_last = event->position();
-    if (m_drag != Drag::None) {
-        drag(moved);
-        return;
-    }
-    const bool paints = m_workspace.sphereMap.paintsOnModel() && m_workspace.sphereMap.map();
-    setCursor(isOnWipe(m_last) ? Qt::SplitHCursor : paints ? Qt::CrossCursor : Qt::ArrowCursor);
-    if (!m_pointing.isActive())
-        m_pointing.start();
-}
-
-void PreviewWidget::drag(const QPointF& moved)
-{
-    Document& document = m_workspace.document;
-    switch (m_drag) {
-    case Drag::None:
-        return;
-    case Drag::Orbit:
-        document.edit(tr("Orbit"), QStringLiteral("view.camera.orbit"), [&](Scene& scene) {
-            CameraSettings& camera = scene.view.camera;
-            camera.yawDeg = std::remainder(camera.yawDeg - degreesPerPixel * moved.x(), 360.0);
-            camera.pitchDeg = std::clamp(camera.pitchDeg + degreesPerPixel * moved.y(), -90.0, 90.0);
-        });
-        return;
-    case Drag::Pan: {
-        const auto made = m_workspace.live.made();
-        if (!made)
-            return;
-        const preview::Camera camera = settings(*made).camera;
-        const double perPixel = 2.0 * static_cast<double>(camera.distance * camera.halfExtent(1.0f).y) / std::max(1, height());
-        const glm::dmat3 axes(camera.cameraToWorld());
-        document.edit(tr("Pan"), QStringLiteral("view.camera.pan"), [&](Scene& scene) {
-            glm::dvec3& target = scene.view.camera.target;
-            target = glm::clamp(target + perPixel * (-moved.x() * axes[0] + moved.y() * axes[1]), -1000.0, 1000.0);
-        });
-        return;
-    }
-    case Drag::TurnEnvironment:
-        document.edit(tr("Turn the environment"), QStringLiteral("probe.yaw"),
-                      [&](Scene& scene) { scene.probe.yawDeg = std::remainder(scene.probe.yawDeg + degreesPerPixel * moved.x(), 360.0); });
-        return;
-    case Drag::Wipe:
-        setWipe(m_last.x() / std::max(1, width()));
-        return;
-    }
-}
-
-void PreviewWidget::mouseReleaseEvent(QMouseEvent*)
-{
-    if (m_drag == Drag::None)
-        return;
-    m_drag = Drag::None;
-    m_workspace.document.finishEdit();
-}
-
-void PreviewWidget::wheelEvent(QWheelEvent* event)
-{
-    const double notches = event->angleDelta().y() / 120.0;
-    m_workspace.document.edit(tr("Zoom"), QStringLiteral("view.camera.zoom"), [&](Scene& scene) {
-        double& distance = scene.view.camera.distance;
-        distance = std::clamp(distance * std::pow(0.9, notches), 0.05, 100.0);
-    });
-    m_rest.start();
-    event->accept();
 }
 
 void PreviewWidget::keyPressEvent(QKeyEvent* event)
 {
-    if (event->key() != Qt::Key_B || event->modifiers() != Qt::NoModifier || !m_snapshot) {
+    if (event->key() != Qt::Key_B || event->modifiers() != Qt::NoModifier || !hasSnapshot()) {
         QWidget::keyPressEvent(event);
         return;
     }
     if (!event->isAutoRepeat() && !m_beforeHold) {
-        m_beforeHold = m_comparison;
+        m_beforeHold = comparison();
         setComparison(Comparison::Hold);
     }
 }
@@ -367,6 +291,7 @@ void PreviewWidget::leaveEvent(QEvent*)
 {
     m_pointing.stop();
     m_isPointing = false;
+    m_inspector->point({}, {});
     m_workspace.cursor.set(std::nullopt);
 }
 
@@ -380,14 +305,8 @@ std::optional<glm::dvec2> PreviewWidget::discPlaceAt(const QPointF& position, Sp
         m_places = m_thread.discPlaces(wanted.first, index);
         m_placesOf = wanted;
     }
-    const double ratio = devicePixelRatioF();
-    return m_places ? m_places->at(position.x() * ratio, position.y() * ratio) : std::nullopt;
-}
-
-QPoint PreviewWidget::devicePixel(const QPointF& position) const
-{
-    const double ratio = devicePixelRatioF();
-    return {static_cast<int>(position.x() * ratio), static_cast<int>(position.y() * ratio)};
+    const auto pixel = nowPixel(position);
+    return m_places && pixel ? m_places->at(pixel->x(), pixel->y()) : std::nullopt;
 }
 
 // Where the reflection under the mouse comes from: the map shows it. The picture itself needs no mark there.
@@ -396,14 +315,16 @@ void PreviewWidget::point()
     const auto made = m_workspace.live.made();
     if (!made || m_drag != Drag::None || !underMouse() || m_workspace.sphereMap.isPainting())
         return;
-    const QPoint pixel = devicePixel(m_last);
-    m_thread.pick(settings(*made), pixel.x(), pixel.y(), [this](const std::optional<preview::SurfaceHit>& hit) {
+    const QPointF whole = m_last * devicePixelRatioF(), pixel = nowPixel(m_last).value_or(whole); // both are seen from one place
+    const auto use = [this, at = QPoint(static_cast<int>(whole.x()), static_cast<int>(whole.y()))](const PickedPixel& picked) {
         if (m_drag != Drag::None || !underMouse())
             return; // it has gone on
+        m_inspector->point(at, picked);
         m_isPointing = true;
-        m_workspace.cursor.set(hit ? std::optional(glm::dvec3(hit->lookup)) : std::nullopt);
-        m_isPointing = hit.has_value();
-    });
+        m_workspace.cursor.set(picked.hit ? std::optional(glm::dvec3(picked.hit->lookup)) : std::nullopt);
+        m_isPointing = picked.hit.has_value();
+    };
+    m_thread.pick({.made = made, .settings = settings(*made)}, static_cast<int>(pixel.x()), static_cast<int>(pixel.y()), use);
 }
 
 } // namespace mirrorball::studio

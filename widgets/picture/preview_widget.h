@@ -1,5 +1,9 @@
 #pragma once
 
+#include "comparison_labels.h"
+#include "comparison_meter.h"
+#include "mouse_preset.h"
+#include "picture_inspector.h"
 #include "render_thread.h"
 #include "widgets/workspace/workspace.h"
 
@@ -19,10 +23,10 @@ enum class TurnGesture { ShiftRight, ControlLeft, ControlMiddle };
 
 /// The picture, live, as the render thread draws it.
 ///
-/// Left drag orbits, middle drag pans, the wheel zooms, Shift and right drag - or another
+/// Left drag orbits, middle drag pans - or as another MousePreset says -, the wheel zooms, Shift and right drag - or another
 /// TurnGesture - turns the environment. Every move is an edit of the
-/// document's view, one undo step a drag. A snapshot keeps a scene with its maps, to be compared from where the camera is now; while B is
-/// held it is shown.
+/// document's view, one undo step a drag. The snapshot that is A is compared from where the camera is now; while B
+/// is held it is shown.
 class PreviewWidget : public QWidget {
     Q_OBJECT
 
@@ -43,10 +47,13 @@ public:
     /// Samples a pixel while something is dragged or painted; smooth edges follow when that ends. 1 at first: then a painted map is read
     /// without anisotropy, too.
     void setSamplesWhileDragging(int samples) { m_dragSamples = samples; }
+    PictureInspector& inspector() { return *m_inspector; }
     TurnGesture turnGesture() const { return m_turnGesture; }
     void setTurnGesture(TurnGesture gesture) { m_turnGesture = gesture; }
-    bool hasSnapshot() const { return m_snapshot != nullptr; }
-    Comparison comparison() const { return m_comparison; }
+    const MousePreset& mousePreset() const { return m_mouse; }
+    void setMousePreset(const MousePreset& preset) { m_mouse = preset; }
+    bool hasSnapshot() const { return m_workspace.snapshots.compared() != nullptr; }
+    Comparison comparison() const { return m_workspace.snapshots.comparison(); }
     /// Where the wipe's line stands, as a fraction of the width.
     double wipe() const { return m_wipe; }
 
@@ -81,22 +88,28 @@ protected:
     void keyReleaseEvent(QKeyEvent* event) override;
 
 private:
-    enum class Drag { None, Orbit, Pan, TurnEnvironment, Wipe };
+    enum class Drag { None, Orbit, Pan, Zoom, TurnEnvironment, Wipe };
 
     QSize deviceSize() const;
-    QPoint devicePixel(const QPointF& position) const;
+    QSize sceneSize() const;
+    std::optional<QPointF> nowPixel(const QPointF& position) const;
     preview::RenderSettings settings(const PreparedScene& made) const;
     void redraw();
     void order();
     bool patchSphereMap(const PreparedScene& made);
     void show(const Picture& picture);
+    Drag dragOf(const QMouseEvent& event) const;
     bool isTurn(const QMouseEvent& event) const;
+    void zoom(double factor);
     void drag(const QPointF& moved);
     void point();
     bool isOnWipe(const QPointF& position) const;
 
     Workspace& m_workspace;
     RenderThread m_thread;
+    ComparisonMeter m_meter;
+    ComparisonLabels* m_labels;
+    PictureInspector* m_inspector;
     Picture m_picture;
     PictureOrder m_ordered;                ///< the newest
     bool m_isDue = false;                  ///< something changed: an order follows when all of this moment's events are through
@@ -107,12 +120,11 @@ private:
     TexelRect m_freshRect;                 ///< the part of it that the texture does not hold yet
     std::vector<TexelRect> m_strokeLevels; ///< the same of the coarser levels, where they are made by hand
     std::vector<TexelRect> m_freshLevels;
-    std::shared_ptr<const PreparedScene> m_snapshot;
-    Comparison m_comparison = Comparison::Off;
     std::optional<Comparison> m_beforeHold{}; ///< while the key is held that shows the snapshot
     double m_wipe = 0.5;
     int m_dragSamples = 1;
     TurnGesture m_turnGesture = TurnGesture::ShiftRight;
+    MousePreset m_mouse = mousePresets.front();
     Drag m_drag = Drag::None;
     QPointF m_last;
     QTimer m_rest;     ///< runs out when wheel and keys have come to rest

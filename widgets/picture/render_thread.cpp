@@ -63,27 +63,6 @@ QImage readPicture(const preview::RenderTarget& target, bool isOpaque, std::vect
     return image;
 }
 
-std::optional<preview::SurfaceHit> look(preview::Renderer* renderer, const preview::RenderSettings& settings, int x, int y)
-{
-    std::optional<preview::SurfaceHit> hit;
-    failureOf([&] { // the next picture says what is wrong
-        if (renderer)
-            hit = renderer->pick(settings, x, y);
-    });
-    return hit;
-}
-
-std::shared_ptr<const preview::DiscPlaces> lookEverywhere(preview::Renderer* renderer, const preview::RenderSettings& settings,
-                                                          SphereMapIndex index)
-{
-    std::shared_ptr<const preview::DiscPlaces> places;
-    failureOf([&] {
-        if (renderer)
-            places = std::make_shared<const preview::DiscPlaces>(renderer->discPlaces(settings, index));
-    });
-    return places;
-}
-
 } // namespace
 
 /// What belongs to the thread: its context, and all that lives in it.
@@ -110,7 +89,7 @@ struct RenderThread::Context {
         Picture picture{.order = order};
         QElapsedTimer clock;
         clock.start();
-        const int width = order.settings.width, height = order.settings.height;
+        const int width = order.size.width(), height = order.size.height();
         if (!target.fits(width, height, 1, GL_RGBA8)) {
             target = preview::RenderTarget(); // the old one goes before the new one comes
             target = preview::RenderTarget(width, height, 1, GL_RGBA8, 1, GL_NONE);
@@ -122,36 +101,87 @@ struct RenderThread::Context {
         return picture;
     }
 
+    PicturePair drawPair(const PictureOrder& order)
+    {
+        drawBoth(order);
+        const bool isOpaque = order.settings.background.kind != preview::BackgroundKind::None;
+        return {readPicture(difference.drawn(1), isOpaque, pixels), readPicture(difference.drawn(0), isOpaque, pixels)};
+    }
+
+    LightPair drawLight(const PictureOrder& order)
+    {
+        LightPair light{.now = renderer.renderRadiance(order.settings, preview::renderMaps(order.made->maps))};
+        if (order.snapshot)
+            light.kept = keptRenderer().renderRadiance(order.snapshotSettings, preview::renderMaps(order.snapshot->maps));
+        return light;
+    }
+
+    PickedPixel pick(const PictureOrder& order, int x, int y)
+    {
+        PickedPixel pixel{.hit = renderer.pick(order.settings, x, y)};
+        if (pixel.hit)
+            pixel.level = renderer.level(order.settings, preview::renderMaps(order.made->maps), x, y);
+        return pixel;
+    }
+
 private:
+    preview::Renderer& keptRenderer()
+    {
+        if (!snapshotRenderer)
+            snapshotRenderer = std::make_unique<preview::Renderer>();
+        return *snapshotRenderer;
+    }
+
+    void drawNow(const PictureOrder& order, const preview::Destination& destination)
+    {
+        renderer.drawDisplay(order.settings, preview::renderMaps(order.made->maps), destination);
+    }
+
+    void drawKept(const PictureOrder& order, const preview::Destination& destination)
+    {
+        keptRenderer().drawDisplay(order.snapshotSettings, preview::renderMaps(order.snapshot->maps), destination);
+    }
+
+    void drawBoth(const PictureOrder& order)
+    {
+        const int width = order.settings.width, height = order.settings.height;
+        drawNow(order, {.framebuffer = difference.target(0, width, height)});
+        drawKept(order, {.framebuffer = difference.target(1, width, height)});
+    }
+
     void paint(const PictureOrder& order)
     {
         const int width = order.settings.width, height = order.settings.height;
-        const auto now = [&](const preview::Destination& destination) {
-            renderer.drawDisplay(order.settings, preview::renderMaps(order.made->maps), destination);
-        };
-        const auto kept = [&](const preview::Destination& destination) {
-            if (!snapshotRenderer)
-                snapshotRenderer = std::make_unique<preview::Renderer>();
-            snapshotRenderer->drawDisplay(order.snapshotSettings, preview::renderMaps(order.snapshot->maps), destination);
-        };
         switch (order.comparison) {
         case Comparison::Off:
             snapshotRenderer.reset();
-            now({.framebuffer = target.framebuffer});
+            drawNow(order, {.framebuffer = target.framebuffer});
             break;
         case Comparison::Hold:
-            kept({.framebuffer = target.framebuffer});
+            drawKept(order, {.framebuffer = target.framebuffer});
             break;
         case Comparison::Wipe:
-            kept({.framebuffer = target.framebuffer, .clip = preview::PixelRectangle{0, 0, order.wipe, height}});
-            now({.framebuffer = target.framebuffer, .clip = preview::PixelRectangle{order.wipe, 0, width - order.wipe, height}});
+            drawKept(order, {.framebuffer = target.framebuffer, .clip = preview::PixelRectangle{0, 0, order.wipe, height}});
+            drawNow(order, {.framebuffer = target.framebuffer, .clip = preview::PixelRectangle{order.wipe, 0, width - order.wipe, height}});
+            break;
+        case Comparison::SideBySide:
+            clearGap();
+            drawKept(order, {.framebuffer = target.framebuffer});
+            drawNow(order, {.framebuffer = target.framebuffer, .x = order.size.width() - width});
             break;
         case Comparison::Difference:
-            now({.framebuffer = difference.target(0, width, height)});
-            kept({.framebuffer = difference.target(1, width, height)});
+            drawBoth(order);
             difference.draw(target.framebuffer, differenceGain);
             break;
         }
+    }
+
+    // Where a width is odd, a column between the two is neither's.
+    void clearGap()
+    {
+        const float dark[] = {0.1f, 0.1f, 0.1f, 1.0f};
+        glDisable(GL_SCISSOR_TEST);
+        glClearNamedFramebufferfv(target.framebuffer, GL_COLOR, 0, dark);
     }
 
     // A stroke that is being drawn goes straight into the texture, only where it touched; when it is done, the scene's maps hold it.
@@ -218,29 +248,61 @@ void RenderThread::patch(SphereMapPatch patch)
     m_patches.push_back(std::move(patch));
 }
 
-std::shared_ptr<const preview::DiscPlaces> RenderThread::discPlaces(const preview::RenderSettings& settings, SphereMapIndex index)
+/// Does something with what the thread has, when nothing more urgent waits.
+void RenderThread::wakeWith(Look& place, Look look)
 {
-    std::promise<std::shared_ptr<const preview::DiscPlaces>> places;
     {
         const std::lock_guard lock(m_mutex);
-        m_awaitedLook = [&](preview::Renderer* renderer) { places.set_value(lookEverywhere(renderer, settings, index)); };
+        place = std::move(look);
     }
     m_wake.notify_one();
-    return places.get_future().get();
 }
 
-void RenderThread::pick(const preview::RenderSettings& settings, int x, int y,
-                        std::function<void(const std::optional<preview::SurfaceHit>&)> use)
+std::shared_ptr<const preview::DiscPlaces> RenderThread::discPlaces(const preview::RenderSettings& settings, SphereMapIndex index)
 {
-    {
-        const std::lock_guard lock(m_mutex);
-        m_look = [this, settings, x, y, use = std::move(use)](preview::Renderer* renderer) {
-            const auto hit = look(renderer, settings, x, y);
-            QMetaObject::invokeMethod(
-                this, [use, hit] { use(hit); }, Qt::QueuedConnection);
-        };
-    }
-    m_wake.notify_one();
+    std::promise<std::shared_ptr<const preview::DiscPlaces>> promised;
+    wakeWith(m_awaitedLook, [&](Context* context) {
+        std::shared_ptr<const preview::DiscPlaces> places;
+        failureOf([&] { // the next picture says what is wrong, here and below
+            if (context)
+                places = std::make_shared<const preview::DiscPlaces>(context->renderer.discPlaces(settings, index));
+        });
+        promised.set_value(places);
+    });
+    return promised.get_future().get();
+}
+
+/// A look whose result is used on the thread of `owner`.
+template <typename Context, typename Find, typename Use>
+static auto lookFor(QObject* owner, Find find, Use use)
+{
+    return [owner, find = std::move(find), use = std::move(use)](Context* context) {
+        decltype(find(*context)) found{};
+        failureOf([&] {
+            if (context)
+                found = find(*context);
+        });
+        QMetaObject::invokeMethod(
+            owner, [use, found = std::move(found)] { use(found); }, Qt::QueuedConnection);
+    };
+}
+
+void RenderThread::pick(const PictureOrder& order, int x, int y, std::function<void(const PickedPixel&)> use)
+{
+    wakeWith(m_pick, lookFor<Context>(
+                         this, [order, x, y](Context& context) { return context.pick(order, x, y); }, std::move(use)));
+}
+
+void RenderThread::drawPair(PictureOrder order, std::function<void(const PicturePair&)> use)
+{
+    wakeWith(m_pair, lookFor<Context>(
+                         this, [order = std::move(order)](Context& context) { return context.drawPair(order); }, std::move(use)));
+}
+
+void RenderThread::drawLight(PictureOrder order, std::function<void(const LightPair&)> use)
+{
+    wakeWith(m_light, lookFor<Context>(
+                          this, [order = std::move(order)](Context& context) { return context.drawLight(order); }, std::move(use)));
 }
 
 void RenderThread::run(const std::stop_token& end)
@@ -253,19 +315,19 @@ void RenderThread::run(const std::stop_token& end)
         Look waiting;
         {
             std::unique_lock lock(m_mutex);
-            if (!m_wake.wait(lock, end, [this] { return m_order || m_look || m_awaitedLook; }))
+            if (!m_wake.wait(lock, end, [this] { return m_order || m_awaitedLook || m_pick || m_pair || m_light; }))
                 return;
-            if (m_awaitedLook) {
-                waiting = std::exchange(m_awaitedLook, nullptr);
-            } else if (m_order) {
+            if (m_order && !m_awaitedLook) {
                 order = std::exchange(m_order, std::nullopt);
                 patches = std::exchange(m_patches, {});
             } else {
-                waiting = std::exchange(m_look, nullptr);
+                for (Look* look : {&m_awaitedLook, &m_pick, &m_pair, &m_light}) // the most urgent first
+                    if (!waiting)
+                        waiting = std::exchange(*look, nullptr);
             }
         }
         if (waiting) {
-            waiting(context ? &context->renderer : nullptr);
+            waiting(context.get());
             continue;
         }
         Picture picture{.order = *order, .problem = problem};

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "picture_comparison.h"
-#include "widgets/workspace/live_scene.h"
+#include "widgets/workspace/snapshots.h"
 
 #include "core/preview/renderer.h"
 #include "core/spheremap/evaluation/levels_cache.h"
@@ -25,6 +25,7 @@ namespace mirrorball::studio {
 struct PictureOrder {
     std::shared_ptr<const PreparedScene> made{};
     preview::RenderSettings settings{};
+    QSize size{}; ///< of the whole picture; side by side, two of the settings' size stand at its edges
     Comparison comparison = Comparison::Off;
     std::shared_ptr<const PreparedScene> snapshot{}; ///< where compared
     preview::RenderSettings snapshotSettings{};
@@ -39,6 +40,22 @@ struct Picture {
     PictureOrder order{};
     double seconds = 0.0; ///< that drawing and reading back took
     QString problem{};
+};
+
+/// The two pictures of a comparison, each of the settings' size; null where they could not be drawn.
+struct PicturePair {
+    QImage kept{}, now{};
+};
+
+/// Radiance of the same: linear RGBA, not exposed. Empty where it could not be drawn, `kept` also where nothing is compared.
+struct LightPair {
+    Image kept{}, now{};
+};
+
+/// What the object shows in one pixel, and the mip level that its reflection is read at, where there is one.
+struct PickedPixel {
+    std::optional<preview::SurfaceHit> hit{};
+    std::optional<float> level{};
 };
 
 /// Texels that a stroke changed in a map that is shown, before the map itself is made anew.
@@ -68,15 +85,21 @@ public:
     /// Where each pixel looks the painted sphere map up that is indexed so; null where nothing can be drawn. Waits for it: the time of
     /// two pictures at most.
     std::shared_ptr<const preview::DiscPlaces> discPlaces(const preview::RenderSettings& settings, SphereMapIndex index);
-    /// What the pixel at (x, y) shows, from the upper left, without waiting; of several that wait only the newest is looked up.
-    void pick(const preview::RenderSettings& settings, int x, int y, std::function<void(const std::optional<preview::SurfaceHit>&)> use);
+    /// What the pixel at (x, y) of the scene now shows, from the upper left, without waiting; of several that wait only the newest is
+    /// looked up.
+    void pick(const PictureOrder& order, int x, int y, std::function<void(const PickedPixel&)> use);
+    /// Both pictures of a comparison whole, without waiting, when nothing else is to be drawn; of several that wait only the newest is.
+    void drawPair(PictureOrder order, std::function<void(const PicturePair&)> use);
+    /// Their radiance, the same way.
+    void drawLight(PictureOrder order, std::function<void(const LightPair&)> use);
 
 signals:
     void drawn(const mirrorball::studio::Picture& picture);
 
 private:
-    using Look = std::function<void(preview::Renderer*)>; ///< null where there is no context
     struct Context;
+    using Look = std::function<void(Context*)>; ///< null where there is no context
+    void wakeWith(Look& place, Look look);
     void run(const std::stop_token& end);
 
     QOffscreenSurface m_surface;
@@ -84,9 +107,9 @@ private:
     std::condition_variable_any m_wake;
     std::optional<PictureOrder> m_order;
     std::vector<SphereMapPatch> m_patches;
-    Look m_look;           ///< may be replaced by a newer one
-    Look m_awaitedLook;    ///< someone waits for it
-    std::jthread m_thread; ///< last: it ends first
+    Look m_awaitedLook;           ///< someone waits for it
+    Look m_pick, m_pair, m_light; ///< each may be replaced by a newer one
+    std::jthread m_thread;        ///< last: it ends first
 };
 
 } // namespace mirrorball::studio

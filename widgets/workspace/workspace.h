@@ -4,6 +4,7 @@
 #include "live_scene.h"
 #include "preset_library.h"
 #include "probe_library.h"
+#include "snapshots.h"
 #include "widgets/controls/direction_cursor.h"
 #include "widgets/controls/notices.h"
 #include "widgets/panels/method_error.h"
@@ -20,6 +21,7 @@ struct Workspace {
     MethodError methodError{};
     ProbeLibrary library{};
     PresetLibrary presets{};
+    Snapshots snapshots{};
     Notices notices{};
 };
 

@@ -1,0 +1,304 @@
+#include "walk_test.h"
+
+#include "file_dialog_answer.h"
+#include "painting.h"
+#include "studio_window.h"
+#include "widget_driver.h"
+
+#include "core/image/builtin_probes.h"
+#include "core/image/image_io.h"
+#include "widgets/controls/number_field.h"
+#include "widgets/controls/text.h"
+#include "widgets/exports/export_dialog.h"
+
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QFileInfo>
+#include <QListWidget>
+#include <QMenu>
+#include <QProcess>
+#include <QScrollArea>
+#include <QSignalSpy>
+#include <QToolBar>
+#include <QToolButton>
+
+#include <algorithm>
+
+using namespace mirrorball::studio;
+
+namespace mirrorball::test {
+
+static const RegisterTests<WalkTest> registered;
+
+void WalkTest::init() { QSettings().clear(); } // whoever starts has never been here
+
+namespace {
+
+/// A newcomer: sees, clicks, drags and types, and knows nothing of the code behind.
+class Newcomer {
+public:
+    explicit Newcomer(StudioWindow& window) : m_window(window) {}
+
+    template <typename Control>
+    Control& find(const char* name)
+    {
+        auto* control = m_window->findChild<Control*>(QLatin1String(name));
+        if (!control)
+            qFatal("there is no %s", name);
+        return *control;
+    }
+
+    /// Brings a control into sight: its dock to the front, the dock's content to where it is.
+    template <typename Control>
+    Control& see(const char* dock, const char* name)
+    {
+        auto& control = find<Control>(name);
+        QAction& raise = find<QAction>(qPrintable(QStringLiteral("window.") + QLatin1String(dock)));
+        if (!m_window->dock(QLatin1String(dock))->widget()->isVisible())
+            keys(raise.shortcut());
+        if (!QTest::qWaitFor([&] { return control.isVisible(); }, 3000))
+            qFatal("%s is not seen", name);
+        for (QWidget* at = control.parentWidget(); at; at = at->parentWidget())
+            if (auto* scroll = qobject_cast<QScrollArea*>(at))
+                scroll->ensureWidgetVisible(&control);
+        return control;
+    }
+
+    /// A key with its modifiers, to whatever has the keys.
+    void keys(const QKeySequence& key)
+    {
+        QApplication::setActiveWindow(&*m_window); // there is no window manager that would
+        QWidget* focus = QApplication::focusWidget();
+        QTest::keyClick(focus ? focus : &*m_window, key[0].key(), key[0].keyboardModifiers());
+    }
+    void onPicture(Qt::Key key)
+    {
+        m_window.preview().setFocus();
+        keys(QKeySequence(key));
+    }
+
+    void choose(const char* dock, const char* name, const QString& item)
+    {
+        auto& combo = see<QComboBox>(dock, name);
+        const int index = combo.findText(item, Qt::MatchContains);
+        QVERIFY2(index >= 0, qPrintable(item));
+        QTest::mouseClick(&combo, Qt::LeftButton);
+        QTRY_VERIFY(combo.view()->isVisible());
+        const QModelIndex row = combo.model()->index(index, combo.modelColumn());
+        combo.view()->scrollTo(row);
+        QTest::qWait(QApplication::doubleClickInterval() > 0 ? 20 : 0);
+        QTest::mouseMove(combo.view()->viewport(), combo.view()->visualRect(row).center());
+        QTest::keyClick(combo.view(), Qt::Key_Escape); // the list was looked at; the keys choose
+        combo.setFocus();
+        for (int tries = 0; combo.currentIndex() != index && tries < combo.count(); ++tries)
+            QTest::keyClick(&combo, combo.currentIndex() < index ? Qt::Key_Down : Qt::Key_Up);
+        QCOMPARE(combo.currentIndex(), index);
+    }
+
+    void type(const char* dock, const char* name, const QString& text)
+    {
+        auto& number = see<NumberField>(dock, name);
+        QTest::mouseDClick(number.box(), Qt::LeftButton);
+        number.box()->setFocus();
+        number.box()->selectAll();
+        QTest::keyClicks(number.box(), text + u'\r');
+    }
+
+    /// Clicks a button that opens a menu, and an item of it.
+    void pick(QToolButton& button, const QString& item)
+    {
+        bool isPicked = false;
+        QTimer look;
+        QObject::connect(&look, &QTimer::timeout, [&] {
+            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            if (!menu || isPicked)
+                return;
+            for (QAction* action : menu->actions())
+                if (action->text().remove(u'&') == item) {
+                    isPicked = true;
+                    QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
+                }
+        });
+        look.start(20);
+        QTest::mouseClick(&button, Qt::LeftButton); // back when the menu is closed
+        QTRY_VERIFY2(isPicked, qPrintable(item));
+    }
+
+    /// The button of a command in a tool bar.
+    void click(const char* command)
+    {
+        QAction& action = find<QAction>(command);
+        for (QObject* place : action.associatedObjects())
+            if (auto* bar = qobject_cast<QToolBar*>(place)) {
+                QWidget* button = bar->widgetForAction(&action);
+                QVERIFY2(button && button->isVisible(), command);
+                QTest::mouseClick(button, Qt::LeftButton);
+                return;
+            }
+        QFAIL(command);
+    }
+
+private:
+    StudioWindow& m_window;
+};
+
+float largest(const Image& image) { return *std::max_element(image.texels.begin(), image.texels.end()); }
+
+} // namespace
+
+void WalkTest::fromTheFirstStartToAnEnginesFiles()
+{
+    const TemporaryFolder folder;
+    const QString probe = fromPath(folder / "room.hdr"), scene = fromPath(folder / "job.mirrorball");
+    writeImage(folder / "room.hdr", renderBuiltinProbe("cube-room", {Parameterization::Latlong, 64, 0}).image);
+
+    StudioWindow window;
+    Newcomer newcomer(window);
+    Document& document = window.document();
+    window.show();
+    window->greet(); // as main() does where no file is opened
+
+    // The tour is offered, and follows what is done.
+    Tour& tour = window->tour();
+    QVERIFY(tour.isVisible());
+    QCOMPARE(tour.step(), 0);
+    {
+        FileDialogAnswer answer(probe);
+        newcomer.keys(newcomer.find<QAction>("file.open").shortcut());
+        QVERIFY(answer.isDone());
+    }
+    QCOMPARE(QString::fromStdString(document.scene().probe.source), probe);
+    QCOMPARE(tour.step(), 1);
+    window.waitForPicture();
+    const QPoint middle = window.preview().rect().center();
+    Painting::drag(&window.preview(), middle, middle + QPoint(120, 0), Qt::RightButton, Qt::ShiftModifier);
+    QVERIFY(document.scene().probe.yawDeg != 0.0);
+    QCOMPARE(tour.step(), 2);
+
+    newcomer.choose("material", "material.specular.lobe", QStringLiteral("Phong"));
+    newcomer.type("material", "material.specular.exponent", QStringLiteral("200"));
+    newcomer.choose("material", "material.fresnel.kind", QStringLiteral("Dielectric"));
+    newcomer.type("material", "material.fresnel.index", QStringLiteral("1.5"));
+    newcomer.choose("material", "material.combine", QStringLiteral("Coat"));
+    QCOMPARE(tour.step(), 3);
+    newcomer.choose("map", "map.parameterization", QStringLiteral("araboloid"));
+    QCOMPARE(tour.step(), 4);
+    newcomer.click("torus");
+    const Material& material = document.scene().material;
+    QCOMPARE(material.specular.exponent, 200.0);
+    QCOMPARE(material.fresnel.index, 1.5);
+    QCOMPARE(material.combine, Combine::Coat);
+    QCOMPARE(document.scene().map.parameterization, Parameterization::Paraboloid);
+    QCOMPARE(QString::fromStdString(document.scene().view.geometry), QStringLiteral("torus"));
+    window.waitForPicture();
+    newcomer.keys(newcomer.find<QAction>("compare.snapshot").shortcut());
+    QCOMPARE(window->workspace().snapshots.all().size(), size_t(1));
+
+    // A toon matcap from nothing, and a highlight brighter than the screen, painted where it is to be seen.
+    SphereMapEditor& editor = window->workspace().sphereMap;
+    QTest::mouseClick(&newcomer.see<QWidget>("sphere-map", "newSphereMap"), Qt::LeftButton);
+    QVERIFY(editor.map());
+    newcomer.pick(newcomer.see<QToolButton>("sphere-map", "addLayer"), QStringLiteral("Toon bands"));
+    newcomer.pick(newcomer.see<QToolButton>("sphere-map", "addLayer"), QStringLiteral("Paint"));
+    QCOMPARE(editor.map()->layers.size(), size_t(4));
+    QTRY_VERIFY_WITH_TIMEOUT(editor.isUpToDate(), 20000);
+    for (QWidget* swatch : window->dock(QStringLiteral("sphere-map"))->findChildren<QWidget*>())
+        if (swatch->accessibleName() == QStringLiteral("Brush color"))
+            QTest::mouseClick(swatch, Qt::LeftButton);
+    newcomer.type("color", "color.ev", QStringLiteral("3"));
+    const glm::dvec3 color = editor.brush().color;
+    QVERIFY(std::max({color.r, color.g, color.b}) > 1.0);
+    const QImage unpainted = window.picture();
+    newcomer.click("paintOnModel");
+    QVERIFY(editor.paintsOnModel());
+    const int rim = window.preview().height() / 5; // the torus has a hole in its middle
+    const QPoint body = middle + QPoint(0, rim);
+    const int before = document.undoStack().index();
+    Painting::drag(&window.preview(), body, body + QPoint(30, 4));
+    QCOMPARE(document.undoStack().index(), before + 1);
+    QTRY_VERIFY_WITH_TIMEOUT(editor.isUpToDate(), 20000);
+    QVERIFY(largestDifference(window.picture(), unpainted) > 20);
+    QVERIFY(largest(window->workspace().live.made()->maps.sphereMaps.front()->levels.front()) > 1.0f);
+    newcomer.click("paintOnModel");
+
+    // Ten steps back and forth.
+    const Scene painted = document.scene();
+    const int steps = document.undoStack().index();
+    QVERIFY(steps >= 10);
+    window.preview().setFocus();
+    for (int i = 0; i < 10; ++i)
+        newcomer.keys(QKeySequence::Undo);
+    QCOMPARE(document.undoStack().index(), steps - 10);
+    QVERIFY(document.scene().material.sphereMap.isNone());
+    for (int i = 0; i < 10; ++i)
+        newcomer.keys(QKeySequence::Redo);
+    QVERIFY(document.scene() == painted);
+
+    // The coat beside the toon.
+    newcomer.onPicture(Qt::Key_S);
+    const QImage both = window.picture();
+    const int half = both.width() / 2;
+    QVERIFY(largestDifference(both.copy(0, 0, half, both.height()), both.copy(both.width() - half, 0, half, both.height())) > 20);
+    QTRY_VERIFY_WITH_TIMEOUT(window->workspace().snapshots.error(), 10000);
+    QVERIFY(window->workspace().snapshots.error()->ssim < 0.999);
+    keepScreenshot(*window, QStringLiteral("walk"));
+    newcomer.onPicture(Qt::Key_S);
+
+    // Saved, exported, and the tour is at its end.
+    {
+        FileDialogAnswer answer(scene);
+        newcomer.keys(newcomer.find<QAction>("file.save").shortcut());
+        QVERIFY(answer.isDone());
+    }
+    QCOMPARE(document.filePath(), scene);
+    newcomer.keys(newcomer.find<QAction>("file.export").shortcut());
+    auto* dialog = window->findChild<ExportDialog*>();
+    QVERIFY(dialog && dialog->isVisible());
+    auto& gallery = *dialog->findChild<QListWidget*>(QStringLiteral("export.gallery"));
+    for (int row = 0; row < gallery.count() && (!dialog->engine() || dialog->engine()->word != "filament"); ++row) {
+        gallery.scrollToItem(gallery.item(row));
+        QTest::mouseClick(gallery.viewport(), Qt::LeftButton, {}, gallery.visualItemRect(gallery.item(row)).center());
+    }
+    QVERIFY(dialog->engine() && dialog->engine()->word == "filament");
+    auto& size = *dialog->findChild<QComboBox*>(QStringLiteral("engine.size"));
+    size.setFocus();
+    QTest::keyClick(&size, Qt::Key_Home);
+    auto& place = *dialog->findChild<QLineEdit*>(QStringLiteral("export.folder"));
+    place.setFocus();
+    place.selectAll();
+    QTest::keyClicks(&place, fromPath(folder / "here"));
+    QTest::keyClick(&place, Qt::Key_Tab);
+    QTRY_VERIFY_WITH_TIMEOUT(dialog->isEstimated(), 20000);
+    QSignalSpy exported(dialog, &ExportDialog::exported);
+    QTest::mouseClick(dialog->findChild<QWidget*>(QStringLiteral("export.start")), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!exported.isEmpty(), 60000);
+    QVERIFY(!tour.isRunning());
+    QString command = dialog->command();
+    dialog->close();
+
+    // The same bytes without a window: the engine's files, and the picture.
+    const std::filesystem::path ours = folder / "ours.png";
+    window->savePicture(fromPath(ours));
+    command.replace(fromPath(folder / "here"), fromPath(folder / "there"));
+    QProcess shell;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("PATH"),
+                       QFileInfo(QStringLiteral(MIRRORBALL_PROGRAM)).absolutePath() + u':' + environment.value(QStringLiteral("PATH")));
+    shell.setProcessEnvironment(environment);
+    shell.start(
+        QStringLiteral("/bin/sh"),
+        {QStringLiteral("-c"), command + QStringLiteral(" && mirrorball render '%1' -o '%2'").arg(scene, fromPath(folder / "theirs.png"))});
+    QVERIFY(shell.waitForFinished(60000));
+    QVERIFY2(shell.exitCode() == 0, shell.readAllStandardError().constData());
+    const QStringList files = exported.front().front().toStringList();
+    QVERIFY(files.size() >= 2);
+    for (const QString& file : files) {
+        const std::string name = QFileInfo(file).fileName().toStdString();
+        const std::string here = readBytes(folder / "here" / name), there = readBytes(folder / "there" / name);
+        QVERIFY2(!here.empty() && here == there, name.c_str());
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(std::filesystem::exists(ours), 60000);
+    QVERIFY(readBytes(ours) == readBytes(folder / "theirs.png"));
+}
+
+} // namespace mirrorball::test
