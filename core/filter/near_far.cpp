@@ -26,7 +26,7 @@ constexpr size_t brightSplit = 1;
 /// Degrees to which the kink at the horizon is looked at, in band limits.
 constexpr int kinkReach = 2;
 
-/// Seconds of one thread. `build/ci/bin/method_table methods` shows them beside what is measured.
+/// Seconds of one thread, measured beside those of the spectral method.
 namespace cost {
 constexpr double place = 1e-7, row = 1.4e-8, texel = 0.5e-9; // of the near sum
 constexpr double sourceTexel = 6e-9;                         // its tables
@@ -176,8 +176,7 @@ EnvironmentMap filterNearFar(FilterSource& source, const SettledNearFar& settled
             float* to = map.image.row(first);
             for (size_t i = 0; i < places.size(); ++i) {
                 const int x = static_cast<int>(i % w), y = first + static_cast<int>(i / w);
-                const glm::dvec3 seen =
-                    bright.empty() ? glm::dvec3(0.0) : bright.radiance(yawed(texelDirection(options.target, x, y), -options.yaw));
+                const glm::dvec3 seen = seenAt(bright, yawed(texelDirection(options.target, x, y), -options.yaw));
                 const double norm = sums[i].w + settled.farShare * (1.0 + rgbn[4 * i + 3]);
                 for (int c = 0; c < 3; ++c) { // light is not negative, and what comes out below 0 is nearer to it there
                     const double sum = sums[i][c] + settled.farShare * rgbn[4 * i + static_cast<size_t>(c)] + seen[c];
