@@ -71,6 +71,7 @@ PreferencesDialog::~PreferencesDialog() { m_edit->disconnect(this); }
 
 QWidget* PreferencesDialog::makeKeys()
 {
+    m_find->setObjectName(QStringLiteral("preferences.find"));
     m_find->setPlaceholderText(tr("Find a command or a key"));
     m_find->setAccessibleName(tr("Find a command or a key"));
     m_find->setToolTip(tr("Shows the commands that have these letters in their name or their keys"));

@@ -205,9 +205,13 @@ void WalkTest::fromTheFirstStartToAnEnginesFiles()
     for (QWidget* swatch : window->dock(QStringLiteral("sphere-map"))->findChildren<QWidget*>())
         if (swatch->accessibleName() == QStringLiteral("Brush color"))
             QTest::mouseClick(swatch, Qt::LeftButton);
+    auto& hex = newcomer.see<QLineEdit>("color", "color.hex"); // the brush is black at first, which no intensity makes brighter
+    hex.setFocus();
+    hex.selectAll();
+    QTest::keyClicks(&hex, QStringLiteral("#ffffff\r"));
     newcomer.type("color", "color.ev", QStringLiteral("3"));
     const glm::dvec3 color = editor.brush().color;
-    QVERIFY(std::max({color.r, color.g, color.b}) > 1.0);
+    QVERIFY2(std::max({color.r, color.g, color.b}) > 1.0, qPrintable(QStringLiteral("%1 %2 %3").arg(color.r).arg(color.g).arg(color.b)));
     const QImage unpainted = window.picture();
     newcomer.click("paintOnModel");
     QVERIFY(editor.paintsOnModel());
@@ -266,7 +270,9 @@ void WalkTest::fromTheFirstStartToAnEnginesFiles()
     auto& place = *dialog->findChild<QLineEdit*>(QStringLiteral("export.folder"));
     place.setFocus();
     place.selectAll();
-    QTest::keyClicks(&place, fromPath(folder / "here"));
+    for (const char* side : {"here", "there"})
+        std::filesystem::create_directory(folder / side);
+    QTest::keyClicks(&place, fromPath(folder / "here" / "light")); // the folder's name is the export's
     QTest::keyClick(&place, Qt::Key_Tab);
     QTRY_VERIFY_WITH_TIMEOUT(dialog->isEstimated(), 20000);
     QSignalSpy exported(dialog, &ExportDialog::exported);
@@ -294,7 +300,7 @@ void WalkTest::fromTheFirstStartToAnEnginesFiles()
     QVERIFY(files.size() >= 2);
     for (const QString& file : files) {
         const std::string name = QFileInfo(file).fileName().toStdString();
-        const std::string here = readBytes(folder / "here" / name), there = readBytes(folder / "there" / name);
+        const std::string here = readBytes(folder / "here" / "light" / name), there = readBytes(folder / "there" / "light" / name);
         QVERIFY2(!here.empty() && here == there, name.c_str());
     }
     QTRY_VERIFY_WITH_TIMEOUT(std::filesystem::exists(ours), 60000);
