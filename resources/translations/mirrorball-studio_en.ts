@@ -39,6 +39,10 @@
         <source>Snapshots</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Lobe error</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ExportFormat</name>
@@ -2758,10 +2762,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>into a ggx chain that stand for the lobe at each angle of view; 0: the split sum of engines</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>lookups</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2771,6 +2771,30 @@
     </message>
     <message>
         <source>satin-lacquer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>filament</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fitted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fitted: how many into a ggx chain stand for the lobe at each angle of view; 0: the split sum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fitted: lookups that are fitted to the lobe; split-sum, three, filament: what those show, to compare</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>split-sum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>three</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4268,6 +4292,77 @@
     </message>
     <message>
         <source>Click: show and paint this level alone, on the disc and on the model</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::LobeErrorPanel</name>
+    <message>
+        <source>Lookups: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Copy command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Errors of the lookups</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rel_rms by angle of view, in degrees: 0.01 is a hundredth of the light, all over the sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copies the command line that measures the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The material is measured once it has come to rest.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error over angle of view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the light that lookups give is from the integral of the BRDF over the probe, by the angle between surface normal and view; further down is more accurate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rel_rms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>angle of view, degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The material has no BRDF: its specular lobe is the round one that the map holds. Choose a BRDF in the Material panel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The probe is too large to be held whole; the command line measures it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measuring %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lookups</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: error against the sum over every texel of the probe, averaged to %2 rows.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
