@@ -1,4 +1,4 @@
-// Filament shows what 8 bits hold: three exposures of a picture make one of any range.
+// Filament shows what 8 bits hold: five exposures of a picture make one of any range that a lamp or a sun's glow has, up to 4096.
 const load = url => new Promise((resolve, reject) => {
   const script = document.createElement('script');
   script.src = url;
@@ -57,10 +57,11 @@ export async function open({ canvas, folder, name, size, ktx }) {
       if (!entity)
         throw new Error('no ball named ' + wanted);
       const rgba = new Float32Array(4 * size * size);
-      for (const intensity of [1 / 64, 1 / 8, 1]) {
+      const darkest = 1 / 4096;
+      for (const intensity of [darkest, 1 / 512, 1 / 64, 1 / 8, 1]) {
         const bytes = await shown(entity, intensity);
         bytes.forEach((byte, i) => {
-          if (byte < 255)
+          if (byte < 255 || intensity === darkest)
             rgba[i] = byte / 255 / intensity;
         });
       }
