@@ -264,8 +264,8 @@ PrefilterPlan planOf(Method method, const PrefilterOptions& options, const Probe
 
 /// The cheapest method that keeps the tolerance by what is predicted. The error is predicted for as few as that takes, because predicting
 /// costs something too.
-/// @param except  a method that is out of the question
-PrefilterPlan cheapestPlan(const PrefilterOptions& options, const ProbeTraits& probe, Method except = Method::Auto)
+/// @param except  methods that are out of the question
+PrefilterPlan cheapestPlan(const PrefilterOptions& options, const ProbeTraits& probe, const std::vector<Method>& except = {})
 {
     struct Candidate {
         Method method;
@@ -273,7 +273,8 @@ PrefilterPlan cheapestPlan(const PrefilterOptions& options, const ProbeTraits& p
     };
     std::vector<Candidate> candidates;
     for (const Method method : allMethods)
-        if (method != Method::Auto && keepsTolerance(method) && refusal(method, options, probe).empty() && method != except)
+        if (method != Method::Auto && keepsTolerance(method) && refusal(method, options, probe).empty() &&
+            std::find(except.begin(), except.end(), method) == except.end())
             candidates.push_back({method, predictedSeconds(method, options, probe)});
     std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.seconds < b.seconds; });
 
@@ -330,13 +331,15 @@ namespace {
 
 /// What follows once the spectral method, which the plan chose, is settled: it, or for auto another method that is cheaper or the only one
 /// to keep the tolerance.
-PrefilterPlan afterSettling(PrefilterPlan plan, const SettledSpectral& settled, const PrefilterOptions& options, const ProbeTraits& probe)
+/// @param except  spectral, and what has turned out not to keep it
+PrefilterPlan afterSettling(PrefilterPlan plan, const SettledSpectral& settled, const PrefilterOptions& options, const ProbeTraits& probe,
+                            const std::vector<Method>& except)
 {
     std::ostringstream text;
     text.precision(3);
     const bool mayChange = options.method == Method::Auto && !probe.streamed;
     if (mayChange) {
-        const PrefilterPlan other = cheapestPlan(options, probe, Method::Spectral);
+        const PrefilterPlan other = cheapestPlan(options, probe, except);
         if (other.promised && (!settled.keeps || other.predictedSeconds < settled.seconds)) {
             PrefilterPlan changed = other;
             text << other.why << (settled.keeps ? "; spectral would take " : "; spectral does not keep the tolerance: ");
@@ -377,28 +380,42 @@ PrefilterOutcome prefilter(FilterSource& source, const PrefilterOptions& options
     const bool mayChange = options.method == Method::Auto && !traits(source).streamed;
     const auto splits = [&] { return plan.method == Method::Direct && splitsKernel(options, traits(source)); };
     std::optional<EnvironmentMap> map;
-    bool wasSplit = false;
-    if (splits()) {
-        wasSplit = true;
+    std::vector<Method> failed;
+    const auto trySplit = [&] {
         map = runNearFar(source, options, job, outcome);
-        if (!map && mayChange) // else the sum over all texels is what was asked for
-            plan = cheapestPlan(options, traits(source), Method::Direct);
+        if (!map)
+            failed.push_back(Method::Direct); // what is left of it is the sum over all texels, for who asks for that by name
+    };
+    if (splits()) {
+        trySplit();
+        if (!map && mayChange)
+            plan = cheapestPlan(options, traits(source), failed);
     }
     if (plan.method == Method::Spectral) {
         const int knownBefore = source.knownBandLimits();
         const SettledSpectral settled = timedStage(outcome.stages, "spectrum", [&] { return settleSpectral(source, options, job); });
         if (source.knownBandLimits() == knownBefore)
             outcome.stages.back() = {.name = "spectrum", .leftOut = true, .why = "kept from an earlier lobe"};
-        plan = afterSettling(plan, settled, options, traits(source));
+        const PrefilterPlan spectral = plan;
+        failed.push_back(Method::Spectral); // it is compared with the others from here on
+        plan = afterSettling(spectral, settled, options, traits(source), failed);
+        if (splits()) {
+            trySplit();
+            if (!map)
+                plan = afterSettling(spectral, settled, options, traits(source), failed);
+        }
         if (plan.method == Method::Spectral) {
             map = runSpectral(source, settled, options, job, outcome);
-            if (!map && mayChange)
-                plan = cheapestPlan(options, traits(source), Method::Spectral);
-            else if (!map)
+            if (!map && !mayChange)
                 throw InvalidArgument(cannotKeep(options, settled, traits(source)));
+            if (!map)
+                plan = cheapestPlan(options, traits(source), failed);
+            if (!map && splits()) {
+                trySplit();
+                if (!map)
+                    plan = cheapestPlan(options, traits(source), failed);
+            }
         }
-        if (!map && !wasSplit && splits())
-            map = runNearFar(source, options, job, outcome);
     }
     outcome.method = plan.method;
     outcome.why = plan.why;
@@ -423,15 +440,6 @@ PredictedErrors informedErrors(const PrefilterOutcome& outcome, const PrefilterO
     const ProbeTraits probe = traits(source);
     const TransferModel model = transferModel(method, options, probe);
     return spreadErrors(*source.latlong(), spectrum, options.lobe, model, transferError(model, probe), job);
-}
-
-std::string unpromisedText(const PrefilterOptions& options, const PrefilterOutcome& outcome)
-{
-    std::ostringstream text;
-    text.precision(2);
-    text << describe(options.lobe) << " by '" << name(outcome.method) << "' is not promised; predicted are rel_rms "
-         << outcome.predicted.relRms << ", median_rel " << outcome.predicted.medianRel << ", p99_rel " << outcome.predicted.p99Rel;
-    return text.str();
 }
 
 double chainRoughness(int level, int levels) { return levels > 1 ? static_cast<double>(level) / (levels - 1) : 0.0; }

@@ -35,4 +35,13 @@ std::string cannotKeep(const PrefilterOptions& options, const SettledSpectral& s
     return text.str();
 }
 
+std::string unpromisedText(const PrefilterOptions& options, const PrefilterOutcome& outcome)
+{
+    std::ostringstream text;
+    text.precision(2);
+    text << describe(options.lobe) << " by '" << name(outcome.method) << "' is not promised; predicted are rel_rms "
+         << outcome.predicted.relRms << ", median_rel " << outcome.predicted.medianRel << ", p99_rel " << outcome.predicted.p99Rel;
+    return text.str();
+}
+
 } // namespace mirrorball

@@ -1,9 +1,11 @@
 #include "core/filter/near_far.h"
 #include "core/filter/prefilter.h"
 #include "core/filter/reference.h"
+#include "core/image/image_io.h"
 #include "support/directions.h"
 #include "support/plain_sum.h"
 #include "support/probe_builders.h"
+#include "support/shared_data.h"
 
 #include <gtest/gtest.h>
 
@@ -281,6 +283,19 @@ TEST(NearFar, TakesTheLargestFloats)
     glm::dvec4 sum(0.0);
     near.at(std::array{placeOf(texelDirection(probe.layout, 3, 20))}, 0.0, &sum);
     EXPECT_TRUE(std::isfinite(sum.x) && sum.x > 1e36);
+}
+
+// Lamps of 3351 make the split give way at this tolerance; what is left of direct is a sum over all texels, four minutes of it, while the
+// spectrum keeps the promise in a second.
+TEST(NearFar, LeavesItToTheSpectrumWhereItGivesWay)
+{
+    SHARED_DATA_OR_SKIP(path, "probes/studio_small_03_1k.hdr");
+    FilterSource source(EnvironmentMap({Parameterization::Latlong, 512, 0}, readImage(path)));
+    const PrefilterOutcome outcome =
+        prefilter(source, {.lobe = ggxLobe(0.0179492), .target = {.kind = Parameterization::Cube, .size = 128}, .tolerance = 1e-4});
+    EXPECT_TRUE(outcome.promised);
+    for (const Stage& stage : outcome.stages)
+        EXPECT_NE(stage.name, "direct sum");
 }
 
 } // namespace
