@@ -33,31 +33,12 @@ int usualBandLimit(const std::vector<double>& k, double tolerance)
 ValueDistribution coarseValues(const Spectrum& spectrum, const std::vector<double>& k, int bandLimit, const BrightLobe& bright,
                                const JobControl& job)
 {
-    constexpr int rings = 16, samples = 32;
     const int l = std::min({bandLimit, spectrum.bandLimit, static_cast<int>(k.size()) - 1});
-    std::vector<double> theta;
-    for (int j = 0; j < rings; ++j)
-        theta.push_back(pi * (j + 0.5) / rings);
-    const std::vector<double> factors(k.begin(), k.begin() + l + 1);
-    const FilteredRings map = synthesise(spectrum, factors, theta, samples, pi / samples,
-                                         std::vector<std::complex<double>>(static_cast<size_t>(l) + 1, 1.0), job, k);
+    const CoarseLook look = lookCoarsely(spectrum, {k.begin(), k.begin() + l + 1}, k, job);
     ValueDistribution values;
-    for (int j = 0; j < rings; ++j)
-        for (int i = 0; i < samples; ++i) {
-            const size_t at = static_cast<size_t>(j) * samples + static_cast<size_t>(i);
-            const double t = theta[static_cast<size_t>(j)], lon = pi - 2.0 * pi * (i + 0.5) / samples;
-            const glm::dvec3 d(std::sin(lon) * std::sin(t), std::cos(t), std::cos(lon) * std::sin(t));
-            values.add(map.radiance(at, bright.empty() ? glm::dvec3(0.0) : bright.radiance(d)), std::sin(t));
-        }
+    for (size_t i = 0; i < look.places.size(); ++i)
+        values.add(look.rings.radiance(i, bright.radiance(look.directions[i])), std::sin(look.places[i].colatitude));
     return values;
-}
-
-glm::dvec3 meanOf(const Spectrum& spectrum)
-{
-    glm::dvec3 mean;
-    for (int c = 0; c < 3; ++c)
-        mean[c] = spectrum.coefficients[static_cast<size_t>(c)][0].real() / spectrum.unit[0].real();
-    return mean;
 }
 
 /// Root mean square of what the values differ from the calm mean by, relative to the whole; 1 at most.
@@ -265,6 +246,31 @@ private:
 };
 
 } // namespace
+
+glm::dvec3 meanOf(const Spectrum& spectrum)
+{
+    glm::dvec3 mean;
+    for (int c = 0; c < 3; ++c)
+        mean[c] = spectrum.coefficients[static_cast<size_t>(c)][0].real() / spectrum.unit[0].real();
+    return mean;
+}
+
+CoarseLook lookCoarsely(const Spectrum& spectrum, const std::vector<double>& k, const std::vector<double>& longer, const JobControl& job)
+{
+    constexpr int rings = 16, samples = 32;
+    std::vector<double> theta;
+    for (int j = 0; j < rings; ++j)
+        theta.push_back(pi * (j + 0.5) / rings);
+    CoarseLook look{
+        .rings = synthesise(spectrum, k, theta, samples, pi / samples, std::vector<std::complex<double>>(k.size(), 1.0), job, longer)};
+    for (const double t : theta)
+        for (int i = 0; i < samples; ++i) {
+            const double azimuth = 2.0 * pi * (i + 0.5) / samples, lon = pi - azimuth;
+            look.places.push_back({.azimuth = azimuth, .colatitude = t});
+            look.directions.emplace_back(std::sin(lon) * std::sin(t), std::cos(t), std::cos(lon) * std::sin(t));
+        }
+    return look;
+}
 
 double usualPower(int l) { return 3.0 / (l + 1.0); }
 

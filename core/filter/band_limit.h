@@ -42,6 +42,18 @@ inline constexpr double spectralRounding = 2.5e-7;
 /// Errors of a map that holds such values, with the rounding.
 PredictedErrors spectralErrors(const ValueDistribution& values, const SettledSpectral& settled);
 
+/// The mean radiance that a spectrum has.
+glm::dvec3 meanOf(const Spectrum& spectrum);
+
+/// A filtered spectrum at some hundred even directions.
+struct CoarseLook {
+    std::vector<SpherePoint> places{};
+    std::vector<glm::dvec3> directions{}; ///< of the places
+    FilteredRings rings{};                ///< at the places
+};
+/// @param k  as far as it is to be followed, no further than the spectrum. @param longer  of the same lobe, for the norm
+CoarseLook lookCoarsely(const Spectrum& spectrum, const std::vector<double>& k, const std::vector<double>& longer, const JobControl& job);
+
 /// Legendre coefficients looked at first: they settle every band limit up to half their number.
 inline constexpr int firstCoefficients = 768;
 

@@ -61,8 +61,6 @@ std::pair<std::vector<double>, std::vector<double>> anglesOfSphere(int degree)
 
 double oneMinusCosine(double angle) { return 2.0 * std::pow(std::sin(0.5 * angle), 2); }
 
-} // namespace
-
 /// sum w P_l, and P_(l+1) in place of P_l.
 MIRRORBALL_CLONES double legendreStep(int l, size_t count, const double* x, const double* w, double* previous, double* p)
 {
@@ -78,6 +76,8 @@ MIRRORBALL_CLONES double legendreStep(int l, size_t count, const double* x, cons
         }
     return ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7]));
 }
+
+} // namespace
 
 KernelSplit::KernelSplit(const Lobe& lobe, int bandLimit, double leftOut)
     : m_lobe(lobe), m_integral(LobeShape(lobe).integral()), m_degree(bandLimit + 1), m_rise(riseFor(m_degree, leftOut))

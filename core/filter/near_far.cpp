@@ -47,30 +47,18 @@ double farSeconds(int bandLimit, double places)
     return (cost::coefficient + cost::ring * rings) * l * l + 1.2e-8 * rings * rings + 6e-8 * places;
 }
 
-glm::dvec3 seenAt(const BrightLobe& bright, const glm::dvec3& r) { return bright.empty() ? glm::dvec3(0.0) : bright.radiance(r); }
-
-/// The filtered map at some hundred even directions, as coarseValues() of the spectral method.
+/// The filtered map at some hundred even directions.
 ValueDistribution coarseValues(const SettledNearFar& settled, const BrightLobe& bright, const JobControl& job)
 {
-    constexpr int rings = 16, samples = 32;
     const SettledSpectral& far = settled.far;
-    std::vector<double> theta;
-    for (int j = 0; j < rings; ++j)
-        theta.push_back(pi * (j + 0.5) / rings);
-    const FilteredRings map = synthesise(*far.spectrum, far.k, theta, samples, pi / samples,
-                                         std::vector<std::complex<double>>(far.k.size(), 1.0), job, far.longer);
-    std::vector<SpherePoint> places;
-    for (const double t : theta)
-        for (int i = 0; i < samples; ++i)
-            places.push_back({.azimuth = 2.0 * pi * (i + 0.5) / samples, .colatitude = t});
-    std::vector<glm::dvec4> sums(places.size());
-    settled.near->at(places, 0.0, sums.data());
+    const CoarseLook look = lookCoarsely(*far.spectrum, far.k, far.longer, job);
+    std::vector<glm::dvec4> sums(look.places.size());
+    settled.near->at(look.places, 0.0, sums.data());
     ValueDistribution values;
-    for (size_t i = 0; i < places.size(); ++i) {
-        const double lon = pi - places[i].azimuth, sine = std::sin(places[i].colatitude);
-        const glm::dvec3 r(std::sin(lon) * sine, std::cos(places[i].colatitude), std::cos(lon) * sine);
-        const glm::dvec3 sum = map.radiance(i) * (settled.farShare * map.norm[i]) + glm::dvec3(sums[i]) + seenAt(bright, r);
-        values.add(sum / (settled.farShare * map.norm[i] + sums[i].w), sine);
+    for (size_t i = 0; i < look.places.size(); ++i) {
+        const double norm = settled.farShare * look.rings.norm[i];
+        const glm::dvec3 sum = look.rings.radiance(i) * norm + glm::dvec3(sums[i]) + bright.radiance(look.directions[i]);
+        values.add(sum / (norm + sums[i].w), std::sin(look.places[i].colatitude));
     }
     return values;
 }
@@ -124,8 +112,7 @@ SettledNearFar settleNearFar(FilterSource& source, const PrefilterOptions& optio
         far.spectrum = &source.calmSpectrum(brightSplit, bandLimit, job);
         far.seconds = plan.seconds;
         far.relative = 2.0 * miss + nearRounding;
-        for (int c = 0; c < 3; ++c)
-            far.calmMean[c] = far.spectrum->coefficients[static_cast<size_t>(c)][0].real() / far.spectrum->unit[0].real();
+        far.calmMean = meanOf(*far.spectrum);
 
         const ValueDistribution values = coarseValues(settled, BrightLobe(bright, options.lobe), job);
         const TruncationModel model(*far.spectrum, k);
@@ -175,8 +162,11 @@ EnvironmentMap filterNearFar(FilterSource& source, const SettledNearFar& settled
             settled.near->at(places, options.yaw, sums.data());
             float* to = map.image.row(first);
             for (size_t i = 0; i < places.size(); ++i) {
-                const int x = static_cast<int>(i % w), y = first + static_cast<int>(i / w);
-                const glm::dvec3 seen = seenAt(bright, yawed(texelDirection(options.target, x, y), -options.yaw));
+                glm::dvec3 seen(0.0);
+                if (!bright.empty()) {
+                    const int x = static_cast<int>(i % w), y = first + static_cast<int>(i / w);
+                    seen = bright.radiance(yawed(texelDirection(options.target, x, y), -options.yaw));
+                }
                 const double norm = sums[i].w + settled.farShare * (1.0 + rgbn[4 * i + 3]);
                 for (int c = 0; c < 3; ++c) { // light is not negative, and what comes out below 0 is nearer to it there
                     const double sum = sums[i][c] + settled.farShare * rgbn[4 * i + static_cast<size_t>(c)] + seen[c];

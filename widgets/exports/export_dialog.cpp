@@ -2,6 +2,7 @@
 
 #include "widgets/controls/disconnect_children.h"
 #include "widgets/controls/file_dialogs.h"
+#include "widgets/controls/keep_place.h"
 #include "widgets/controls/text.h"
 
 #include "core/image/image_format.h"
@@ -110,11 +111,7 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent)
     m_progress->setObjectName(QStringLiteral("export.progress"));
     m_progress->setAccessibleName(tr("Progress of the export"));
     m_progress->setRange(0, 1000);
-    m_progress->setTextVisible(false);
-    m_progress->setMaximumHeight(6);
-    QSizePolicy keepsPlace = m_progress->sizePolicy();
-    keepsPlace.setRetainSizeWhenHidden(true);
-    m_progress->setSizePolicy(keepsPlace);
+    makeSlim(*m_progress, 6);
     layout->addWidget(m_progress);
     auto* bottom = new QHBoxLayout;
     m_status = new QLabel;

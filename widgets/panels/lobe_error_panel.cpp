@@ -2,6 +2,7 @@
 
 #include "chart_style.h"
 
+#include "widgets/controls/keep_place.h"
 #include "widgets/controls/text.h"
 
 #include "core/base/shell_word.h"
@@ -71,12 +72,8 @@ LobeErrorPanel::LobeErrorPanel(Workspace& workspace, QWidget* parent)
     m_table->header()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_status->setWordWrap(true);
     m_status->setObjectName(QStringLiteral("lobe_error.status"));
-    m_progress->setTextVisible(false);
-    m_progress->setMaximumHeight(4);
+    makeSlim(*m_progress);
     m_progress->setAccessibleName(tr("Measuring"));
-    QSizePolicy keepsPlace = m_progress->sizePolicy();
-    keepsPlace.setRetainSizeWhenHidden(true);
-    m_progress->setSizePolicy(keepsPlace);
     m_progress->hide();
     m_copy->setObjectName(QStringLiteral("lobe_error.copy"));
     m_copy->setAccessibleName(m_copy->text().remove(u'&'));

@@ -1,5 +1,6 @@
 #include "map_panel.h"
 
+#include "widgets/controls/keep_place.h"
 #include "widgets/controls/text.h"
 
 #include "core/image/mip_pyramid.h"
@@ -190,11 +191,8 @@ QWidget* MapPanel::makeLayoutRow()
     layout->addWidget(m_borderLabel, 1, 1);
     layout->addWidget(m_border, 1, 2);
     layout->setColumnStretch(0, 1);
-    for (QWidget* each : {static_cast<QWidget*>(m_borderLabel), static_cast<QWidget*>(m_border)}) {
-        QSizePolicy keepsPlace = each->sizePolicy();
-        keepsPlace.setRetainSizeWhenHidden(true);
-        each->setSizePolicy(keepsPlace);
-    }
+    keepPlace(*m_borderLabel);
+    keepPlace(*m_border);
 
     Document& document = m_workspace.document;
     connect(m_kind, &QComboBox::activated, this, [this, &document] {

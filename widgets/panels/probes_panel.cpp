@@ -2,6 +2,7 @@
 
 #include "widgets/controls/color_scale_bar.h"
 #include "widgets/controls/file_dialogs.h"
+#include "widgets/controls/keep_place.h"
 #include "widgets/controls/text.h"
 #include "widgets/files/doctor_dialog.h"
 #include "widgets/files/file_kind.h"
@@ -323,12 +324,8 @@ QWidget* ProbesPanel::makeDetails()
     m_facts->setAccessibleName(tr("Facts of the probe"));
     m_facts->setWordWrap(true);
     m_facts->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    m_progress->setTextVisible(false);
-    m_progress->setMaximumHeight(4);
+    makeSlim(*m_progress);
     m_progress->setAccessibleName(tr("Reading the probe"));
-    QSizePolicy keepsPlace = m_progress->sizePolicy();
-    keepsPlace.setRetainSizeWhenHidden(true);
-    m_progress->setSizePolicy(keepsPlace);
     m_guessText->setWordWrap(true);
     m_guesses->setObjectName(QStringLiteral("probes.guesses"));
     auto* guesses = new QHBoxLayout(m_guesses);

@@ -1,6 +1,7 @@
 #include "report_panel.h"
 
 #include "widgets/controls/color_scale_bar.h"
+#include "widgets/controls/keep_place.h"
 #include "widgets/controls/options_form.h"
 #include "widgets/controls/text.h"
 
@@ -91,12 +92,8 @@ ReportPanel::ReportPanel(Workspace& workspace, QWidget* parent)
     m_facts->setObjectName(QStringLiteral("report.facts"));
     m_facts->setAccessibleName(tr("Facts of the chosen method"));
     m_facts->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_progress->setTextVisible(false);
-    m_progress->setMaximumHeight(4);
+    makeSlim(*m_progress);
     m_progress->setAccessibleName(tr("Measuring"));
-    QSizePolicy keepsPlace = m_progress->sizePolicy();
-    keepsPlace.setRetainSizeWhenHidden(true);
-    m_progress->setSizePolicy(keepsPlace);
     m_progress->hide();
     m_again->setObjectName(QStringLiteral("report.again"));
     m_again->setToolTip(tr("Measures every method anew"));
