@@ -168,9 +168,9 @@ EnvironmentMap filterNearFar(FilterSource& source, const SettledNearFar& settled
                     seen = bright.radiance(yawed(texelDirection(options.target, x, y), -options.yaw));
                 }
                 const double norm = sums[i].w + settled.farShare * (1.0 + rgbn[4 * i + 3]);
-                for (int c = 0; c < 3; ++c) { // light is not negative, and what comes out below 0 is nearer to it there
+                for (int c = 0; c < 3; ++c) { // what comes out below 0 stays so: it is for the check of the map to see
                     const double sum = sums[i][c] + settled.farShare * rgbn[4 * i + static_cast<size_t>(c)] + seen[c];
-                    *to++ = static_cast<float>(std::max(0.0, sum / norm));
+                    *to++ = static_cast<float>(sum / norm);
                 }
             }
         },
