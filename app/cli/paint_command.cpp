@@ -105,7 +105,7 @@ void addPaintCommand(CLI::App& program)
     command
         ->add_option(
             "--border", o->border,
-            "texels between the disc and the picture's edge, in the rim's colours; Blender looks 0.8 percent inside the edge, 2 at 512")
+            "texels between the disc and the picture's edge, in the rim's colors; Blender looks 0.8 percent inside the edge, 2 at 512")
         ->check(within(0, 4096))
         ->excludes(levels);
     command

@@ -118,7 +118,7 @@ void bindMap(py::module_& m)
             "Bilinear, seamless lookups: directions [..., 3], of any length -> float32 [..., 3]. +Y is up, +Z the middle of a latlong.")
         .def(
             "directions", [](const EnvironmentMap& map) { return directionsOf(map.layout); },
-            "float64 [height, width, 3]: unit vectors of the texels' centres")
+            "float64 [height, width, 3]: unit vectors of the texels' centers")
         .def(
             "solid_angles", [](const EnvironmentMap& map) { return solidAnglesOf(map.layout); },
             "float64 [height, width]: steradians of each texel, 0 outside a disc; their sum is 4 pi")

@@ -73,7 +73,7 @@ void bindMaking(py::class_<Scene>& scene)
             },
             py::kw_only(), py::arg("display") = false, py::arg("threads") = 0, py::arg("progress") = py::none(),
             "The picture, float32 [height, width, 4]: scene-linear radiance, or with display=True exposed, tone-mapped and sRGB-encoded. "
-            "Colours are multiplied by opacity, which is 1 unless the background is none.")
+            "Colors are multiplied by opacity, which is 1 unless the background is none.")
         .def(
             "save_picture",
             [](const Scene& s, const std::filesystem::path& path, int threads, const py::object& progress) {

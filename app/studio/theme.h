@@ -6,7 +6,7 @@
 
 namespace mirrorball::studio {
 
-/// Neutral greys, the same in every channel: pictures are judged on them.
+/// Neutral grays, the same in every channel: pictures are judged on them.
 void applyTheme(QApplication& application);
 
 /// One of resources/icons.

@@ -171,7 +171,7 @@ private:
             note("orientation",
                  cube ? "The faces are unmirrored: a texel holds the light from its own direction (right-handed, +Y up), as Filament looks "
                         "cubes up."
-                      : "The environment is not mirrored: +Z at the centre, +X at the left, +Y up.");
+                      : "The environment is not mirrored: +Z at the center, +X at the left, +Y up.");
         if (upright && std::abs(o.yaw) > 1e-9)
             fault("yaw", text("The environment is turned by %.4g degrees about +Y, from +Z towards +X.", o.yaw * 180.0 / pi),
                   text("Make the map again with the environment turned by %.4g degrees, or turn it in the engine.", -o.yaw * 180.0 / pi));
@@ -228,7 +228,7 @@ private:
             Known{pi, "pi: E where E/pi (radiance) is expected", "Divide by pi."},
             Known{1.0 / pi, "1/pi: divided by pi once too often", "Multiply by pi."},
             Known{2.0 * pi, "2 pi", "Divide by 2 pi."},
-            Known{4.0 * pi, "4 pi: a sum over the sphere that was not normalised", "Divide by 4 pi."},
+            Known{4.0 * pi, "4 pi: a sum over the sphere that was not normalized", "Divide by 4 pi."},
             Known{1.0 / (4.0 * pi), "1/(4 pi)", "Multiply by 4 pi."},
         };
         for (const Known& k : known)
@@ -366,7 +366,7 @@ private:
             for (const size_t l : energy)
                 list += text("%s%+.1f %%", list.empty() ? "" : ", ", 100.0 * (d.levels[l].energy - 1.0));
             fault("energy", "The mean light of " + levelList(energy) + " differs from the probe's: " + list + ".",
-                  "A normalised filter keeps the mean; divide by the sum of the weights that were used.");
+                  "A normalized filter keeps the mean; divide by the sum of the weights that were used.");
         }
         const auto seams = levelsWhere([&](const LevelDiagnosis& level) {
             return level.layout.size >= 4 && level.seam > 2.0 && level.seam > 1.6 * std::max(level.truthSeam, 1.0);
@@ -418,7 +418,7 @@ private:
                        (isHalf(s.down) || std::abs(s.down) < 0.15);
             }) > 0.6) {
             fault("shift", text("Pictures lie half a texel off: %+.2f to the right, %+.2f down.", first.right, first.down),
-                  "Directions were taken at the corners of texels; texel i of N has its centre at (i + 1/2)/N.");
+                  "Directions were taken at the corners of texels; texel i of N has its center at (i + 1/2)/N.");
         } else if (share([](const SampleShift& s) { return std::abs(s.right) > 0.25 || std::abs(s.down) > 0.25; }) > 0.3) {
             std::string list;
             for (size_t l = 0; l < d.levels.size(); ++l)
@@ -430,7 +430,7 @@ private:
         if (share([&](const SampleShift& s) { return isHalf(s.spread) && s.spread < 0.0; }) > 0.6)
             fault("shift",
                   text("The outermost texels lie on the edges of the pictures (off by %.2f texels there): edge-sampled.", -first.spread),
-                  "Engines sample at centres: texel i of N stands at (i + 1/2)/N, not at i/(N - 1).");
+                  "Engines sample at centers: texel i of N stands at (i + 1/2)/N, not at i/(N - 1).");
         else if (share([&](const SampleShift& s) { return isHalf(s.spread) && s.spread > 0.0; }) > 0.6)
             fault("shift", text("The pictures reach %.2f texels beyond their edges, as for lookups that skip a border.", first.spread),
                   "Fill faces from edge to edge, texel i of N at (i + 1/2)/N.");

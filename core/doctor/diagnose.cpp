@@ -146,7 +146,7 @@ void undoCurve(Work& work, const EnvironmentMap& probe)
             t = static_cast<float>(transferred(isReversible(d.transfer.transfer) ? t : d.transfer.exposure * t, d.transfer.transfer));
         const EnvironmentMap& last = work.levels[std::min(work.levels.size() - 1, std::max<size_t>(1, work.levels.size() / 2))];
         const int size = quarterTexels(last.layout);
-        const double before = fitLobe(lobeProblem(last, analyse(curved, lobeBandLimit, work.job), work.job), size).residual;
+        const double before = fitLobe(lobeProblem(last, analyze(curved, lobeBandLimit, work.job), work.job), size).residual;
         const double after = fitLobe(lobeProblem({last.layout, undone(last.image, d.transfer.transfer)},
                                                  work.source->spectrum(lobeBandLimit, work.job), work.job),
                                      size)
@@ -209,7 +209,7 @@ void findClipping(Work& work, const EnvironmentMap& probe)
     EnvironmentMap clipped = probe;
     for (float& t : clipped.image.texels)
         t = std::min(t, static_cast<float>(most / scale));
-    work.clippedSpectrum = analyse(clipped, lobeBandLimit, work.job);
+    work.clippedSpectrum = analyze(clipped, lobeBandLimit, work.job);
     d.clipping = clipping;
 }
 
@@ -222,7 +222,7 @@ void findEarlyClipping(Work& work, const EnvironmentMap& probe)
     const EnvironmentMap& level = work.levels[std::min<size_t>(work.levels.size() - 1, 1)];
     const int size = quarterTexels(level.layout);
     constexpr int coarse = 32; // degrees, of the search
-    const double whole = fitLobe(lobeProblem(level, analyse(probe, coarse, work.job), work.job), size).residual;
+    const double whole = fitLobe(lobeProblem(level, analyze(probe, coarse, work.job), work.job), size).residual;
     const double mean = meanLuminance(probe);
     const double most = *std::max_element(probe.image.texels.begin(), probe.image.texels.end());
     if (whole < 0.15 || most < 16.0 * mean)
@@ -235,7 +235,7 @@ void findEarlyClipping(Work& work, const EnvironmentMap& probe)
     };
     double best = 0.4 * whole, value = 0.0;
     for (double at = 0.5 * most; at > 2.0 * mean; at *= 0.5) {
-        const double residual = fitLobe(lobeProblem(level, analyse(clippedAt(at), coarse, work.job), work.job), size).residual;
+        const double residual = fitLobe(lobeProblem(level, analyze(clippedAt(at), coarse, work.job), work.job), size).residual;
         if (residual < best) {
             best = residual;
             value = at;
@@ -244,7 +244,7 @@ void findEarlyClipping(Work& work, const EnvironmentMap& probe)
     if (value == 0.0)
         return;
     const EnvironmentMap clipped = clippedAt(value);
-    work.clippedSpectrum = analyse(clipped, lobeBandLimit, work.job);
+    work.clippedSpectrum = analyze(clipped, lobeBandLimit, work.job);
     d.clipping = Clipping{.value = value, .lost = 1.0 - meanLuminance(clipped) / mean, .texels = 0, .filtered = true};
 }
 

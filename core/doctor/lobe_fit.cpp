@@ -16,7 +16,7 @@ using Complex = std::complex<double>;
 
 constexpr int smallLevel = 16; ///< texels a quarter turn up to which texels are compared one by one
 
-/// Analysed into degrees: they are orthogonal, so G is diagonal.
+/// Analyzed into degrees: they are orthogonal, so G is diagonal.
 LobeProblem spectralProblem(const EnvironmentMap& level, const Spectrum& probe, int size, const JobControl& job)
 {
     LobeProblem problem;
@@ -24,7 +24,7 @@ LobeProblem spectralProblem(const EnvironmentMap& level, const Spectrum& probe, 
     const int height = 4 * problem.bandLimit;
     const bool asItIs = level.layout.kind == Parameterization::Latlong;
     const EnvironmentMap latlong = asItIs ? level : reproject(level, {.target = {Parameterization::Latlong, height, 0}}, job);
-    const Spectrum map = analyse(latlong, problem.bandLimit, job);
+    const Spectrum map = analyze(latlong, problem.bandLimit, job);
     const auto degrees = static_cast<size_t>(problem.bandLimit) + 1;
     problem.gram.assign(degrees, 0.0);
     problem.cross.assign(degrees, 0.0);
@@ -187,7 +187,7 @@ LobeFit fitLobe(const LobeProblem& problem, int size)
 
 std::vector<glm::dvec3> degreeParts(const Spectrum& probe, const glm::dvec3& d, int bandLimit)
 {
-    // Spherical harmonics with the phase of Condon and Shortley, normalised, by the recursion over l for each m. Azimuth runs along the
+    // Spherical harmonics with the phase of Condon and Shortley, normalized, by the recursion over l for each m. Azimuth runs along the
     // rows of a latlong: against the longitude, from -Z.
     std::vector<glm::dvec3> parts(static_cast<size_t>(bandLimit) + 1, glm::dvec3(0.0));
     const double x = d.y, sine = std::hypot(d.x, d.z), azimuth = pi - std::atan2(d.x, d.z);

@@ -20,8 +20,8 @@ struct LobeProblem {
     std::vector<double> sampling{}; ///< what the map's texels take off k_l by themselves
 };
 
-/// The problem of one level in the probe's orientation. Large cubes are analysed into degrees; of small maps every texel is compared with
-/// the probe's parts at its centre, so that nothing is interpolated.
+/// The problem of one level in the probe's orientation. Large cubes are analyzed into degrees; of small maps every texel is compared with
+/// the probe's parts at its center, so that nothing is interpolated.
 /// @param probe  of a latlong; known at least to lobeBandLimit
 LobeProblem lobeProblem(const EnvironmentMap& level, const Spectrum& probe, const JobControl& job = {});
 inline constexpr int lobeBandLimit = 96;

@@ -30,7 +30,7 @@ double luminanceOf(const float* t) { return luminance({t[0], t[1], t[2]}); }
 
 /// Logarithms, shifted and scaled to mean 0 and variance 1: what a scale and a gamma leave as it is. Dark texels count from a hundredth of
 /// the mean on. A constant map becomes 0.
-void normalise(std::vector<double>& values)
+void normalize(std::vector<double>& values)
 {
     const auto n = static_cast<double>(values.size());
     std::vector<double> sorted = values;
@@ -66,7 +66,7 @@ Faces storedFaces(const Image& cube)
             }
     for (size_t i = 0; i < faces.values.size(); ++i)
         faces.values[i] /= counts[i];
-    normalise(faces.values);
+    normalize(faces.values);
     return faces;
 }
 
@@ -78,7 +78,7 @@ Faces facesOf(const EnvironmentMap& latlong, int n, double yaw)
     Faces faces{n, {}};
     for (size_t i = 0; i < cube.image.texels.size(); i += 3)
         faces.values.push_back(luminanceOf(&cube.image.texels[i]));
-    normalise(faces.values);
+    normalize(faces.values);
     return faces;
 }
 
@@ -259,9 +259,9 @@ Candidate searchYaw(const Search& search)
         for (int i = 0; i < steps; ++i)
             consider(probe, 0.5 * pi * i / steps);
     for (double step = 0.25 * pi / steps; step > 1e-4; step *= 0.5) {
-        const Candidate centre = best;
-        consider(centre.probe, centre.yaw - step);
-        consider(centre.probe, centre.yaw + step);
+        const Candidate center = best;
+        consider(center.probe, center.yaw - step);
+        consider(center.probe, center.yaw + step);
     }
     return best;
 }

@@ -4,7 +4,7 @@
 
 namespace mirrorball {
 
-/// How far the texels of a map lie from where their centres should be, in texels.
+/// How far the texels of a map lie from where their centers should be, in texels.
 struct SampleShift {
     double right = 0.0, down = 0.0; ///< the picture lies that far from where it should: corner sampling is half a texel
     double spread = 0.0; ///< texels that the picture is stretched by at its edges: -0.5 where the outermost texels lie *on* the edges

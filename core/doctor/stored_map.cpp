@@ -58,7 +58,7 @@ struct Picture {
 
 std::string_view wordOf(PackedColor form) { return words(form)[static_cast<size_t>(form)]; }
 
-/// A .png picture whose alpha multiplies its colours, as radiance.
+/// A .png picture whose alpha multiplies its colors, as radiance.
 Picture packedPicture(const std::filesystem::path& path, PackedColor form)
 {
     noteRead(path);
@@ -92,7 +92,7 @@ Picture pictureOf(const std::filesystem::path& path, const StoredMapReading& rea
     return {reader->info(), readWhole(*reader)};
 }
 
-/// A rectangle of an atlas as a latlong: its inner texels, which run around and end at the poles, at the centres of one that is twice as
+/// A rectangle of an atlas as a latlong: its inner texels, which run around and end at the poles, at the centers of one that is twice as
 /// wide as high; by Keys' cubic, held within the range of the four nearest.
 Image latlongOf(const Image& atlas, const play_canvas_atlas::Rectangle& r)
 {

@@ -262,7 +262,7 @@ CoarseLook lookCoarsely(const Spectrum& spectrum, const std::vector<double>& k, 
     for (int j = 0; j < rings; ++j)
         theta.push_back(pi * (j + 0.5) / rings);
     CoarseLook look{
-        .rings = synthesise(spectrum, k, theta, samples, pi / samples, std::vector<std::complex<double>>(k.size(), 1.0), job, longer)};
+        .rings = synthesize(spectrum, k, theta, samples, pi / samples, std::vector<std::complex<double>>(k.size(), 1.0), job, longer)};
     for (const double t : theta)
         for (int i = 0; i < samples; ++i) {
             const double azimuth = 2.0 * pi * (i + 0.5) / samples, lon = pi - azimuth;

@@ -81,9 +81,9 @@ EnvironmentMap filterBrdfLookups(FilterSource& source, const LookupFit& fit, dou
             rings.colatitude[i] = to.colatitude;
             rings.azimuth[i] += to.azimuth;
         }
-        const std::vector<double> norm = synthesiseOrder(spectrum, 3, 0, plan.k, rings, job).real;
+        const std::vector<double> norm = synthesizeOrder(spectrum, 3, 0, plan.k, rings, job).real;
         for (int c = 0; c < 3; ++c) {
-            const std::vector<double> light = synthesiseOrder(spectrum, c, 0, plan.k, rings, job).real;
+            const std::vector<double> light = synthesizeOrder(spectrum, c, 0, plan.k, rings, job).real;
             const size_t perNorm = norm.size() == light.size() ? 1 : static_cast<size_t>(rings.length);
             for (size_t i = 0; i < texels; ++i)
                 sums[3 * i + static_cast<size_t>(c)] +=

@@ -15,7 +15,7 @@ public:
     Shares(const KernelSpectrum& kernel, const std::vector<double>& power) : m_kernel(kernel)
     {
         const auto degrees = static_cast<size_t>(kernel.bandLimit) + 1, ms = static_cast<size_t>(kernel.orders) + 1;
-        for (int c = 0; c < (kernel.isGrey ? 1 : 3); ++c) {
+        for (int c = 0; c < (kernel.isGray ? 1 : 3); ++c) {
             double total = 0.0;
             std::vector<double> byOrder(ms * degrees);
             double held = 0.0;
@@ -70,7 +70,7 @@ KernelSpectrum cut(const KernelSpectrum& kernel, int bandLimit, int orders)
     KernelSpectrum result = kernel;
     result.bandLimit = bandLimit;
     result.orders = orders;
-    for (int c = 0; c < (kernel.isGrey ? 1 : 3); ++c) {
+    for (int c = 0; c < (kernel.isGray ? 1 : 3); ++c) {
         auto& k = result.k[static_cast<size_t>(c)];
         k.clear();
         for (int m = 0; m <= orders; ++m) {
@@ -87,7 +87,7 @@ std::vector<double> response(const Spectrum& spectrum, const KernelSpectrum& ker
 {
     std::vector<double> sum;
     for (int m = 0; m <= kernel.orders; ++m) {
-        const OrderMap order = synthesiseOrder(spectrum, channel, m, kernel.order(m, kernelChannel), rings, job);
+        const OrderMap order = synthesizeOrder(spectrum, channel, m, kernel.order(m, kernelChannel), rings, job);
         if (m == 0) {
             sum = order.real;
             continue;
@@ -99,7 +99,7 @@ std::vector<double> response(const Spectrum& spectrum, const KernelSpectrum& ker
     return sum;
 }
 
-/// What the bright texels send to every texel of the map, not yet normalised; empty where there are none.
+/// What the bright texels send to every texel of the map, not yet normalized; empty where there are none.
 std::vector<glm::dvec3> brightResponse(FilterSource& source, const StackPlan& plan, double azimuth, const MapLayout& target, double yaw,
                                        const JobControl& job)
 {
@@ -126,7 +126,7 @@ std::vector<glm::dvec3> brightResponse(FilterSource& source, const StackPlan& pl
                 glm::dvec3 sum(0.0);
                 for (size_t i = 0; i < count; ++i)
                     for (size_t c = 0; c < 3; ++c)
-                        sum[static_cast<int>(c)] += k[kernel.isGrey() ? 0 : c][i] * bright.flux[i][static_cast<int>(c)];
+                        sum[static_cast<int>(c)] += k[kernel.isGray() ? 0 : c][i] * bright.flux[i][static_cast<int>(c)];
                 result[static_cast<size_t>(y) * width + x] = sum;
             }
     });
@@ -208,7 +208,7 @@ EnvironmentMap filterBrdfStack(FilterSource& source, const StackPlan& plan, doub
     std::vector<double> norm;
     for (int c = 0; c < 3; ++c) {
         const std::vector<double> light = response(spectrum, kernel, c, c, azimuth, rings, job);
-        if (c == 0 || !kernel.isGrey)
+        if (c == 0 || !kernel.isGray)
             norm = response(spectrum, kernel, c, 3, azimuth, rings, job);
         const size_t perNorm = norm.size() == light.size() ? 1 : length;
         for (size_t i = 0; i < texels; ++i) {

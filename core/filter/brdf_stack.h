@@ -11,7 +11,7 @@
 namespace mirrorball {
 
 /// Exact maps that know the view. A probe filtered by the kernel of a BRDF at the angle of view t is
-///   L_o(r, psi) = albedo Re sum_m e^(-i m psi) A_m(r),   A_m from synthesiseOrder() with kappa_m of the kernel at t,
+///   L_o(r, psi) = albedo Re sum_m e^(-i m psi) A_m(r),   A_m from synthesizeOrder() with kappa_m of the kernel at t,
 /// psi the azimuth of the normal: a stack of complex maps, of which order 0 is the map of one round lobe. One forward transform of the
 /// probe serves every view and order. The excess of the probe's few brightest texels (bright_texels.h) does not go through it: the kernel
 /// is evaluated at each of them, so that a sun behind the horizon is behind a sharp one.
@@ -36,7 +36,7 @@ StackPlan planStack(const Brdf& brdf, double view, double tolerance, FilterSourc
 /// The same with orders up to a given one, however far that takes.
 StackPlan planStack(const Brdf& brdf, double view, double tolerance, int orders, FilterSource& source, const JobControl& job = {});
 
-/// The map of reflected radiance, as filterBrdfSum() has it. Normalised by the same filter of a constant 1, and not below 0 where the probe
+/// The map of reflected radiance, as filterBrdfSum() has it. Normalized by the same filter of a constant 1, and not below 0 where the probe
 /// never is.
 EnvironmentMap filterBrdfStack(FilterSource& source, const StackPlan& plan, double azimuth, const MapLayout& target, double yaw,
                                const JobControl& job = {});

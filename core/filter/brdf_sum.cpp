@@ -33,7 +33,7 @@ glm::dvec3 integral(const ReflectionKernel& kernel, const LobeNodes& nodes, cons
         for (size_t i = nodes.rings[r].first; i < nodes.end(r); ++i)
             for (size_t c = 0; c < kernel.channels(); ++c)
                 sum[static_cast<int>(c)] += nodes.rings[r].weight * nodes.chiWeight[i] * values[c][i];
-    return kernel.isGrey() ? glm::dvec3(sum.x) : sum;
+    return kernel.isGray() ? glm::dvec3(sum.x) : sum;
 }
 
 } // namespace
@@ -108,7 +108,7 @@ glm::dvec3 BrdfSum::sum(const glm::dvec3& n, const glm::dvec3& r, Scratch& s) co
             continue;
         m_kernel.evaluate({s.nl.data(), count}, {s.lv.data(), count}, out);
         for (size_t c = 0; c < 3; ++c) {
-            const double* k = s.k[m_kernel.isGrey() ? 0 : c].data();
+            const double* k = s.k[m_kernel.isGray() ? 0 : c].data();
             const double* texels = m_texels.data() + (3 * y + c) * width;
             double rowLight = 0.0, rowNorm = 0.0;
             for (size_t i = 0; i < count; ++i) {

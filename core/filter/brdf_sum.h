@@ -14,7 +14,7 @@ namespace mirrorball {
 /// The reflected radiance by brute force, the truth for every other method: over all texels d_j of a latlong probe with their exact solid
 /// angles w_j,
 ///   L_o = albedo sum_j w_j L_j K(d_j) / sum_j w_j K(d_j),   K = f (n.l),
-/// per channel, in double precision: normalised like the reference sum of a lobe (reference.h), so that a constant probe gives the albedo
+/// per channel, in double precision: normalized like the reference sum of a lobe (reference.h), so that a constant probe gives the albedo
 /// exactly. Texels below the horizon, and those so far from a narrow lobe's peak that K is under 1e-13 of it, are passed over.
 class BrdfSum {
 public:

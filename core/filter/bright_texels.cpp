@@ -95,7 +95,7 @@ constexpr double supportLevel = 1e-30;
 /// Texels of a group at most.
 constexpr size_t groupSize = 32;
 
-/// Divides indices into runs of neighbours: halves along the longest axis until they are few.
+/// Divides indices into runs of neighbors: halves along the longest axis until they are few.
 void divide(std::vector<size_t>& order, size_t first, size_t last, const std::vector<glm::dvec3>& at, std::vector<size_t>& ends)
 {
     if (last - first <= groupSize) {
@@ -128,14 +128,14 @@ BrightLobe::BrightLobe(const BrightTexels& bright, const Lobe& lobe) : m_lobe(lo
         divide(order, 0, order.size(), bright.directions, ends);
     size_t first = 0;
     for (const size_t last : ends) {
-        Group group{.centre = glm::dvec3(0.0), .cosReach = -2.0, .first = first, .last = last};
+        Group group{.center = glm::dvec3(0.0), .cosReach = -2.0, .first = first, .last = last};
         for (size_t i = first; i < last; ++i)
-            group.centre += bright.directions[order[i]];
-        group.centre = glm::length(group.centre) > 0.0 ? glm::normalize(group.centre) : bright.directions[order[first]];
+            group.center += bright.directions[order[i]];
+        group.center = glm::length(group.center) > 0.0 ? glm::normalize(group.center) : bright.directions[order[first]];
         double radius = 0.0;
         for (size_t i = first; i < last; ++i) {
             const glm::dvec3& d = bright.directions[order[i]];
-            radius = std::max(radius, 2.0 * std::asin(std::min(1.0, 0.5 * glm::length(d - group.centre))));
+            radius = std::max(radius, 2.0 * std::asin(std::min(1.0, 0.5 * glm::length(d - group.center))));
             m_x.push_back(d.x);
             m_y.push_back(d.y);
             m_z.push_back(d.z);
@@ -155,7 +155,7 @@ glm::dvec3 BrightLobe::radiance(const glm::dvec3& r) const
     glm::dvec3 sum(0.0);
     const BrightPlanes planes{m_x.data(), m_y.data(), m_z.data(), m_red.data(), m_green.data(), m_blue.data()};
     for (const Group& group : m_groups)
-        if (glm::dot(r, group.centre) >= group.cosReach)
+        if (glm::dot(r, group.center) >= group.cosReach)
             sum += brightSum(planes, group.first, group.last, m_lobe, m_shape, r);
     return sum;
 }

@@ -80,10 +80,10 @@ public:
     glm::dvec3 radiance(const glm::dvec3& r) const;
 
 private:
-    /// Neighbours on the sphere, so that a narrow lobe passes over most of them at once.
+    /// Neighbors on the sphere, so that a narrow lobe passes over most of them at once.
     struct Group {
-        glm::dvec3 centre;
-        double cosReach; ///< the lobe is 0 for all of them where r.centre is less
+        glm::dvec3 center;
+        double cosReach; ///< the lobe is 0 for all of them where r.center is less
         size_t first, last;
     };
 

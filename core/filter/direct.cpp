@@ -23,7 +23,7 @@ std::vector<glm::dvec3> directSum(const EnvironmentMap& latlong, const Lobe& lob
     const Image& image = latlong.image;
     const int width = image.width, height = image.height;
     const LobeShape shape(lobe);
-    // At least three texels wide, so that a lookup between texel centres always finds some.
+    // At least three texels wide, so that a lookup between texel centers always finds some.
     const double reach = std::min(pi / 2, std::max(shape.support(options.level), 1.5 * pi / height));
     const double cosReach = std::cos(reach);
 

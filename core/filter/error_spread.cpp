@@ -90,14 +90,14 @@ private:
             kernel[i] = model.blurs.empty() ? h * std::sqrt(h) : h * h;
             felt[i] *= felt[i];
         }
-        normalise(kernel);
-        normalise(felt);
+        normalize(kernel);
+        normalize(felt);
         for (size_t i = 0; i < kernel.size() && !model.felt.empty(); ++i)
             kernel[i] = 0.1 * kernel[i] + 0.9 * felt[i];
         return kernel;
     }
 
-    static void normalise(std::vector<double>& kernel)
+    static void normalize(std::vector<double>& kernel)
     {
         double integral = 0.0;
         for (size_t i = 0; i < kernel.size(); ++i)

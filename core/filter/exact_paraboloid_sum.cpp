@@ -63,17 +63,17 @@ glm::dvec4 sumOver(const ParaboloidHalves& halves, int half, const glm::dvec3& r
     // A cap that holds the point of projection, or nearly, covers whatever it meets of the disc: look at all of it.
     const bool isCircle = r.z + std::cos(halves.reach) > 0.01;
     const CapCircle circle = isCircle ? circleOfCap(r, halves.reach) : CapCircle{{}, 4.0};
-    const glm::dvec2 centre(middle + halves.radius * circle.centre.x, middle - halves.radius * circle.centre.y);
+    const glm::dvec2 center(middle + halves.radius * circle.center.x, middle - halves.radius * circle.center.y);
     const double radius = halves.radius * circle.radius;
     const auto clipped = [side](double at) { return static_cast<int>(std::clamp(std::floor(at), -1.0, static_cast<double>(side))); };
     glm::dvec4 sum(0.0);
-    for (int y = std::max(0, clipped(centre.y - radius)); y <= std::min(side - 1, clipped(centre.y + radius)); ++y) {
-        const double away = std::max(0.0, std::abs(y + 0.5 - centre.y) - 1.0), wide = radius * radius - away * away;
+    for (int y = std::max(0, clipped(center.y - radius)); y <= std::min(side - 1, clipped(center.y + radius)); ++y) {
+        const double away = std::max(0.0, std::abs(y + 0.5 - center.y) - 1.0), wide = radius * radius - away * away;
         if (wide < 0.0)
             continue;
         Row row{.y = (middle - y - 0.5) / halves.radius, .texel = 1.0 / halves.radius};
-        row.first = std::max(0, clipped(centre.x - std::sqrt(wide) - 1.0));
-        row.last = std::min(side - 1, clipped(centre.x + std::sqrt(wide) + 1.0));
+        row.first = std::max(0, clipped(center.x - std::sqrt(wide) - 1.0));
+        row.last = std::min(side - 1, clipped(center.x + std::sqrt(wide) + 1.0));
         if (row.last < row.first)
             continue;
         row.x = (row.first + 0.5 - middle) / halves.radius;

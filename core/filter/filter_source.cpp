@@ -129,7 +129,7 @@ const Spectrum& FilterSource::spectrum(int bandLimit, const JobControl& job)
         if (!m_latlong)
             throw WorkError("spectrum: the probe was read up to band limit " + std::to_string(m_spectrum->bandLimit) + ", but " +
                             std::to_string(bandLimit) + " is needed; load it whole");
-        m_spectrum = std::make_shared<const Spectrum>(analyse(*m_latlong, roundedUp(bandLimit), job));
+        m_spectrum = std::make_shared<const Spectrum>(analyze(*m_latlong, roundedUp(bandLimit), job));
     }
     return *m_spectrum;
 }

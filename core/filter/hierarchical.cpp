@@ -75,7 +75,7 @@ private:
     double m_steepest = 0.0;
 };
 
-/// A block's node from its up to four parts. Parts without brightness are centred where their area is.
+/// A block's node from its up to four parts. Parts without brightness are centered where their area is.
 Node merged(const std::vector<Node>& parts, const std::vector<glm::dmat3>& channels, glm::dmat3& channelSums)
 {
     Node node;
@@ -86,23 +86,23 @@ Node merged(const std::vector<Node>& parts, const std::vector<glm::dmat3>& chann
         node.flux += p.flux;
         node.brightness += p.brightness;
         node.solidAngle += p.solidAngle;
-        byBrightness += p.brightness * p.fluxCentre;
-        byArea += p.solidAngle * p.centre;
+        byBrightness += p.brightness * p.fluxCenter;
+        byArea += p.solidAngle * p.center;
         channelSums += channels[i];
     }
-    node.centre = byArea / node.solidAngle;
-    node.fluxCentre = node.brightness > 0.0 ? byBrightness / node.brightness : node.centre;
+    node.center = byArea / node.solidAngle;
+    node.fluxCenter = node.brightness > 0.0 ? byBrightness / node.brightness : node.center;
     for (const Node& p : parts) {
-        const glm::dvec3 f = p.fluxCentre - node.fluxCentre, a = p.centre - node.centre;
+        const glm::dvec3 f = p.fluxCenter - node.fluxCenter, a = p.center - node.center;
         node.fluxSpread += p.brightness * (p.fluxSpread + glm::dot(f, f));
         node.spread += p.solidAngle * (p.spread + glm::dot(a, a));
-        node.radius = std::max({node.radius, p.radius + glm::length(p.centre - node.centre),
-                                p.radius + glm::length(p.centre - node.fluxCentre), p.radius + glm::length(f)});
+        node.radius = std::max({node.radius, p.radius + glm::length(p.center - node.center),
+                                p.radius + glm::length(p.center - node.fluxCenter), p.radius + glm::length(f)});
     }
     node.fluxSpread = node.brightness > 0.0 ? node.fluxSpread / node.brightness : node.spread;
     node.spread /= node.solidAngle;
-    for (int c = 0; c < 3; ++c) // sum L_c w (d - fluxCentre): what a common centre leaves out in first order
-        node.shift = std::max(node.shift, glm::length(channelSums[c] - node.flux[c] * node.fluxCentre));
+    for (int c = 0; c < 3; ++c) // sum L_c w (d - fluxCenter): what a common center leaves out in first order
+        node.shift = std::max(node.shift, glm::length(channelSums[c] - node.flux[c] * node.fluxCenter));
     return node;
 }
 
@@ -127,8 +127,8 @@ RadianceTree::RadianceTree(const EnvironmentMap& latlong, const JobControl& job)
         const float* t = latlong.image.texel(x, y);
         const glm::dvec3 d = direction(x, y), flux = m_solidAngle[static_cast<size_t>(y)] * glm::dvec3(t[0], t[1], t[2]);
         return Node{.flux = flux,
-                    .fluxCentre = d,
-                    .centre = d,
+                    .fluxCenter = d,
+                    .center = d,
                     .brightness = (std::abs(flux.r) + std::abs(flux.g) + std::abs(flux.b)) / 3.0,
                     .solidAngle = m_solidAngle[static_cast<size_t>(y)]};
     };
@@ -216,8 +216,8 @@ private:
     {
         const RadianceTree::Level& level = m_tree.levels()[static_cast<size_t>(levelIndex)];
         const Node& n = level.nodes[static_cast<size_t>(y) * static_cast<size_t>(level.width) + static_cast<size_t>(x)];
-        const double c = glm::dot(m_r, n.centre), cf = glm::dot(m_r, n.fluxCentre);
-        // d = centre + e with |e| <= radius: r.e is at most sin t times the part across r, and radius^2 / 2 along it on the sphere.
+        const double c = glm::dot(m_r, n.center), cf = glm::dot(m_r, n.fluxCenter);
+        // d = center + e with |e| <= radius: r.e is at most sin t times the part across r, and radius^2 / 2 along it on the sphere.
         const double across = std::sqrt(std::max(0.0, 1.0 - c * c));
         const double reach = std::min(n.radius, n.radius * across + n.radius * n.radius);
         const double high = std::max(c, cf) + reach;

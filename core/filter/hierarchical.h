@@ -13,9 +13,9 @@ namespace mirrorball {
 /// Coarse-to-fine summation: the reference sum in which a block of texels far from the lobe's edge, or dim, counts as one.
 ///
 /// The probe's texels are the leaves of a pyramid of 2 x 2 blocks. A node keeps the flux of its texels F = sum L w, their solid angle
-/// W = sum w, and where each is centred; k is taken at the centres, so that what is linear in the position within the node comes out
+/// W = sum w, and where each is centered; k is taken at the centers, so that what is linear in the position within the node comes out
 /// exactly and the error starts with the curvature of the lobe:
-///   |error| <= 1/2 max|k''| (F var_F(x) + L_mean W var_W(x)) + max|k'| F |shift of the colours' centres|,   x = r.d
+///   |error| <= 1/2 max|k''| (F var_F(x) + L_mean W var_W(x)) + max|k'| F |shift of the colors' centers|,   x = r.d
 /// A node is split only where that exceeds its share of the tolerance, and the shares of all nodes add up to the whole.
 /// Source: J. Kautz, P. Vazquez, W. Heidrich and H.-P. Seidel, "A Unified Approach to Prefiltered Environment Maps", 2000 (named by
 /// 000 figure 13), with a bound in place of its threshold.
@@ -27,14 +27,14 @@ public:
 
     struct Node {
         glm::dvec3 flux{0.0};       ///< RGB
-        glm::dvec3 fluxCentre{0.0}; ///< mean direction weighted by brightness: shorter than 1
-        glm::dvec3 centre{0.0};     ///< mean direction weighted by solid angle
+        glm::dvec3 fluxCenter{0.0}; ///< mean direction weighted by brightness: shorter than 1
+        glm::dvec3 center{0.0};     ///< mean direction weighted by solid angle
         double brightness = 0.0;    ///< sum w (|R| + |G| + |B|)/3
         double solidAngle = 0.0;
-        double fluxSpread = 0.0; ///< variance of the directions about fluxCentre, trace
-        double spread = 0.0;     ///< the same about `centre`
-        double shift = 0.0;      ///< largest distance of a channel's centre from fluxCentre, times that channel's flux
-        double radius = 0.0;     ///< no texel centre is farther from fluxCentre or centre
+        double fluxSpread = 0.0; ///< variance of the directions about fluxCenter, trace
+        double spread = 0.0;     ///< the same about `center`
+        double shift = 0.0;      ///< largest distance of a channel's center from fluxCenter, times that channel's flux
+        double radius = 0.0;     ///< no texel center is farther from fluxCenter or center
     };
     /// A texel has no Node: its sums are the texel.
     struct Level {

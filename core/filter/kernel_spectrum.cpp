@@ -41,7 +41,7 @@ KernelSpectrum kernelSpectrum(const ReflectionKernel& kernel, int bandLimit, int
     const auto values = kernelAtNodes(kernel, nodes);
     const auto degrees = static_cast<size_t>(bandLimit) + 1, ms = static_cast<size_t>(orders) + 1;
     KernelSpectrum result{
-        .view = kernel.view(), .bandLimit = bandLimit, .orders = orders, .isGrey = kernel.isGrey(), .albedo = glm::dvec3(0.0)};
+        .view = kernel.view(), .bandLimit = bandLimit, .orders = orders, .isGray = kernel.isGray(), .albedo = glm::dvec3(0.0)};
     const size_t channels = kernel.channels();
     for (size_t c = 0; c < channels; ++c)
         result.k[c].assign(ms * degrees, 0.0);
@@ -80,7 +80,7 @@ KernelSpectrum kernelSpectrum(const ReflectionKernel& kernel, int bandLimit, int
             for (size_t l = m; l < degrees; ++l)
                 result.k[c][m * degrees + l] *= over * std::sqrt(4.0 * pi / (2.0 * static_cast<double>(l) + 1.0));
     }
-    if (result.isGrey) {
+    if (result.isGray) {
         result.albedo = glm::dvec3(result.albedo.x);
         result.power[1] = result.power[2] = result.power[0];
     }

@@ -10,7 +10,7 @@ enum class LobeKind { Phong, Diffuse, Ggx, Tabulated };
 
 /// One lobe. Build it with the functions below, which check the ranges.
 ///
-///   phong(n)    k = (n+1)/(2 pi) max(c, 0)^n                 looked up by reflection   000 eq. 17, normalised; roughness there is 1/n
+///   phong(n)    k = (n+1)/(2 pi) max(c, 0)^n                 looked up by reflection   000 eq. 17, normalized; roughness there is 1/n
 ///   diffuse     k = max(c, 0)/pi                             looked up by normal       000 eq. 15 over pi
 ///   ggx(alpha)  k ~ D(t/2) max(c, 0), N = V = R              looked up by reflection   split-sum prefilter; alpha = roughness^2
 ///   tabulated   linear between samples equally spaced in c over [0, 1], scaled to integral 1     looked up by reflection

@@ -319,7 +319,7 @@ LookupFit finish(const View& view, const GroupSet& set)
             if (side > 0.0 || set[i].isPair)
                 fit.lookups.push_back(
                     {.offset = set[i].offset, .alpha = set[i].alpha, .weight = glm::dvec3(0.0), .turn = side * set[i].turn});
-    const int channels = spectrum.isGrey ? 1 : 3;
+    const int channels = spectrum.isGray ? 1 : 3;
     std::array<std::array<double, mostLookups>, 3> b{};
     for (size_t i = 0; i < n; ++i) {
         const glm::dvec3 products = exact.kernel(lobes[i], axes[i]);
@@ -335,7 +335,7 @@ LookupFit finish(const View& view, const GroupSet& set)
             for (int side = 0; side < (set[i].isPair ? 2 : 1); ++side, ++at)
                 fit.lookups[at].weight[c] = weights.w[i] * spectrum.albedo[c] * (set[i].isPair ? 0.5 : 1.0);
     }
-    if (spectrum.isGrey)
+    if (spectrum.isGray)
         for (BrdfLookup& lookup : fit.lookups)
             lookup.weight = glm::dvec3(lookup.weight.x);
     fit.residual = std::sqrt(left / channels);

@@ -49,7 +49,7 @@ double lobeScale(size_t l) { return (2.0 * static_cast<double>(l) + 1.0) / (4.0 
 /// All channels taken together: the mean of what each holds of degree l and order m, times the root of lobeScale(l).
 double meanPart(const KernelSpectrum& spectrum, size_t l, int m)
 {
-    const int channels = spectrum.isGrey ? 1 : 3;
+    const int channels = spectrum.isGray ? 1 : 3;
     double sum = 0.0;
     for (int c = 0; c < channels; ++c)
         sum += spectrum.order(m, c)[l];
@@ -199,11 +199,11 @@ glm::dvec3 ExactProducts::kernel(const std::vector<double>& lobe, const glm::dve
         const double turned = std::cos(m * chi);
         for (size_t l = static_cast<size_t>(std::max(m, 1)); l < degrees; ++l)
             lambda[l] *= naturalPower(static_cast<int>(l)) * lobe[l] * std::sqrt(lobeScale(l)) * turned;
-        for (int c = 0; c < (m_spectrum.isGrey ? 1 : 3); ++c)
+        for (int c = 0; c < (m_spectrum.isGray ? 1 : 3); ++c)
             for (size_t l = static_cast<size_t>(std::max(m, 1)); l < degrees; ++l)
                 sum[c] += m_spectrum.order(m, c)[l] * lambda[l];
     }
-    return m_spectrum.isGrey ? glm::dvec3(sum.x) : sum;
+    return m_spectrum.isGray ? glm::dvec3(sum.x) : sum;
 }
 
 double ExactProducts::lobes(const std::vector<double>& a, const std::vector<double>& b, double cosDistance) const

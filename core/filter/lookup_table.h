@@ -13,7 +13,7 @@ namespace mirrorball {
 /// N columns, n.v = (i + 1/2)/N; two rows a lookup, 2 K in all:
 ///   row 2k      R the offset in radians (brdf_lookups.h), G alpha, B the turn out of the plane of incidence in radians
 ///   row 2k + 1  RGB the weight
-/// Between columns all of it is linear; the weights of a column add up to the directional albedo there. Neighbouring columns are fitted one
+/// Between columns all of it is linear; the weights of a column add up to the directional albedo there. Neighboring columns are fitted one
 /// from the other, so that an entry keeps its part of the lobe. Shader twin: resources/shaders/lib/brdf_lookups.glsl.
 /// Of what an engine does (engine_lookups.h) K is 1, for three 2, and nothing is fitted.
 /// @param size  N; 0: 32

@@ -22,7 +22,7 @@ enum class ParaboloidKernel {
     /// 000 section 3.2.5 as it stands: the map is convolved with one kernel that is right in the middle of a half (map S) and with one that
     /// is right at its rim (map L), each on a map shrunk by boxes until the kernel fits, and the two are blended by d^2.
     Blended,
-    /// The kernel of every place as it is: a circle with a displaced centre, whose texels weigh what the lobe and their solid angle say.
+    /// The kernel of every place as it is: a circle with a displaced center, whose texels weigh what the lobe and their solid angle say.
     /// The map shrinks without losing where its radiance came from, so that the error falls with the fourth power of the kernel's size.
     Exact,
 };

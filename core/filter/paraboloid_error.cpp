@@ -142,7 +142,7 @@ double paraboloidError(const Lobe& lobe, const ParaboloidKnobs& knobs)
 
 namespace {
 
-/// Coefficients of the lobe's share within its reach, normalised to 1, less its own: by the midpoint rule.
+/// Coefficients of the lobe's share within its reach, normalized to 1, less its own: by the midpoint rule.
 std::vector<double> clampBias(const LobeShape& shape, double reach, int bandLimit)
 {
     const double inside = shape.integral() - integralBeyond(shape, reach, 1.0), farthest = shape.support(1e-12);

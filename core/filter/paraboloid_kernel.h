@@ -51,18 +51,18 @@ int blendedHalfSide(const KernelSizes& sizes, const SampledKernel& large, int ha
 double largeKernelShare(double d);
 
 /// Distortion of a circle of radius r about a point at the distance d when it is brought back to the sphere, as in figure 12. It stays a
-/// circle; what suffers is its middle: with a the angle from the projected centre to the nearer and b to the farther side,
+/// circle; what suffers is its middle: with a the angle from the projected center to the nearer and b to the farther side,
 ///   a = 2 (atan d - atan(d - r)),   b = 2 (atan(d + r) - atan d),   distortion = |a - b| / (a + b),
-/// the angle between the two centres over the radius. 0 in the middle of a half, 0.24 at the rim for a radius of 1/2.
+/// the angle between the two centers over the radius. 0 in the middle of a half, 0.24 at the rim for a radius of 1/2.
 double circleDistortion(double d, double r);
 
-/// The circle in the plane of the front half that a cap of the sphere becomes: exactly a circle, its centre displaced from the projection
-/// of the cap's own centre, which is r.xy/(1 + r.z).
+/// The circle in the plane of the front half that a cap of the sphere becomes: exactly a circle, its center displaced from the projection
+/// of the cap's own center, which is r.xy/(1 + r.z).
 struct CapCircle {
-    glm::dvec2 centre{0.0};
+    glm::dvec2 center{0.0};
     double radius = 0.0;
 };
-/// centre = r.xy / (r.z + cos t), radius = sin t / (r.z + cos t): the circle through the stereographic images of the cap's nearest and
+/// center = r.xy / (r.z + cos t), radius = sin t / (r.z + cos t): the circle through the stereographic images of the cap's nearest and
 /// farthest points on the meridian of r.
 /// @param r  unit; r.z > -cos t, so that the cap does not hold the point of projection
 /// @param t  the cap's angle

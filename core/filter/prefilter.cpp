@@ -59,7 +59,7 @@ EnvironmentMap lookUp(const EnvironmentMap& probe, const MapLayout& target, doub
 }
 
 /// One map by the spectral method, as it was settled.
-EnvironmentMap synthesiseMap(FilterSource& source, const SettledSpectral& settled, const PrefilterOptions& options, const JobControl& job)
+EnvironmentMap synthesizeMap(FilterSource& source, const SettledSpectral& settled, const PrefilterOptions& options, const JobControl& job)
 {
     const auto points =
         options.target.kind == Parameterization::Latlong ? std::span<const SpherePoint>{} : source.points(options.target, job);
@@ -133,7 +133,7 @@ std::optional<EnvironmentMap> runSpectral(FilterSource& source, const SettledSpe
                                           const JobControl& job, PrefilterOutcome& outcome)
 {
     return checkedMap(
-        settled, "synthesis", options.tolerance, outcome, [&](const SettledSpectral& s) { return synthesiseMap(source, s, options, job); },
+        settled, "synthesis", options.tolerance, outcome, [&](const SettledSpectral& s) { return synthesizeMap(source, s, options, job); },
         [&](double strictness) { return settleSpectral(source, options, job, strictness); });
 }
 

@@ -14,7 +14,7 @@ namespace mirrorball {
 ///
 ///   E(r) = sum_j L_j w_j k(r.d_j) / sum_j w_j k(r.d_j)
 ///
-/// with texel centres d_j and exact texel solid angles w_j. Powers are taken in log space relative to the nearest texel's, so that
+/// with texel centers d_j and exact texel solid angles w_j. Powers are taken in log space relative to the nearest texel's, so that
 /// no exponent makes the sums over- or underflow; sums run row by row. It is what every method is measured against, and slow:
 /// about texels x directions x 5 ns.
 /// @param directions unit vectors

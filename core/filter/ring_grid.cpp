@@ -48,7 +48,7 @@ inline void setSplineWeights(const std::array<float, batch>& fractions, Weights&
     }
 }
 
-/// Two neighbouring samples of RGB and the norm as one vector of the compiler's; loads need no alignment.
+/// Two neighboring samples of RGB and the norm as one vector of the compiler's; loads need no alignment.
 typedef float TwoTexels __attribute__((vector_size(32), aligned(4), may_alias)); // an attribute that `using` cannot carry
 
 constexpr int lanes = 8; ///< great circles filtered side by side
@@ -159,7 +159,7 @@ RingGrid::RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int r
         // Azimuth runs against longitude, so turning the map by +yaw is a shift by -yaw along it.
         azimuth[i] = std::polar(120.0 / (66.0 + 52.0 * std::cos(w) + 2.0 * std::cos(2.0 * w)), m * yaw);
     }
-    FilteredRings filtered = synthesise(spectrum, k, theta, samples, 0.0, azimuth, job);
+    FilteredRings filtered = synthesize(spectrum, k, theta, samples, 0.0, azimuth, job);
     m_mean = filtered.mean;
     // The zonal norm has its own line of samples: it repeats with the probe's rows, which may be finer than the rings.
     const std::vector<double>& factors = longer.empty() ? k : longer;

@@ -16,7 +16,7 @@ struct SpherePoint {
 /// A band-limited function on the sphere, held on rings and read at any direction: how a filtered spectrum reaches the maps whose
 /// texels do not lie on rings (cube, paraboloid, octahedral, discs).
 ///
-/// The function is synthesised on N rings of 2N samples and interpolated by a quintic B-spline, exactly through the samples: along the
+/// The function is synthesized on N rings of 2N samples and interpolated by a quintic B-spline, exactly through the samples: along the
 /// azimuth the spline's prefilter is a factor per order m, 120/(66 + 52 cos w + 2 cos 2w) with w = 2 pi m / 2N; along the meridians it is
 /// the spline's recursive filter, run over whole great circles so that the poles are no ends. Of a harmonic of degree l the
 /// interpolation lets aliases of about (x/(1-x))^6 through, x = l/2N.

@@ -12,7 +12,7 @@ namespace mirrorball {
 
 /// Diffuse light from nine coefficients: the spectrum up to l = 2 times k = 1, 2/3, 1/4, which is a quadratic polynomial of the normal.
 ///   E(r) = c_0 + c_1 . r + r^T C_2 r
-/// for each channel, and for a constant 1, which normalises as in every method.
+/// for each channel, and for a constant 1, which normalizes as in every method.
 /// Source: R. Ramamoorthi and P. Hanrahan, "An Efficient Representation for Irradiance Environment Maps", 2001, eqs. 7-13 (over pi).
 class Sh9 {
 public:

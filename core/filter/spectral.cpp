@@ -159,7 +159,7 @@ EnvironmentMap filterSpectral(const Spectrum& spectrum, const std::vector<double
         std::vector<std::complex<double>> turn;
         for (size_t m = 0; m < k.size(); ++m)
             turn.push_back(std::polar(1.0, static_cast<double>(m) * yaw)); // azimuth runs against longitude, see RingGrid
-        const FilteredRings rows = synthesise(spectrum, k, theta, width, pi / width, turn, job, longer);
+        const FilteredRings rows = synthesize(spectrum, k, theta, width, pi / width, turn, job, longer);
         parallelRows(height, job, [&](int first, int last) {
             for (int y = first; y < last; ++y)
                 for (int x = 0; x < width; ++x) {

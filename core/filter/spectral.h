@@ -42,7 +42,7 @@ BandLimitPlan planBandLimit(const std::vector<double>& k, double tolerance, cons
 /// @param power  per degree about the mean, as far as it is known; empty: the worst a non-negative probe can have
 double spectralError(const BandLimitPlan& plan, const MapLayout& target, double tolerance, const std::vector<double>& power = {});
 
-/// The filtered map. The rows of a latlong target are rings, on which it is synthesised in place; other targets are read off a
+/// The filtered map. The rows of a latlong target are rings, on which it is synthesized in place; other targets are read off a
 /// RingGrid at `points`, the target's spherePoints() (unused for latlong).
 /// @param k  the lobe's coefficients, 0 .. band limit, at most the spectrum's
 /// @param rings  of the ring grid (unused for latlong)

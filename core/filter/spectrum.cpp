@@ -347,7 +347,7 @@ Spectrum& Spectrum::operator+=(const Spectrum& other)
     return *this;
 }
 
-Spectrum analyse(const EnvironmentMap& latlong, int bandLimit, const JobControl& job)
+Spectrum analyze(const EnvironmentMap& latlong, int bandLimit, const JobControl& job)
 {
     if (latlong.layout.kind != Parameterization::Latlong)
         throw InvalidArgument("spectrum: the probe must be a latlong map; reproject it first");
@@ -356,7 +356,7 @@ Spectrum analyse(const EnvironmentMap& latlong, int bandLimit, const JobControl&
     return builder.finish(job);
 }
 
-FilteredRings synthesise(const Spectrum& spectrum, const std::vector<double>& k, const std::vector<double>& theta, int ringLength,
+FilteredRings synthesize(const Spectrum& spectrum, const std::vector<double>& k, const std::vector<double>& theta, int ringLength,
                          double phi0, const std::vector<Complex>& azimuthFactors, const JobControl& job, const std::vector<double>& longer)
 {
     const int bandLimit = static_cast<int>(k.size()) - 1;

@@ -24,7 +24,7 @@ struct Spectrum {
     int rings = 0;                                                   ///< rows of the map it was made from
     int ringLength = 0;                                              ///< texels in a row
     std::array<std::vector<std::complex<double>>, 3> coefficients{}; ///< R, G, B; m >= 0 only, at index(l, m)
-    std::vector<std::complex<double>> unit{};                        ///< the same sum over a constant 1, which normalises the filters
+    std::vector<std::complex<double>> unit{};                        ///< the same sum over a constant 1, which normalizes the filters
     std::vector<double> zonalUnit{};                                 ///< its m = 0, followed at least as far as the rows repeat themselves
     double peak = 0.0;                                               ///< largest |texel| of the map
     double least = 0.0;                                              ///< smallest texel of the map as it was read
@@ -71,7 +71,7 @@ public:
     int width() const { return m_width; }
     int height() const { return m_height; }
 
-    /// Rows [firstRow, firstRow + rows) of a centre-sampled latlong map, 3 floats a texel, finite.
+    /// Rows [firstRow, firstRow + rows) of a center-sampled latlong map, 3 floats a texel, finite.
     void addRows(int firstRow, int rows, const float* rgb, const JobControl& job = {});
     /// Another radiance for the texel (x, y) of a row that was added: as if the row had come with it.
     /// @param before  what it came with
@@ -94,9 +94,9 @@ private:
 };
 
 /// The spectrum of a latlong map in memory. @throws InvalidArgument for another parameterization
-Spectrum analyse(const EnvironmentMap& latlong, int bandLimit, const JobControl& job = {});
+Spectrum analyze(const EnvironmentMap& latlong, int bandLimit, const JobControl& job = {});
 
-/// A filtered spectrum on rings, not yet normalised. The reference sum's denominator N, the filter of a constant 1, differs from 1 by the
+/// A filtered spectrum on rings, not yet normalized. The reference sum's denominator N, the filter of a constant 1, differs from 1 by the
 /// quadrature error of the texel sum; of the numerator the part about the mean is followed to the band limit, and the mean's own, mean N,
 /// as far as N is.
 struct FilteredRings {
@@ -115,7 +115,7 @@ struct FilteredRings {
 /// @param k  0 .. B, at most the spectrum's band limit
 /// @param azimuthFactors  multiply every coefficient of order m; that of m = 0 is 1
 /// @param longer  k followed further, for N; empty: k
-FilteredRings synthesise(const Spectrum& spectrum, const std::vector<double>& k, const std::vector<double>& theta, int ringLength,
+FilteredRings synthesize(const Spectrum& spectrum, const std::vector<double>& k, const std::vector<double>& theta, int ringLength,
                          double phi0, const std::vector<std::complex<double>>& azimuthFactors, const JobControl& job,
                          const std::vector<double>& longer = {});
 

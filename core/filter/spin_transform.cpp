@@ -101,7 +101,7 @@ MIRRORBALL_CLONES void OrderHarmonics::addSums(std::span<const double> gamma, st
     }
 }
 
-OrderMap synthesiseOrder(const Spectrum& spectrum, int channel, int m, std::span<const double> k, const RingSet& rings,
+OrderMap synthesizeOrder(const Spectrum& spectrum, int channel, int m, std::span<const double> k, const RingSet& rings,
                          const JobControl& job)
 {
     job.checkStop();

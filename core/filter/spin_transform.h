@@ -43,7 +43,7 @@ struct OrderMap {
 };
 /// @param channel  0 to 2; 3: the constant 1 (Spectrum::unit), whose map does not depend on the azimuth where the band limit lies below the
 ///                 length of the probe's rows: then each ring has one value
-OrderMap synthesiseOrder(const Spectrum& spectrum, int channel, int m, std::span<const double> k, const RingSet& rings,
+OrderMap synthesizeOrder(const Spectrum& spectrum, int channel, int m, std::span<const double> k, const RingSet& rings,
                          const JobControl& job = {});
 
 } // namespace mirrorball

@@ -18,7 +18,7 @@ TruncationModel::TruncationModel(const Spectrum& spectrum, const std::vector<dou
     m_shape = glm::max(m_shape, glm::dvec3(1e-3)); // a channel without light of its own still has rounding
 
     m_largest.resize(k.size());
-    for (int l = length; l >= 0; --l) { // every other coefficient of a kinked lobe is 0: its neighbour stands for it, at the end above all
+    for (int l = length; l >= 0; --l) { // every other coefficient of a kinked lobe is 0: its neighbor stands for it, at the end above all
         const auto i = static_cast<size_t>(l);
         m_largest[i] = std::max({std::abs(k[i]), l > 0 ? std::abs(k[i - 1]) : 0.0, l < length ? m_largest[i + 1] : 0.0});
     }

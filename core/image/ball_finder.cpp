@@ -61,8 +61,8 @@ double slopeAcross(const Image& logs, const Circle& circle, int places)
     int seen = 0;
     for (int i = 0; i < places; ++i) {
         const double angle = 2.0 * std::numbers::pi * i / places;
-        const glm::dvec2 n(std::cos(angle), std::sin(angle)), in = circle.centre + (circle.radius - 1.0) * n,
-                                                              out = circle.centre + (circle.radius + 1.0) * n;
+        const glm::dvec2 n(std::cos(angle), std::sin(angle)), in = circle.center + (circle.radius - 1.0) * n,
+                                                              out = circle.center + (circle.radius + 1.0) * n;
         if (out.x < 0.0 || out.y < 0.0 || out.x > logs.width || out.y > logs.height)
             continue;
         ++seen;
@@ -80,13 +80,13 @@ Circle refined(const Image& logs, Circle best, double step, double finest, int p
         for (int dx = -1; dx <= 1; ++dx)
             for (int dy = -1; dy <= 1; ++dy)
                 for (int dr = -1; dr <= 1; ++dr) {
-                    const Circle tried{best.centre + step * glm::dvec2(dx, dy), best.radius + step * dr};
+                    const Circle tried{best.center + step * glm::dvec2(dx, dy), best.radius + step * dr};
                     if (const double found = slopeAcross(logs, tried, places); found > score) {
                         score = found;
                         next = tried;
                     }
                 }
-        if (next.centre == best.centre && next.radius == best.radius)
+        if (next.center == best.center && next.radius == best.radius)
             step *= 0.5;
         best = next;
     }
@@ -126,7 +126,7 @@ std::optional<Circle> findBall(const Image& picture)
         return std::nullopt;
     if (step == 1)
         return best;
-    return refined(logs, {best.centre * static_cast<double>(step), best.radius * step}, 0.5 * step, 0.25, 720);
+    return refined(logs, {best.center * static_cast<double>(step), best.radius * step}, 0.5 * step, 0.25, 720);
 }
 
 } // namespace mirrorball

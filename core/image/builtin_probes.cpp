@@ -28,20 +28,20 @@ double smoothStep(double low, double high, double x)
 
 /// A flat lamp or a black card that faces the object at the origin.
 struct Panel {
-    dvec3 towards;     ///< unit direction of its centre
-    double distance;   ///< of its centre
+    dvec3 towards;     ///< unit direction of its center
+    double distance;   ///< of its center
     dvec3 right, up;   ///< unit axes of the panel; `right` is horizontal
     dvec2 half;        ///< half its width and height
     double edge;       ///< width of the falloff inside its edge
     double frame;      ///< width of the black frame around it
-    dvec3 colour;      ///< radiance at the centre of the cloth
+    dvec3 color;       ///< radiance at the center of the cloth
     double rim;        ///< share of that which is left in the corners
     double flash;      ///< radiance of the tube that shines through the cloth
     double flashWidth; ///< its standard deviation
-    double reach;      ///< cosine of the angle about the centre beyond which the panel is not seen
+    double reach;      ///< cosine of the angle about the center beyond which the panel is not seen
 };
 
-Panel panel(double lonDeg, double latDeg, double distance, dvec2 half, double edge, double frame, dvec3 colour, double rim,
+Panel panel(double lonDeg, double latDeg, double distance, dvec2 half, double edge, double frame, dvec3 color, double rim,
             double flash = 0.0, double flashWidth = 1.0)
 {
     const dvec3 towards = directionFromLonLat(rad(lonDeg), rad(latDeg));
@@ -49,7 +49,7 @@ Panel panel(double lonDeg, double latDeg, double distance, dvec2 half, double ed
     const dvec3 right = directionFromLonLat(rad(lonDeg) - pi / 2, 0.0);
     const dvec3 up = glm::cross(right, towards);
     const double extent = glm::length(half + dvec2(frame));
-    return {towards, distance, right, up, half, edge, frame, colour, rim, flash, flashWidth, std::cos(std::atan2(extent, distance))};
+    return {towards, distance, right, up, half, edge, frame, color, rim, flash, flashWidth, std::cos(std::atan2(extent, distance))};
 }
 
 const std::array studioPanels{
@@ -93,7 +93,7 @@ dvec3 studioRadiance(const dvec3& d)
         const double cosine = glm::dot(d, p.towards);
         if (cosine < p.reach)
             continue;
-        // The plane through the centre, perpendicular to the line of sight: d reaches it at t d.
+        // The plane through the center, perpendicular to the line of sight: d reaches it at t d.
         const dvec3 onPlane = d * (p.distance / cosine);
         const dvec2 q(glm::dot(onPlane, p.right), glm::dot(onPlane, p.up));
         const double corner = 0.25 * std::min(p.half.x, p.half.y);
@@ -109,7 +109,7 @@ dvec3 studioRadiance(const dvec3& d)
         const double cloth = p.rim + (1.0 - p.rim) * std::exp(-1.1 * glm::dot(s, s));
         const double flash = p.flash * std::exp(-0.5 * glm::dot(q, q) / (p.flashWidth * p.flashWidth));
         const double in = smoothStep(0.0, p.edge, -sd);
-        const dvec3 lamp = p.colour * cloth + flash * dvec3(1.0, 0.97, 0.92);
+        const dvec3 lamp = p.color * cloth + flash * dvec3(1.0, 0.97, 0.92);
         radiance = p.frame > 0.0 ? in * lamp : glm::mix(radiance, lamp, in);
     }
     return radiance;
@@ -124,7 +124,7 @@ dvec3 studioRadiance(const dvec3& d)
 // gamma the angle from the sun, theta_s the sun's angle from the zenith. The coefficients, linear in the turbidity T, and the zenith
 // values are those of the paper's appendix A.2.
 //
-// The sun. Outside the atmosphere it gives 133 klx (Darula, Kittler, Gueymard 2005) with the colour of a 5778 K black body, in
+// The sun. Outside the atmosphere it gives 133 klx (Darula, Kittler, Gueymard 2005) with the color of a 5778 K black body, in
 // Rec.709 (1.113, 0.975, 0.912) for luminance 1. On its way down it is dimmed by air molecules, aerosol and ozone (appendix A.1):
 //   exp(-m (0.008735 w^-4.08 + beta w^-1.3 + 0.35 k_o)),   beta = 0.04608 T - 0.04586,
 //   m = 1 / (cos theta_s + 0.15 (93.885 - theta_s in degrees)^-1.253),
@@ -244,7 +244,7 @@ dvec3 skyRadiance(const dvec3& d)
 
 // ------------------------------------------------------------------------------------------------------- cube room, axes
 
-/// A face of the cube as an observer at its centre sees it.
+/// A face of the cube as an observer at its center sees it.
 struct Face {
     dvec3 forward, right, up;
 };
@@ -303,7 +303,7 @@ double toSegment(const dvec2& p, const dvec2& a, const dvec2& b)
     return glm::dot(gap, gap);
 }
 
-/// Distance from p to the strokes of an axis name ("+X" ... "-Z") of height 1, centred at the origin: the sign stands left of the
+/// Distance from p to the strokes of an axis name ("+X" ... "-Z") of height 1, centered at the origin: the sign stands left of the
 /// letter, so a mirrored name is wrong at once even though X and Y mirror into themselves. The strokes lie in |x| < 0.8, |y| <= 0.5.
 double toAxisName(const dvec2& p, int axis)
 {
@@ -311,14 +311,14 @@ double toAxisName(const dvec2& p, int axis)
     double squared = stroke(-0.78, 0.0, -0.26, 0.0);
     if (axis % 2 == 0)
         squared = std::min(squared, stroke(-0.52, -0.26, -0.52, 0.26));
-    constexpr double left = 0.02, right = 0.72, centre = 0.37;
+    constexpr double left = 0.02, right = 0.72, center = 0.37;
     switch (axis / 2) {
     case 0:
         squared = std::min({squared, stroke(left, 0.5, right, -0.5), stroke(left, -0.5, right, 0.5)});
         break;
     case 1:
         squared =
-            std::min({squared, stroke(left, 0.5, centre, 0.02), stroke(right, 0.5, centre, 0.02), stroke(centre, 0.02, centre, -0.5)});
+            std::min({squared, stroke(left, 0.5, center, 0.02), stroke(right, 0.5, center, 0.02), stroke(center, 0.02, center, -0.5)});
         break;
     default:
         squared = std::min({squared, stroke(left, 0.5, right, 0.5), stroke(right, 0.5, left, -0.5), stroke(left, -0.5, right, -0.5)});
@@ -328,8 +328,8 @@ double toAxisName(const dvec2& p, int axis)
 
 dvec3 axesRadiance(const dvec3& d)
 {
-    static constexpr std::array<dvec3, 6> colours{dvec3(0.62, 0.05, 0.04), dvec3(0.04, 0.42, 0.46), dvec3(0.10, 0.40, 0.06),
-                                                  dvec3(0.46, 0.06, 0.36), dvec3(0.05, 0.11, 0.62), dvec3(0.72, 0.50, 0.04)};
+    static constexpr std::array<dvec3, 6> colors{dvec3(0.62, 0.05, 0.04), dvec3(0.04, 0.42, 0.46), dvec3(0.10, 0.40, 0.06),
+                                                 dvec3(0.46, 0.06, 0.36), dvec3(0.05, 0.11, 0.62), dvec3(0.72, 0.50, 0.04)};
     const dvec3 white(0.95), ink(0.012);
     const int index = faceOf(d);
     const Face& face = faces[static_cast<size_t>(index)];
@@ -353,12 +353,12 @@ dvec3 axesRadiance(const dvec3& d)
             outline = 0.016;
         }
     }
-    if (edge > 0.66) { // the neighbour's name inside each edge
+    if (edge > 0.66) { // the neighbor's name inside each edge
         const bool sideways = std::abs(p.x) > std::abs(p.y);
-        const dvec3 neighbour = sideways ? face.right * (p.x < 0 ? -1.0 : 1.0) : face.up * (p.y < 0 ? -1.0 : 1.0);
+        const dvec3 neighbor = sideways ? face.right * (p.x < 0 ? -1.0 : 1.0) : face.up * (p.y < 0 ? -1.0 : 1.0);
         const dvec2 place = sideways ? dvec2(p.x < 0 ? -0.84 : 0.84, 0.0) : dvec2(0.0, p.y < 0 ? -0.87 : 0.87);
         if (std::abs(p.x - place.x) < 0.14 && std::abs(p.y - place.y) < 0.10) {
-            const double small = toAxisName((p - place) / 0.14, faceOf(neighbour)) * 0.14 - 0.013;
+            const double small = toAxisName((p - place) / 0.14, faceOf(neighbor)) * 0.14 - 0.013;
             if (small < distance) {
                 distance = small;
                 outline = 0.012;
@@ -369,15 +369,15 @@ dvec3 axesRadiance(const dvec3& d)
         return white;
     if (distance < outline)
         return ink;
-    return colours[static_cast<size_t>(index)] * checker(p, 0.06);
+    return colors[static_cast<size_t>(index)] * checker(p, 0.06);
 }
 
 // ------------------------------------------------------------------------------------------------------------- rendering
 
 constexpr std::array probes{
-    BuiltinProbe{"studio", "Grey photographic studio with soft boxes, a strip light and a lit backdrop.", studioRadiance},
+    BuiltinProbe{"studio", "Gray photographic studio with soft boxes, a strip light and a lit backdrop.", studioRadiance},
     BuiltinProbe{"sky", "Clear daylight sky (Preetham 1999) with the sun's disc at 35 degrees over a sunlit ground.", skyRadiance},
-    BuiltinProbe{"cube-room", "The inside of a cube with six differently coloured, checkered walls.", cubeRoomRadiance},
+    BuiltinProbe{"cube-room", "The inside of a cube with six differently colored, checkered walls.", cubeRoomRadiance},
     BuiltinProbe{"axes", "Test probe whose six cube faces carry the names of their axes.", axesRadiance},
 };
 
@@ -421,21 +421,21 @@ float contrast(const float* a, const float* b)
 
 /// Adds a disc of constant radiance by sharing out its solid angle among the texels it falls on, so that sum(L w) is exact however
 /// the disc lies to the texels. Points of equal solid angle on a spiral stand for the disc, a thousand or more for each texel.
-void splatDisc(EnvironmentMap& map, const dvec3& centre, double radius, const dvec3& radiance)
+void splatDisc(EnvironmentMap& map, const dvec3& center, double radius, const dvec3& radiance)
 {
     const MapLayout& layout = map.layout;
     const double solidAngle = 2.0 * pi * (1.0 - std::cos(radius));
     const double across = 2.0 * radius / std::sqrt(4.0 * pi / (static_cast<double>(layout.width()) * layout.height()));
     const int points = static_cast<int>(std::clamp(2048.0 * across * across, 32768.0, 4194304.0));
 
-    const dvec3 right = glm::normalize(glm::cross(dvec3(0, 1, 0), centre));
-    const dvec3 up = glm::cross(centre, right);
+    const dvec3 right = glm::normalize(glm::cross(dvec3(0, 1, 0), center));
+    const dvec3 up = glm::cross(center, right);
     constexpr double goldenAngle = 2.0 * pi * (2.0 - std::numbers::phi);
     std::unordered_map<size_t, int> hits; // points by texel, y * width + x
     for (int i = 0; i < points; ++i) {
         const double cosine = 1.0 - (1.0 - std::cos(radius)) * (i + 0.5) / points;
         const double sine = std::sqrt(1.0 - cosine * cosine), angle = goldenAngle * i;
-        const dvec2 p = coordinate(layout, cosine * centre + sine * (std::cos(angle) * right + std::sin(angle) * up));
+        const dvec2 p = coordinate(layout, cosine * center + sine * (std::cos(angle) * right + std::sin(angle) * up));
         const int x = std::clamp(static_cast<int>(p.x), 0, layout.width() - 1);
         const int y = std::clamp(static_cast<int>(p.y), 0, layout.height() - 1);
         ++hits[static_cast<size_t>(y) * static_cast<size_t>(layout.width()) + static_cast<size_t>(x)];

@@ -22,13 +22,13 @@ struct BuiltinProbe {
 
 /// studio, sky, cube-room, axes; in that order.
 ///
-/// * studio: a grey photographic studio; the camera is thought at +Z, the key light up at its left (-X), the backdrop at -Z.
+/// * studio: a gray photographic studio; the camera is thought at +Z, the key light up at its left (-X), the backdrop at -Z.
 /// * sky: clear daylight of Preetham et al. 1999 with the sun's disc. One unit of radiance is 10 kcd/m^2.
-/// * cube-room: the view from the centre of a coloured cube, 000 figures 1 and 5. Luminance rises -Y -Z +X -X +Z +Y, each about
+/// * cube-room: the view from the center of a colored cube, 000 figures 1 and 5. Luminance rises -Y -Z +X -X +Z +Y, each about
 ///   1.8 times the one before, so that the walls can be told apart without seeing hue.
-/// * axes: every cube face has its colour (+X red, +Y green, +Z blue, the negative ones their complements), its name, an arrow to
-///   its upper edge, a white upper right corner, and the names of its neighbours. All read correctly for an observer inside who
-///   looks at the face's centre with +Y up; for +Y with -Z up and for -Y with +Z up (the head tilted from +Z). Images
+/// * axes: every cube face has its color (+X red, +Y green, +Z blue, the negative ones their complements), its name, an arrow to
+///   its upper edge, a white upper right corner, and the names of its neighbors. All read correctly for an observer inside who
+///   looks at the face's center with +Y up; for +Y with -Z up and for -Y with +Z up (the head tilted from +Z). Images
 ///   that are seen from outside show it mirrored: OpenGL's cube faces, the sphere map, the front paraboloid. Latlong and angular
 ///   map show it as it is.
 std::span<const BuiltinProbe> builtinProbes();
@@ -36,7 +36,7 @@ std::span<const BuiltinProbe> builtinProbes();
 /// The probe of that name. @throws InvalidArgument naming the known ones
 const BuiltinProbe& builtinProbe(std::string_view name);
 
-/// Direction of the centre of the sun in `sky`: longitude 40 degrees (left of +Z when looking along it), elevation 35 degrees.
+/// Direction of the center of the sun in `sky`: longitude 40 degrees (left of +Z when looking along it), elevation 35 degrees.
 glm::dvec3 skySunDirection();
 /// Angular radius of the sun's disc in `sky`, in radians: 0.2665 degrees, its mean as seen from the earth.
 inline constexpr double skySunRadius = 0.2665 * pi / 180.0;
@@ -45,9 +45,9 @@ glm::dvec3 skySunRadiance();
 
 inline constexpr MapLayout builtinProbeLayout{Parameterization::Latlong, 512, 0};
 
-/// The probe as a map: the solid-angle-weighted mean of its radiance over each texel. Texels are supersampled where neighbours
+/// The probe as a map: the solid-angle-weighted mean of its radiance over each texel. Texels are supersampled where neighbors
 /// differ, and all of them in small maps; the sun is splatted, so its radiance integral is the same at any size and in any
-/// parameterization. Texels that lie outside a disc take the colour of the continued mapping.
+/// parameterization. Texels that lie outside a disc take the color of the continued mapping.
 /// @throws InvalidArgument for an unknown name (naming the known ones) or a bad layout; Cancelled
 EnvironmentMap renderBuiltinProbe(std::string_view name, const MapLayout& layout = builtinProbeLayout, const JobControl& job = {});
 

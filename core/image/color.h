@@ -37,7 +37,7 @@ std::optional<ToneCurve> toneCurveFromName(std::string_view word);
 float toneMapped(float x, ToneCurve curve);
 
 /// The display picture of a linear image: encodeSrgb(toneMapped(2^exposureEv x)) of the first three channels, all in [0, 1].
-/// A fourth channel is opacity and only clamped; the colours, which come multiplied by it, are divided by it first, because what is encoded
+/// A fourth channel is opacity and only clamped; the colors, which come multiplied by it, are divided by it first, because what is encoded
 /// cannot be divided any more. So those of the display picture are not multiplied, as 8-bit files have them.
 Image toDisplay(const Image& linear, double exposureEv, ToneCurve curve);
 

@@ -69,7 +69,7 @@ glm::vec3 onCubeFace(const EnvironmentMap& map, const glm::dvec2& p)
     if (fits(taps, 0, top, n, n))
         return interior(map.image, taps);
     glm::vec3 sum(0.0f);
-    std::array<glm::vec3, 4> colours{};
+    std::array<glm::vec3, 4> colors{};
     int missing = -1;
     for (int k = 0; k < 4; ++k) {
         const int x = taps.base.x + k % 2, y = taps.base.y + k / 2;
@@ -78,14 +78,14 @@ glm::vec3 onCubeFace(const EnvironmentMap& map, const glm::dvec2& p)
             continue;
         }
         const Texel t = acrossSeam(map.layout, {0, top}, x, y);
-        colours[static_cast<size_t>(k)] = texelAt(map.image, t.x, t.y);
-        sum += colours[static_cast<size_t>(k)];
+        colors[static_cast<size_t>(k)] = texelAt(map.image, t.x, t.y);
+        sum += colors[static_cast<size_t>(k)];
     }
     if (missing >= 0)
-        colours[static_cast<size_t>(missing)] = sum / 3.0f;
+        colors[static_cast<size_t>(missing)] = sum / 3.0f;
     glm::vec3 result(0.0f);
     for (int k = 0; k < 4; ++k)
-        result += static_cast<float>(taps.weight(k % 2, k / 2)) * colours[static_cast<size_t>(k)];
+        result += static_cast<float>(taps.weight(k % 2, k / 2)) * colors[static_cast<size_t>(k)];
     return result;
 }
 
@@ -96,7 +96,7 @@ disc::Disc discAt(const MapLayout& layout, const glm::dvec2& p)
     return disc::inscribed(layout.size);
 }
 
-/// Bilinear among those of the four texels whose centres the disc holds: the others may be anything, black in a foreign file.
+/// Bilinear among those of the four texels whose centers the disc holds: the others may be anything, black in a foreign file.
 glm::vec3 withinDisc(const EnvironmentMap& map, const glm::dvec2& p)
 {
     const disc::Disc d = discAt(map.layout, p);
@@ -106,7 +106,7 @@ glm::vec3 withinDisc(const EnvironmentMap& map, const glm::dvec2& p)
     for (int k = 0; k < 4; ++k) {
         const int x = taps.base.x + k % 2, y = taps.base.y + k / 2;
         const double w = taps.weight(k % 2, k / 2);
-        if (w > 0.0 && d.holdsCentre(x, y)) {
+        if (w > 0.0 && d.holdsCenter(x, y)) {
             sum += w * glm::dvec3(texelAt(map.image, x, y));
             total += w;
         }
@@ -125,7 +125,7 @@ glm::vec3 onDisc(const EnvironmentMap& map, const glm::dvec2& p)
     const disc::Disc d = discAt(map.layout, p);
     const Taps taps(p);
     const int x = taps.base.x, y = taps.base.y;
-    if (map.layout.border > 0 || (d.holdsCentre(x, y) && d.holdsCentre(x + 1, y) && d.holdsCentre(x, y + 1) && d.holdsCentre(x + 1, y + 1)))
+    if (map.layout.border > 0 || (d.holdsCenter(x, y) && d.holdsCenter(x + 1, y) && d.holdsCenter(x, y + 1) && d.holdsCenter(x + 1, y + 1)))
         return interior(map.image, taps);
     glm::vec3 sum(0.0f);
     for (int k = 0; k < 4; ++k) {
@@ -133,11 +133,11 @@ glm::vec3 onDisc(const EnvironmentMap& map, const glm::dvec2& p)
         if (w <= 0.0)
             continue;
         const int tx = x + k % 2, ty = y + k / 2;
-        if (d.holdsCentre(tx, ty)) {
+        if (d.holdsCenter(tx, ty)) {
             sum += static_cast<float>(w) * texelAt(map.image, tx, ty);
             continue;
         }
-        // The centre of the other half's disc keeps the tap's own half: continue the formula of the half that p lies in.
+        // The center of the other half's disc keeps the tap's own half: continue the formula of the half that p lies in.
         glm::dvec2 q = d.fromImage({tx + 0.5, ty + 0.5});
         glm::dvec2 there;
         if (map.layout.kind == Parameterization::Paraboloid)

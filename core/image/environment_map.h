@@ -19,7 +19,7 @@ struct EnvironmentMap {
     explicit EnvironmentMap(const MapLayout& layout_) : layout(layout_), image(layout_.width(), layout_.height(), 3) {}
     EnvironmentMap(const MapLayout& layout_, Image image_) : layout(layout_), image(std::move(image_)) {}
 
-    /// Bilinear lookup, seamless: taps over an edge are fetched from the neighbouring face or half. d need not be normalised.
+    /// Bilinear lookup, seamless: taps over an edge are fetched from the neighboring face or half. d need not be normalized.
     glm::vec3 radiance(const glm::dvec3& d) const;
 };
 

@@ -18,7 +18,7 @@ struct ColorChannels {
     std::array<std::string, 3> rgb{};
     std::string alpha{};
     bool luminanceChroma = false; ///< Y with subsampled RY and BY
-    bool isGrey() const { return !luminanceChroma && rgb[0] == rgb[1] && rgb[1] == rgb[2]; }
+    bool isGray() const { return !luminanceChroma && rgb[0] == rgb[1] && rgb[1] == rgb[2]; }
 };
 
 /// A picture that a file holds.

@@ -90,7 +90,7 @@ void checkPlausible(const std::filesystem::path& file, const Imf::Header& header
         throw FileError(path, "its tiles are larger than 4096 x 4096 texels; export it with smaller ones");
 }
 
-/// The matrix for colours of other primaries. @throws FileError for primaries that make no sense
+/// The matrix for colors of other primaries. @throws FileError for primaries that make no sense
 std::optional<glm::mat3> conversion(const std::string& path, const Imf::Header& header)
 {
     if (!Imf::hasChromaticities(header))
@@ -100,7 +100,7 @@ std::optional<glm::mat3> conversion(const std::string& path, const Imf::Header& 
     return conversionFrom(path, {point(c.red), point(c.green), point(c.blue), point(c.white)});
 }
 
-/// Subsampled colours are read from RY and BY only.
+/// Subsampled colors are read from RY and BY only.
 void checkSampling(const std::string& path, const Imf::Header& header, const ColorChannels& channels)
 {
     for (const std::string& name : channels.rgb) {
@@ -200,8 +200,8 @@ public:
             return;
         const size_t count = static_cast<size_t>(m_info.width) * static_cast<size_t>(rows);
         for (size_t i = 0; i < count; ++i, texels += m_floats) {
-            const glm::vec3 colour = *m_toRec709 * glm::vec3(texels[0], texels[1], texels[2]);
-            std::copy_n(&colour.x, 3, texels);
+            const glm::vec3 color = *m_toRec709 * glm::vec3(texels[0], texels[1], texels[2]);
+            std::copy_n(&color.x, 3, texels);
         }
     }
 
@@ -250,7 +250,7 @@ private:
         assume(m_info.assumed,
                {"encoding", m_toRec709 ? "linear, brought to Rec.709 from the file's primaries" : "linear, Rec.709 primaries",
                 Imf::hasChromaticities(header) ? "OpenEXR's chromaticities" : "OpenEXR without chromaticities"});
-        assume(m_info.assumed, {"alpha", channels.alpha.empty() ? "none" : "colours are multiplied by it", "OpenEXR's convention"});
+        assume(m_info.assumed, {"alpha", channels.alpha.empty() ? "none" : "colors are multiplied by it", "OpenEXR's convention"});
         assume(m_info.assumed, {"orientation", "upright", "OpenEXR has no other"});
     }
 

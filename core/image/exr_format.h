@@ -18,8 +18,8 @@ namespace mirrorball::exr {
 bool hasSignature(std::string_view firstBytes);
 
 /// Opens one mip level of the picture that choosePicture() (exr_channels.h) finds. The display window is what is read: black where there
-/// is no data, without what lies beyond it. Other primaries than Rec.709 are converted, so wide-gamut colours come out negative; not
-/// where `reading` names a colour space. @throws FileError
+/// is no data, without what lies beyond it. Other primaries than Rec.709 are converted, so wide-gamut colors come out negative; not
+/// where `reading` names a color space. @throws FileError
 std::unique_ptr<ImageReader> open(const std::filesystem::path& path, int level, const ProbeReading& reading = {},
                                   Channels channels = Channels::Color);
 

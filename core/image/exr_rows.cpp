@@ -29,16 +29,16 @@ Imf::FrameBuffer frameBuffer(const ColorChannels& channels, int floats, float* t
         slice.fillValue = fill;
         buffer.insert(name.empty() ? "mirrorball:absent" + std::to_string(at) : name, slice);
     };
-    for (int c = 0; c < (channels.isGrey() ? 1 : 3); ++c)
+    for (int c = 0; c < (channels.isGray() ? 1 : 3); ++c)
         add(channels.rgb[static_cast<size_t>(c)], c, 0.0);
     if (floats == 4)
         add(channels.alpha, 3, 1.0);
     return buffer;
 }
 
-void copyGrey(const ColorChannels& channels, int floats, float* texels, size_t count)
+void copyGray(const ColorChannels& channels, int floats, float* texels, size_t count)
 {
-    if (channels.isGrey())
+    if (channels.isGray())
         for (size_t i = 0; i < count; ++i, texels += floats)
             texels[1] = texels[2] = texels[0];
 }
@@ -58,7 +58,7 @@ public:
         const int top = all.min.y + firstRow;
         m_part.setFrameBuffer(frameBuffer(m_channels, m_floats, texels, {all.min.x, top}, widthOf(all), rows));
         m_part.readPixels(top, top + rows - 1);
-        copyGrey(m_channels, m_floats, texels, static_cast<size_t>(widthOf(all)) * static_cast<size_t>(rows));
+        copyGray(m_channels, m_floats, texels, static_cast<size_t>(widthOf(all)) * static_cast<size_t>(rows));
     }
 
 private:
@@ -100,7 +100,7 @@ private:
         m_held.resize(static_cast<size_t>(m_floats) * texels);
         m_part.setFrameBuffer(frameBuffer(m_channels, m_floats, m_held.data(), {m_window.min.x, top}, width, rows));
         m_part.readTiles(0, m_part.numXTiles(m_level) - 1, tileRow, tileRow, m_level, m_level);
-        copyGrey(m_channels, m_floats, m_held.data(), texels);
+        copyGray(m_channels, m_floats, m_held.data(), texels);
         m_heldTileRow = tileRow;
     }
 

@@ -192,8 +192,8 @@ private:
                 texels[3] = 1.0f;
             if (isPlain)
                 continue;
-            const glm::vec3 colour = matrix * glm::vec3(glm::dvec3(texels[0], texels[1], texels[2]) * m_header.gain);
-            std::copy_n(&colour.x, 3, texels);
+            const glm::vec3 color = matrix * glm::vec3(glm::dvec3(texels[0], texels[1], texels[2]) * m_header.gain);
+            std::copy_n(&color.x, 3, texels);
         }
     }
 

@@ -16,7 +16,7 @@ bool hasSignature(std::string_view firstBytes);
 /// Streams one scanline at a time. A texel is mantissa * 2^(exponent - 136), divided by the header's EXPOSURE and COLORCORR.
 /// A picture stored in another order than top to bottom is decoded whole at the first read, in 4 bytes a texel.
 /// EXPOSURE and COLORCORR lines that are no positive numbers, as careless writers leave them, count as if they were absent: a note says so.
-/// Other PRIMARIES than Rec.709 are converted, but where `reading` names a colour space.
+/// Other PRIMARIES than Rec.709 are converted, but where `reading` names a color space.
 /// @throws FileError
 std::unique_ptr<ImageReader> open(const std::filesystem::path& path, const ProbeReading& reading = {}, Channels channels = Channels::Color);
 

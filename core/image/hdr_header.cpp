@@ -49,7 +49,7 @@ void ByteSource::refill(size_t count)
 
 namespace {
 
-/// CIE XYZ seen as primaries. Radiance takes the equal-energy white as neutral, so grey stays grey.
+/// CIE XYZ seen as primaries. Radiance takes the equal-energy white as neutral, so gray stays gray.
 const Chromaticities cieXyz{{1.0, 0.0}, {0.0, 1.0}, {0.0, 0.0}, {1.0 / 3.0, 1.0 / 3.0}};
 
 std::string lowerCase(std::string text)

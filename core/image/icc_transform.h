@@ -19,7 +19,7 @@ public:
 
     /// What the profile is called.
     const std::string& name() const { return m_name; }
-    /// In place, three floats a texel; of a grey profile the first is read.
+    /// In place, three floats a texel; of a gray profile the first is read.
     void toLinear(float* rgb, size_t texels) const;
 
 private:

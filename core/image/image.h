@@ -7,7 +7,7 @@
 namespace mirrorball {
 
 /// A float raster, a value: it copies and compares. Row 0 is the top row; channels are interleaved, R first.
-/// Scene-linear Rec.709 unless a file says otherwise. Texel (x, y) has its centre at (x + 1/2, y + 1/2).
+/// Scene-linear Rec.709 unless a file says otherwise. Texel (x, y) has its center at (x + 1/2, y + 1/2).
 struct Image {
     int width = 0;
     int height = 0;

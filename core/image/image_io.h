@@ -48,8 +48,8 @@ enum class Channels { Color, ColorAndOpacity };
 inline int texelFloats(Channels channels) { return channels == Channels::Color ? 3 : 4; }
 
 /// A file opened for reading top to bottom in blocks of rows, as linear float: what a probe of any size streams through.
-/// Grey is copied to three channels, a file in another encoding (8-bit sRGB) is linearised, and a turned one is set upright.
-/// Without opacity, colours are those that were drawn: what integer formats hold beside an alpha; of formats that multiply by it (OpenEXR),
+/// Gray is copied to three channels, a file in another encoding (8-bit sRGB) is linearized, and a turned one is set upright.
+/// Without opacity, colors are those that were drawn: what integer formats hold beside an alpha; of formats that multiply by it (OpenEXR),
 /// what they hold.
 class ImageReader {
 public:
@@ -60,10 +60,10 @@ public:
     virtual void readRows(int firstRow, int rows, float* texels) = 0;
 };
 
-/// Of `reading`, what concerns the file's texels: part, layer, window, colour space.
+/// Of `reading`, what concerns the file's texels: part, layer, window, color space.
 /// @throws FileError for a missing, empty, damaged, absurdly large (over 2^30 texels; over 2^28 where the format has no
 ///         rows to be read by themselves) or unknown file, or one without what is asked for;
-///         InvalidArgument for a colour space that is unknown
+///         InvalidArgument for a color space that is unknown
 std::unique_ptr<ImageReader> openImage(const std::filesystem::path& path, const ProbeReading& reading = {},
                                        Channels channels = Channels::Color);
 
@@ -104,7 +104,7 @@ struct WriteOptions {
     ByteEncoding bytes = ByteEncoding::Filmic; ///< .png and its like; see checkBytes()
     int faces =
         1; ///< 6: the picture is the stacked faces of a cube, for a format that keeps those as such; levels then halve a face's edge
-    int faceBorder = 0; ///< cube maps (map_file.h): texels of the neighbours around each face
+    int faceBorder = 0; ///< cube maps (map_file.h): texels of the neighbors around each face
 };
 
 /// Whether a file can hold the encoding. @throws InvalidArgument naming the formats that can

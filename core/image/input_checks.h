@@ -45,7 +45,7 @@ inline void checkTexelsHeld(const std::string& path, long long width, long long 
 
 /// The matrix from a file's primaries to Rec.709. Nothing for Rec.709 itself (to 1e-4: files round) and for all zeros, which some
 /// writers leave where they mean "unknown".
-/// @throws FileError for primaries that span no colour space
+/// @throws FileError for primaries that span no color space
 inline std::optional<glm::mat3> conversionFrom(const std::string& path, const Chromaticities& c)
 {
     const auto largestDifference = [&](const Chromaticities& d) {

@@ -4,7 +4,7 @@
 
 namespace mirrorball {
 
-/// coordinate() of many directions in a latlong of n rows, given by coordinate and not normalised.
+/// coordinate() of many directions in a latlong of n rows, given by coordinate and not normalized.
 void latlongCoordinates(int n, size_t count, const double* x, const double* y, const double* z, double* px, double* py);
 
 /// The same, with the column that is within n of `middle` - also beyond the image's sides - and as the position inside a row the share of

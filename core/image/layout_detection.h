@@ -23,7 +23,7 @@ enum class Arrangement {
     Grid2x3,            ///< 2:3, +X -X, +Y -Y, +Z -Z
     HorizontalCross,    ///< 4:3, top; left front right back; bottom
     VerticalCross,      ///< 3:4, top; left front right; bottom; back, turned by 180 degrees
-    BorderedFaces,      ///< faces stacked, each with a border of its neighbours' texels
+    BorderedFaces,      ///< faces stacked, each with a border of its neighbors' texels
     Partial,            ///< a picture that lies somewhere on a latlong, or a fisheye's on an angular map
     NotSquare,          ///< of a map that is square
     Ball,               ///< a photograph with a mirror ball in it
@@ -58,7 +58,7 @@ Detection detectLayout(const ImageFileInfo& info, std::optional<Parameterization
 
 /// Turns a file's image into a map in our layout: cuts up strips, grids and crosses, resamples OpenEXR's edge-sampled maps, spreads a
 /// constant, places what is partial, and turns and mirrors it all. A cross is a picture from inside, like a latlong: its front is the
-/// latlong's centre, +Z, with -X on the right.
+/// latlong's center, +Z, with -X on the right.
 /// @param image  of the file that `detection` was made for, RGB
 /// @throws InvalidArgument when the image does not have the size that was detected; Cancelled
 EnvironmentMap toEnvironmentMap(Image image, const Detection& detection, const JobControl& job = {});

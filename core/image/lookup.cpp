@@ -31,7 +31,7 @@ bool fits(const MapLayout& layout, Texel at, int x, int y)
     if (layout.kind != Parameterization::Sphere && layout.kind != Parameterization::Angular && !(paraboloid && layout.border < 2))
         return true;
     const disc::Disc disc = paraboloid ? dual_paraboloid::half(n, layout.border, at.x >= n) : disc::inscribed(n);
-    return disc.holdsCentre(x, y) && disc.holdsCentre(x + 3, y) && disc.holdsCentre(x, y + 3) && disc.holdsCentre(x + 3, y + 3);
+    return disc.holdsCenter(x, y) && disc.holdsCenter(x + 3, y) && disc.holdsCenter(x, y + 3) && disc.holdsCenter(x + 3, y + 3);
 }
 
 glm::vec3 cubic(const EnvironmentMap& map, const glm::dvec3& d)

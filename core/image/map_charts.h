@@ -20,7 +20,7 @@ public:
     explicit MapCharts(const MapLayout& layout) : m_layout(layout) {}
 
     const MapLayout& layout() const { return m_layout; }
-    /// The charts whose closed region holds d, as bits. d need not be normalised.
+    /// The charts whose closed region holds d, as bits. d need not be normalized.
     unsigned chartsOf(const glm::dvec3& d) const;
     /// The planes that divide the sphere into pieces of one chart each.
     std::span<const glm::dvec3> planes() const;

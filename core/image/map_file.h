@@ -30,7 +30,7 @@ std::vector<std::filesystem::path> writeMap(const std::filesystem::path& out, co
                                             const WriteOptions& options = {});
 
 /// Writes a picture, or its mip levels, largest first, where there is no map to speak of: the same rules for names. Linear light goes into
-/// formats that hold floats; into the others goes the picture clipped to [0, 1] and sRGB-encoded, since a painted colour should stay what
+/// formats that hold floats; into the others goes the picture clipped to [0, 1] and sRGB-encoded, since a painted color should stay what
 /// it is.
 /// @throws as writeImage(); InvalidArgument for a `%s` in the name
 std::vector<std::filesystem::path> writePictures(const std::filesystem::path& out, const std::vector<Image>& levels,

@@ -144,7 +144,7 @@ Image mapWindow(const MipPyramid& map, const MapWindow& window, const JobControl
 Image windowColors(const Image& window, const MapColoring& coloring, const JobControl& job)
 {
     if (!(coloring.low > 0.0 && coloring.high > coloring.low && std::isfinite(coloring.high)))
-        throw InvalidArgument("low, high: a colour scale needs 0 < low < high");
+        throw InvalidArgument("low, high: a color scale needs 0 < low < high");
     Image picture(window.width, window.height, 4);
     const float gain = static_cast<float>(std::exp2(coloring.exposure));
     const double logLow = std::log2(coloring.low), logWidth = std::log2(coloring.high / coloring.low);

@@ -8,9 +8,9 @@
 
 #include <glm/glm.hpp>
 
-/// Pictures of maps for people to look at: any map in any parameterization, enlarged or reduced, in display or false colours, with what the
-/// parameterization does drawn over it. In three steps, so that a change of colours samples nothing again: mapWindow() samples radiance,
-/// windowColors() colours it, mapOverlay() draws what depends on the layout alone.
+/// Pictures of maps for people to look at: any map in any parameterization, enlarged or reduced, in display or false colors, with what the
+/// parameterization does drawn over it. In three steps, so that a change of colors samples nothing again: mapWindow() samples radiance,
+/// windowColors() colors it, mapOverlay() draws what depends on the layout alone.
 namespace mirrorball {
 
 /// The part of a sheet (map_sheet.h) that a picture shows. Pixel (i, j) shows the sheet position origin + (i + 1/2, j + 1/2) / scale.

@@ -12,7 +12,7 @@
 /// edges keeps both if it only moves radiance between two texels at a time, in equal and opposite amounts proportional to their difference:
 ///   L_i += (c / omega_i) (L_j - L_i),   L_j += (c / omega_j) (L_i - L_j),   c = omega_i omega_j / (2 (omega_i + omega_j)).
 /// For equal texels that is a quarter of the difference, which makes [1 3 3 1]/8 of the box. No texel has to exist diagonally over a
-/// corner, and a texel gives away less than a half to each neighbour, so nothing turns negative beside a sun.
+/// corner, and a texel gives away less than a half to each neighbor, so nothing turns negative beside a sun.
 namespace mirrorball {
 
 namespace {
@@ -59,13 +59,13 @@ std::vector<double> edgeStrengths(const Boxes& boxes, int texels)
     return strengths;
 }
 
-/// The four neighbours of a texel and the borders to them.
+/// The four neighbors of a texel and the borders to them.
 struct Step {
     int dx, dy;
 };
 constexpr std::array<Step, 4> steps{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
 
-/// Exchange over the edges of boxes. Pairs over a disc's rim are left to exchangeOverRim(): there the neighbour of a neighbour need not
+/// Exchange over the edges of boxes. Pairs over a disc's rim are left to exchangeOverRim(): there the neighbor of a neighbor need not
 /// be the texel itself.
 Image exchanged(const EnvironmentMap& map, const SolidAngles& solidAngles, const Boxes& boxes, const JobControl& job)
 {
@@ -86,7 +86,7 @@ Image exchanged(const EnvironmentMap& map, const SolidAngles& solidAngles, const
                     continue; // may hold anything
                 const int lx = x % chartWidth;
                 glm::dvec3 sum(own[0], own[1], own[2]);
-                const glm::dvec3 centre = sum;
+                const glm::dvec3 center = sum;
                 for (const Step& step : steps) {
                     const double strength = step.dy == 0 ? across[static_cast<size_t>(step.dx < 0 ? lx : lx + 1)]
                                                          : down[static_cast<size_t>(step.dy < 0 ? ly : ly + 1)];
@@ -102,7 +102,7 @@ Image exchanged(const EnvironmentMap& map, const SolidAngles& solidAngles, const
                     if (wt <= 0.0)
                         continue;
                     const float* other = map.image.texel(t.x, t.y);
-                    sum += strength * 0.5 * wt / (w + wt) * (glm::dvec3(other[0], other[1], other[2]) - centre);
+                    sum += strength * 0.5 * wt / (w + wt) * (glm::dvec3(other[0], other[1], other[2]) - center);
                 }
                 for (int c = 0; c < 3; ++c)
                     out[c] = static_cast<float>(sum[c]);

@@ -20,7 +20,7 @@ int levelCount(const MapLayout& base);
 MapLayout levelLayout(const MapLayout& base, int level);
 
 /// Builds the pyramid. Each level is a box average weighted by solid angle, after every texel beside a box's edge has exchanged radiance
-/// with its neighbour over that edge: [1 3 3 1]/8 across each pair, over seams, poles, cube edges and disc rims as well as inside, so no
+/// with its neighbor over that edge: [1 3 3 1]/8 across each pair, over seams, poles, cube edges and disc rims as well as inside, so no
 /// level shows where the charts meet.
 /// A constant map stays constant, and the mean radiance of every level is that of the map: both to the rounding of float.
 /// @throws InvalidArgument for a layout out of range; Cancelled

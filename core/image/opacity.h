@@ -6,7 +6,7 @@
 
 namespace mirrorball {
 
-/// The first three of four channels. Of colours that are multiplied by their opacity that is the picture over black.
+/// The first three of four channels. Of colors that are multiplied by their opacity that is the picture over black.
 inline Image withoutOpacity(const Image& rgba)
 {
     Image rgb(rgba.width, rgba.height, 3);

@@ -138,7 +138,7 @@ private:
         const bool isInteger = !m_spec.format.is_floating_point();
         m_alpha = m_spec.alpha_channel < m_spec.nchannels ? m_spec.alpha_channel : -1;
         if (m_alpha < 0 && m_spec.nchannels == 2)
-            m_alpha = 1; // grey and alpha
+            m_alpha = 1; // gray and alpha
         m_isMultiplied = m_alpha >= 0 && m_spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
         m_isDivided = m_isMultiplied && isInteger;
         m_decoder = std::make_unique<PictureDecoder>(storedColors(m_info.path, m_info.format, m_spec, m_info.channels < 3 ? 1 : 3));

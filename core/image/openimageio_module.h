@@ -13,7 +13,7 @@ namespace mirrorball::openimageio {
 struct RawRequest {
     int part = 0;
     int level = 0;
-    bool keepsEncoding = false; ///< colours as they are stored, for who knows their space better than the file
+    bool keepsEncoding = false; ///< colors as they are stored, for who knows their space better than the file
     Channels channels = Channels::Color;
 };
 

@@ -25,13 +25,13 @@ glm::dvec4 believed(const ParaboloidHalf& half, const glm::dvec2& p)
     return sum; // color times weight, weight
 }
 
-/// Alpha 1 for the texels whose centres lie in the circle.
+/// Alpha 1 for the texels whose centers lie in the circle.
 void markCircle(Image& rgba, int border)
 {
     const disc::Disc circle = dual_paraboloid::half(rgba.width, border, false);
     for (int y = 0; y < rgba.height; ++y)
         for (int x = 0; x < rgba.width; ++x)
-            rgba.texel(x, y)[3] = circle.holdsCentre(x, y) ? 1.0f : 0.0f;
+            rgba.texel(x, y)[3] = circle.holdsCenter(x, y) ? 1.0f : 0.0f;
 }
 
 } // namespace

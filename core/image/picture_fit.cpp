@@ -17,7 +17,7 @@ void sample(const Image& picture, double px, double py, bool aroundX, float* out
     };
     const int x0 = column(x), x1 = column(x + 1.0);
     const int y0 = std::clamp(static_cast<int>(y), 0, picture.height - 1), y1 = std::clamp(static_cast<int>(y) + 1, 0, picture.height - 1);
-    // Positions that are meant to be texel centres are so to rounding: then the neighbors must not count, however bright they are.
+    // Positions that are meant to be texel centers are so to rounding: then the neighbors must not count, however bright they are.
     const double wx = fx < 1e-9 ? 0.0 : fx > 1.0 - 1e-9 ? 1.0 : fx, wy = fy < 1e-9 ? 0.0 : fy > 1.0 - 1e-9 ? 1.0 : fy;
     for (int c = 0; c < picture.channels; ++c) {
         const double top = picture.texel(x0, y0)[c] * (1.0 - wx) + picture.texel(x1, y0)[c] * wx;
@@ -159,7 +159,7 @@ Image squared(const Image& picture, Fit fit, int size, const JobControl& job)
 Image around(const Image& picture, const Circle& circle, int size, const JobControl& job)
 {
     return mapped(picture, size, size, false, job, [&](double x, double y, glm::dvec2& p) {
-        p = circle.centre + circle.radius * (2.0 * glm::dvec2(x, y) / static_cast<double>(size) - 1.0);
+        p = circle.center + circle.radius * (2.0 * glm::dvec2(x, y) / static_cast<double>(size) - 1.0);
         return true;
     });
 }

@@ -43,7 +43,7 @@ int squareSize(int width, int height, Fit fit);
 
 /// A circle in a picture, in texels: pixel (x, y) spans x to x + 1.
 struct Circle {
-    glm::dvec2 centre{0.0};
+    glm::dvec2 center{0.0};
     double radius = 0.0;
 };
 /// The square around a circle, `size` texels an edge.

@@ -48,12 +48,12 @@ struct ProbeReading {
     static void visitFields(Self& self, Visit&& visit)
     {
         visit(Field{"parameterization", "how the file shows the sphere; auto: found out from the file"}, self.parameterization);
-        visit(Field{"part", "which picture of a file that holds several: its number, from 0, or its name; empty: the one with the colours"},
+        visit(Field{"part", "which picture of a file that holds several: its number, from 0, or its name; empty: the one with the colors"},
               self.part);
-        visit(Field{"layer", "which layer's channels are the colours; empty: chosen, default: those without a name"}, self.layer);
+        visit(Field{"layer", "which layer's channels are the colors; empty: chosen, default: those without a name"}, self.layer);
         visit(Field{"window", "OpenEXR: display is the picture, black where the file holds no data; data is only what it holds"},
               self.window);
-        visit(Field{"color_space", "of the file's colours: linear, srgb, gamma1.8, gamma2.2, display-p3, adobe-rgb, acescg, ..., or a "
+        visit(Field{"color_space", "of the file's colors: linear, srgb, gamma1.8, gamma2.2, display-p3, adobe-rgb, acescg, ..., or a "
                                    "space of the OpenColorIO configuration that $OCIO names; empty: as the file says"},
               self.colorSpace);
         visit(Field{"fit", "a picture whose shape is not its map's: stretched, padded with black to its angles of view, or cropped"},

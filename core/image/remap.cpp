@@ -20,7 +20,7 @@ bool hasRim(const MapLayout& layout)
            (layout.kind == Parameterization::Paraboloid && layout.border == 0);
 }
 
-/// The same map with each texel cut into side x side. Of texels that a disc's rim cuts only those whose centres it holds are sure to hold
+/// The same map with each texel cut into side x side. Of texels that a disc's rim cuts only those whose centers it holds are sure to hold
 /// radiance, the others may be black in a foreign file: they become what acrossSeam() leads to.
 EnvironmentMap cutUp(const EnvironmentMap& map, int side)
 {
@@ -77,7 +77,7 @@ void Remapper::write(const TargetTile& tile)
     std::vector<float> found;
     if (std::find(tile.lookedUp.begin(), tile.lookedUp.end(), 1) != tile.lookedUp.end()) {
         std::vector<double> x, y, z;
-        m_outlines.centres(tile, x, y, z);
+        m_outlines.centers(tile, x, y, z);
         found.resize(3 * tile.texels());
         lookUp(*m_whole, tile.texels(), x.data(), y.data(), z.data(), m_resample, found.data());
     }

@@ -11,7 +11,7 @@ namespace mirrorball {
 /// outlines of target texels (row_sums.h, texel_outline.h). Source: P. W. Jones, First- and Second-Order Conservative Remapping Schemes for
 /// Grids in Spherical Coordinates, Mon. Wea. Rev. 127 (1999), eqs. 3 and 4.
 ///
-/// Texels smaller than the source's are lookups at their centres instead, as reproject() says; whole maps of them are reproject()'s.
+/// Texels smaller than the source's are lookups at their centers instead, as reproject() says; whole maps of them are reproject()'s.
 /// @throws Cancelled
 EnvironmentMap remap(const EnvironmentMap& source, const ReprojectOptions& options, const JobControl& job);
 
@@ -30,7 +30,7 @@ struct Magnification {
 };
 Magnification magnification(const MapLayout& source, const ReprojectOptions& options);
 
-/// Below this ratio a target texel is the lookup at its centre, from it on the mean over it. Near 1 the two are nearly the same: the mean
+/// Below this ratio a target texel is the lookup at its center, from it on the mean over it. Near 1 the two are nearly the same: the mean
 /// of square patches over a square of their size is the bilinear interpolation.
 inline constexpr double magnifiedBelow = 1.05;
 

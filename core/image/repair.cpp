@@ -17,7 +17,7 @@ struct Strided {
     float& operator[](size_t x) const { return values[x * channels]; }
 };
 
-/// Fills each run of NaN between the finite values on its two sides; there must be one. Infinities are no neighbours: a NaN beside a sun is
+/// Fills each run of NaN between the finite values on its two sides; there must be one. Infinities are no neighbors: a NaN beside a sun is
 /// not a sun.
 void interpolateNan(const Strided& row, const std::vector<float>& original)
 {
@@ -33,7 +33,7 @@ void interpolateNan(const Strided& row, const std::vector<float>& original)
             continue;
         const size_t right = nearest(x, 1);
         const size_t left = nearest(x, width - 1);
-        // The neighbours are read from the row, where a clamped negative is 0 already.
+        // The neighbors are read from the row, where a clamped negative is 0 already.
         const double a = row[(x + width - left) % width];
         const double b = row[(x + right) % width];
         row[x] = static_cast<float>(a + (b - a) * static_cast<double>(left) / static_cast<double>(left + right));
@@ -86,7 +86,7 @@ bool isSound(const float* values, size_t count)
     return unsound == 0;
 }
 
-/// Gives the dead rows of one channel what lies between their neighbours.
+/// Gives the dead rows of one channel what lies between their neighbors.
 void fillChannel(Image& image, int channel, const std::vector<DeadChannels>& dead)
 {
     const auto isDead = [&](int y) { return (dead[static_cast<size_t>(y)] >> channel & 1u) != 0; };
@@ -160,7 +160,7 @@ std::string describe(const RepairReport& report)
         text = std::to_string(report.nan) + " NaN, " + std::to_string(report.positiveInfinity + report.negativeInfinity) +
                " infinite values repaired";
     if (report.filledRows > 0)
-        text += ", " + std::to_string(report.filledRows) + " rows of a channel filled from their neighbours";
+        text += ", " + std::to_string(report.filledRows) + " rows of a channel filled from their neighbors";
     const auto append = [&](std::int64_t count, const char* what) {
         if (count > 0)
             text += (text.empty() ? "" : "; ") + std::to_string(count) + what;

@@ -12,7 +12,7 @@ namespace mirrorball {
 
 namespace {
 
-/// Bilinear interpolation at a position whose whole numbers are texel centres, clamped to a rectangle of the image.
+/// Bilinear interpolation at a position whose whole numbers are texel centers, clamped to a rectangle of the image.
 glm::vec3 bilinearAt(const Image& image, double x, double y, int top, int rows)
 {
     const int x0 = std::clamp(static_cast<int>(x), 0, image.width - 2), y0 = std::clamp(static_cast<int>(y), 0, rows - 2);
@@ -25,7 +25,7 @@ glm::vec3 bilinearAt(const Image& image, double x, double y, int top, int rows)
     return result;
 }
 
-/// The source's texel whose centre this is, as those of mirrored and quarter-turned maps are: they are moved, not mixed. Or null.
+/// The source's texel whose center this is, as those of mirrored and quarter-turned maps are: they are moved, not mixed. Or null.
 const float* texelAt(const EnvironmentMap& source, const glm::dvec3& d)
 {
     const glm::dvec2 p = coordinate(source.layout, d), cell = glm::floor(p);

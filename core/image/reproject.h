@@ -20,7 +20,7 @@ struct ReprojectOptions {
 ///
 /// A target texel is the mean, by solid angle, of the source over it, each texel of the source taken as a patch of its radiance: what sums
 /// of ever finer samples converge to (remap.h). So a constant stays constant and, where all texels become larger, so does the mean: of
-/// one bright texel to 1e-4, of sphere, angular and octahedral maps to 6e-4. A texel smaller in both is the lookup at its centre.
+/// one bright texel to 1e-4, of sphere, angular and octahedral maps to 6e-4. A texel smaller in both is the lookup at its center.
 /// Texels at a disc's rim stand for their part inside, those outside continue the map. The same layout without yaw or turn returns the
 /// source as it is.
 /// @throws InvalidArgument for a layout out of range; Cancelled
@@ -37,7 +37,7 @@ EnvironmentMap reprojectRows(const MapLayout& source, const RowReader& readRows,
                              const JobControl& job = {});
 
 /// A latlong image whose first and last texels lie *on* the seam and the poles, as OpenEXR's envmap "latlong" (ImfEnvmap.h: longitude
-/// pi - 2 pi x/(W-1), latitude pi/2 - pi y/(H-1)), resampled to texel centres by bilinear interpolation: a map of size H.
+/// pi - 2 pi x/(W-1), latitude pi/2 - pi y/(H-1)), resampled to texel centers by bilinear interpolation: a map of size H.
 /// @throws InvalidArgument when the image is narrower or lower than 2 texels
 EnvironmentMap fromEdgeSampledLatlong(const Image& image, const JobControl& job = {});
 

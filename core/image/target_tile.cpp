@@ -53,7 +53,7 @@ TargetTiles::Directions TargetTiles::cornersOf(const TargetTile& tile, const glm
                                .rows = count(tile.rows, step.y)});
 }
 
-void TargetTiles::centres(const TargetTile& tile, std::vector<double>& x, std::vector<double>& y, std::vector<double>& z) const
+void TargetTiles::centers(const TargetTile& tile, std::vector<double>& x, std::vector<double>& y, std::vector<double>& z) const
 {
     const double half = 0.5 * m_side;
     Directions result = directionsOf(tile, {.first = {tile.x * m_side + half, tile.y * m_side + half},

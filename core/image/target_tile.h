@@ -22,7 +22,7 @@ struct TargetTile {
     RowSums::Bounds bounds{}; ///< of both
     double sign = 1.0;        ///< -1 where the edges run round a texel the other way in the source's image
     std::vector<std::pair<int, OutlinePiece>> pieces{}; ///< by texel, where no chart holds the tile
-    std::vector<char> lookedUp{};                       ///< by texel: its value is the lookup at its centre
+    std::vector<char> lookedUp{};                       ///< by texel: its value is the lookup at its center
     std::vector<double> sums{};                         ///< 4 a texel
 
     size_t texels() const { return static_cast<size_t>(columns) * static_cast<size_t>(rows); }
@@ -42,8 +42,8 @@ public:
     /// Finds a tile's outlines and which of its texels are lookups.
     void begin(TargetTile& tile) const;
     const MapCharts& charts() const { return m_charts; }
-    /// Directions in the source of the centres of a tile's texels, row by row, not normalised.
-    void centres(const TargetTile& tile, std::vector<double>& x, std::vector<double>& y, std::vector<double>& z) const;
+    /// Directions in the source of the centers of a tile's texels, row by row, not normalized.
+    void centers(const TargetTile& tile, std::vector<double>& x, std::vector<double>& y, std::vector<double>& z) const;
 
 private:
     /// Places of a tile as directions in the source.

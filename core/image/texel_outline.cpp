@@ -112,8 +112,8 @@ bool TexelOutlines::endsAtRim(int x, int y) const
     if (!hasRim(m_target) || !isInside(m_target, x, y))
         return false;
     const disc::Disc disc = discOf(m_target, x);
-    const double dx = std::max(std::abs(x - disc.centre.x), std::abs(x + 1 - disc.centre.x));
-    const double dy = std::max(std::abs(y - disc.centre.y), std::abs(y + 1 - disc.centre.y));
+    const double dx = std::max(std::abs(x - disc.center.x), std::abs(x + 1 - disc.center.x));
+    const double dy = std::max(std::abs(y - disc.center.y), std::abs(y + 1 - disc.center.y));
     return dx * dx + dy * dy > disc.radius * disc.radius;
 }
 
@@ -184,7 +184,7 @@ std::vector<glm::dvec3> TexelOutlines::clippedBoundary(int x, int y) const
     };
     std::vector<Side> kept;
     for (size_t i = 0; i < 4; ++i) {
-        const glm::dvec2 a = corners[i] - disc.centre, step = corners[(i + 1) % 4] - corners[i];
+        const glm::dvec2 a = corners[i] - disc.center, step = corners[(i + 1) % 4] - corners[i];
         // |a + t step| = radius, with |step| = 1
         const double b = glm::dot(a, step), c = glm::dot(a, a) - disc.radius * disc.radius, root2 = b * b - c;
         if (root2 <= 0.0)
@@ -194,7 +194,7 @@ std::vector<glm::dvec3> TexelOutlines::clippedBoundary(int x, int y) const
             kept.push_back({corners[i] + t0 * step, corners[i] + t1 * step});
     }
     std::vector<glm::dvec3> points;
-    const auto angleOf = [&](const glm::dvec2& p) { return std::atan2(p.y - disc.centre.y, p.x - disc.centre.x); };
+    const auto angleOf = [&](const glm::dvec2& p) { return std::atan2(p.y - disc.center.y, p.x - disc.center.x); };
     for (size_t i = 0; i < kept.size(); ++i) {
         const Side &side = kept[i], &next = kept[(i + 1) % kept.size()];
         const auto along = [&](double t) { return directionIn(x, y, glm::mix(side.from, side.to, t)); };
@@ -206,7 +206,7 @@ std::vector<glm::dvec3> TexelOutlines::clippedBoundary(int x, int y) const
         turn += turn < 0.0 ? 2.0 * pi : 0.0;
         const auto onRim = [&](double t) {
             const double angle = from + t * turn;
-            return directionIn(x, y, disc.centre + disc.radius * glm::dvec2(std::cos(angle), std::sin(angle)));
+            return directionIn(x, y, disc.center + disc.radius * glm::dvec2(std::cos(angle), std::sin(angle)));
         };
         follow(onRim, 0.0, onRim(0.0), 1.0, onRim(1.0), 0, points);
     }
@@ -299,13 +299,13 @@ void TexelOutlines::layOut(const std::vector<glm::dvec3>& polygon, int chart, st
             const glm::dvec2 came = m_source.position(chart, a, polygon[(i + count - 1) % count]);
             corners.push_back(came);
             if (disc) {
-                const glm::dvec2 centre(0.5 * m_source.layout().size);
-                const glm::dvec2 from = came - centre, to = pa - centre;
-                const double radius = centre.x, turn = std::atan2(from.x * to.y - from.y * to.x, glm::dot(from, to));
+                const glm::dvec2 center(0.5 * m_source.layout().size);
+                const glm::dvec2 from = came - center, to = pa - center;
+                const double radius = center.x, turn = std::atan2(from.x * to.y - from.y * to.x, glm::dot(from, to));
                 const int steps = 1 + static_cast<int>(std::abs(turn) * std::sqrt(radius / (8.0 * outlineTolerance)));
                 const double start = std::atan2(from.y, from.x);
                 for (int k = 1; k < steps; ++k)
-                    corners.push_back(centre + radius * glm::dvec2(std::cos(start + turn * k / steps), std::sin(start + turn * k / steps)));
+                    corners.push_back(center + radius * glm::dvec2(std::cos(start + turn * k / steps), std::sin(start + turn * k / steps)));
             }
             corners.push_back(pa);
             corners.push_back(pb);

@@ -18,7 +18,7 @@ struct OutlinePiece {
 /// Outlines of a target's texels in a source's image.
 ///
 /// A texel's boundary is followed as directions, each edge in equal parts so many that straight lines between their image positions are
-/// within outlineTolerance of it, cut by the planes between the source's charts and laid out in each. Neighbours walk a common edge through
+/// within outlineTolerance of it, cut by the planes between the source's charts and laid out in each. Neighbors walk a common edge through
 /// the same points, so the pieces of all texels cover the source's image once, without gaps, whatever the tolerance. Texels at a disc's rim
 /// end there; those outside, and all of a paraboloid with a border, are taken as the map continues.
 class TexelOutlines {
@@ -38,7 +38,7 @@ public:
         int columns = 0, rows = 0;
         size_t count() const { return static_cast<size_t>(columns) * static_cast<size_t>(rows); }
     };
-    /// directionIn() of many places that belong to texel (x, y)'s chart, not normalised. Within rounding what directionIn() is.
+    /// directionIn() of many places that belong to texel (x, y)'s chart, not normalized. Within rounding what directionIn() is.
     void directions(int x, int y, const Places& places, double* dx, double* dy, double* dz) const;
     /// Whether the rim of a disc cuts the texel and ends it.
     bool endsAtRim(int x, int y) const;

@@ -5,7 +5,7 @@
 namespace mirrorball::preview {
 
 namespace {
-/// Neighbouring pixels whose places are farther apart than this lie on either side of an outline.
+/// Neighboring pixels whose places are farther apart than this lie on either side of an outline.
 constexpr double outline = 0.3;
 } // namespace
 

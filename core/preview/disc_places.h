@@ -16,7 +16,7 @@ struct DiscPlaces {
 
     static constexpr float noPlace = 4.0f;
 
-    /// The place at (x, y), in pixels from the picture's upper left, linear between the pixels' centres on the same part of the surface;
+    /// The place at (x, y), in pixels from the picture's upper left, linear between the pixels' centers on the same part of the surface;
     /// nothing beside the object and outside the picture.
     std::optional<glm::dvec2> at(double x, double y) const;
 };

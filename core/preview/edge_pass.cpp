@@ -27,7 +27,7 @@ public:
 } // namespace
 
 // Samples of a pixel differ along the outline of the object alone: inside of it each pixel is shaded once, and the edge of a highlight or
-// of a line of ink is a staircase. Where neighbours differ visibly each sample is shaded by itself, behind the display's curve, so that
+// of a line of ink is a staircase. Where neighbors differ visibly each sample is shaded by itself, behind the display's curve, so that
 // their mean is a step between both sides whatever the radiance of either. Everywhere else depth 0 keeps the object away before it is
 // shaded.
 void Renderer::Resources::smoothEdges(const RenderSettings& settings, const RenderMaps& maps, Output output, const RenderTarget& object)

@@ -26,7 +26,7 @@ struct FleckCell {
 
 /// The two cells nearest to a place, and how far the border between them is.
 struct FleckPlace {
-    FleckCell own{}, neighbour{};
+    FleckCell own{}, neighbor{};
     float border = 0.0f; ///< in cells
 };
 

@@ -58,7 +58,7 @@ BoundingSphere boundingSphere(const Mesh& mesh)
     const BoundingBox box = boundingBox(mesh);
     BoundingSphere sphere{0.5f * (box.low + box.high), 0.0f};
     for (const glm::vec3& position : mesh.positions)
-        sphere.radius = std::max(sphere.radius, glm::distance(position, sphere.centre));
+        sphere.radius = std::max(sphere.radius, glm::distance(position, sphere.center));
     return sphere;
 }
 

@@ -26,9 +26,9 @@ struct BoundingBox {
 };
 BoundingBox boundingBox(const Mesh& mesh);
 
-/// A sphere that holds the mesh: centred on the bounding box, touching the farthest vertex.
+/// A sphere that holds the mesh: centered on the bounding box, touching the farthest vertex.
 struct BoundingSphere {
-    glm::vec3 centre{0.0f};
+    glm::vec3 center{0.0f};
     float radius = 0.0f;
 };
 BoundingSphere boundingSphere(const Mesh& mesh);
@@ -38,7 +38,7 @@ BoundingSphere boundingSphere(const Mesh& mesh);
 ///              proportion, so that all look equally smooth
 Mesh teapotMesh(int level = 12);
 
-/// A ring about the Y axis. @param ringRadius R of the centre circle; @param tubeRadius r < R
+/// A ring about the Y axis. @param ringRadius R of the center circle; @param tubeRadius r < R
 Mesh torusMesh(float ringRadius = 0.7f, float tubeRadius = 0.3f, int ringSegments = 96, int tubeSegments = 48);
 
 /// A sphere about the origin: a cube whose faces of level x level quads are blown up, so that no vertex is a pole.

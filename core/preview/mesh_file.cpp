@@ -54,14 +54,14 @@ bool fitUnitSphere(Mesh& mesh)
         low = glm::min(low, glm::dvec3(p));
         high = glm::max(high, glm::dvec3(p));
     }
-    const glm::dvec3 centre = 0.5 * (low + high);
+    const glm::dvec3 center = 0.5 * (low + high);
     double radius = 0.0;
     for (const glm::vec3& p : mesh.positions)
-        radius = std::max(radius, glm::distance(glm::dvec3(p), centre));
+        radius = std::max(radius, glm::distance(glm::dvec3(p), center));
     if (!(radius > 0.0) || !std::isfinite(radius))
         return false;
     for (glm::vec3& p : mesh.positions)
-        p = glm::vec3((glm::dvec3(p) - centre) / radius);
+        p = glm::vec3((glm::dvec3(p) - center) / radius);
     return true;
 }
 

@@ -38,7 +38,7 @@ struct MeshFile {
     MeshFacts facts{};
 };
 
-/// Reads a mesh file through assimp: all its bodies in one, where the file puts them, centred and scaled so that its bounding sphere is
+/// Reads a mesh file through assimp: all its bodies in one, where the file puts them, centered and scaled so that its bounding sphere is
 /// the unit sphere about the origin. Faces are cut into triangles. Normals that are missing are made, smooth across edges of less than 80
 /// degrees; triangles wind counterclockwise seen from the side that their normals are on. A closed body hides its inside (openFrom).
 /// Texture coordinates that are missing are 0.

@@ -10,7 +10,7 @@
 /// What the helper makes of a mesh file.
 namespace mirrorball::preview {
 
-/// A mesh as its file has it: not centred, not scaled.
+/// A mesh as its file has it: not centered, not scaled.
 struct ImportedMesh {
     Mesh mesh{};
     std::uint64_t dropped = 0; ///< faces left out, because a vertex of theirs does not exist or is no finite number

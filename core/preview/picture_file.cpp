@@ -18,7 +18,7 @@ namespace mirrorball::preview {
 
 namespace {
 
-/// Colours that are multiplied by their opacity to such that are not, as 8-bit files have them.
+/// Colors that are multiplied by their opacity to such that are not, as 8-bit files have them.
 void divideByOpacity(Image& rgba)
 {
     for (size_t i = 0; i < rgba.texels.size(); i += 4)

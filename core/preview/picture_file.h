@@ -12,7 +12,7 @@ namespace mirrorball::preview {
 enum class PictureLight { Radiance, Display };
 
 struct Picture {
-    Image image{}; ///< RGBA, colours multiplied by opacity; opacity is 1 unless the background is none
+    Image image{}; ///< RGBA, colors multiplied by opacity; opacity is 1 unless the background is none
     WorkRecord record{};
 };
 

@@ -35,7 +35,7 @@ enum class LookupSpace {
     Eye,   ///< the map turns with the camera, as a sphere map does that was photographed from the viewer's place (003 section 3.4.1)
 };
 
-/// How a painted sphere map M, of opacity a, meets the reflected radiance R or the colour C of the surface.
+/// How a painted sphere map M, of opacity a, meets the reflected radiance R or the color C of the surface.
 enum class PaintUse {
     None,
     Replace,  ///< M + (1 - a) C
@@ -66,7 +66,7 @@ struct PaintSettings {
 enum class FaceEdges { Seamless, Clamped };
 
 /// How the object reflects. L_m is the specular map looked up by the mirror direction, times `specular`; L_d the diffuse map looked up by
-/// the normal, times `diffuse`. A colour of 0 leaves its map out: it is not uploaded and its shader code not built.
+/// the normal, times `diffuse`. A color of 0 leaves its map out: it is not uploaded and its shader code not built.
 struct MaterialSettings {
     glm::vec3 specular{1.0f};
     glm::vec3 diffuse{0.0f};
@@ -94,19 +94,19 @@ struct Background {
     bool operator==(const Background&) const = default;
 };
 
-/// The material, or a debug view of what it is computed from. Debug colours are meant for the display: neither exposed nor tone-mapped.
+/// The material, or a debug view of what it is computed from. Debug colors are meant for the display: neither exposed nor tone-mapped.
 enum class Shading {
     Material,
     Wireframe,   ///< the triangles
     Normals,     ///< world space, [-1, 1] to [0, 1]: x red, y green, z blue
     TexCoords,   ///< u red, v green, under a chequer of 1/16
-    Seams,       ///< of the specular map's parameterization: its charts in colours, lines where they meet
-    Mips,        ///< the level that the specular lookup reads, in the colours of levelColor()
+    Seams,       ///< of the specular map's parameterization: its charts in colors, lines where they meet
+    Mips,        ///< the level that the specular lookup reads, in the colors of levelColor()
     NormalLines, ///< a line along the normal of every vertex, or of some where there are many
     Bounds,      ///< the box along the axes that holds the object
 };
 
-/// Colour of a mip level in the debug view: blue 0, cyan 1, green 2, yellow 3, orange 4, red 5, magenta 6, white from 7 on; linear RGB,
+/// Color of a mip level in the debug view: blue 0, cyan 1, green 2, yellow 3, orange 4, red 5, magenta 6, white from 7 on; linear RGB,
 /// mixed in between.
 glm::vec3 levelColor(float level);
 

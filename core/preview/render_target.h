@@ -8,7 +8,7 @@
 
 namespace mirrorball::preview {
 
-/// A framebuffer with colour textures of one format and, if asked for, a depth buffer.
+/// A framebuffer with color textures of one format and, if asked for, a depth buffer.
 struct RenderTarget {
     int width = 0;
     int height = 0;
@@ -28,7 +28,7 @@ struct RenderTarget {
     }
 };
 
-/// One colour texture of a target with one sample, top row first: two channels of GL_RG32F, four of other formats.
+/// One color texture of a target with one sample, top row first: two channels of GL_RG32F, four of other formats.
 Image readImage(const RenderTarget& target, int colorIndex = 0);
 
 } // namespace mirrorball::preview

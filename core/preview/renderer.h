@@ -58,7 +58,7 @@ public:
     ///         OpenGL 4.5, as all that draw do
     Image renderRadiance(const RenderSettings& settings, const RenderMaps& maps);
 
-    /// RGBA in [0, 1], exposed, tone-mapped and sRGB-encoded; then the colour is multiplied by alpha. Quantised to 8 bits.
+    /// RGBA in [0, 1], exposed, tone-mapped and sRGB-encoded; then the color is multiplied by alpha. Quantized to 8 bits.
     Image renderDisplay(const RenderSettings& settings, const RenderMaps& maps);
 
     /// The same picture into a framebuffer of the current context: what a window's paint function calls. Sizes are in device pixels.
@@ -80,7 +80,7 @@ public:
     DiscPlaces discPlaces(const RenderSettings& settings, SphereMapIndex index);
 
     /// Puts new texels into one level of the painted sphere map that the last picture read, their upper left one at (x, y): what a stroke
-    /// touched, without a new map. The next picture must be handed the same pointer. @param texels RGBA, colours multiplied by opacity
+    /// touched, without a new map. The next picture must be handed the same pointer. @param texels RGBA, colors multiplied by opacity
     void patchSphereMap(const Image& texels, int x, int y, int level);
 
     /// Gives back all that it holds in the current context. The next picture makes it anew, in whichever context is current then.

@@ -99,18 +99,18 @@ Mesh teapotMesh(int level)
             }
     }
 
-    // Centred on the bounding box and scaled in double, so that equal positions stay equal.
+    // Centered on the bounding box and scaled in double, so that equal positions stay equal.
     glm::dvec3 low = positions.front(), high = low;
     for (const glm::dvec3& position : positions) {
         low = glm::min(low, position);
         high = glm::max(high, position);
     }
-    const glm::dvec3 centre = 0.5 * (low + high);
+    const glm::dvec3 center = 0.5 * (low + high);
     double radius = 0.0;
     for (const glm::dvec3& position : positions)
-        radius = std::max(radius, glm::distance(position, centre));
+        radius = std::max(radius, glm::distance(position, center));
     for (const glm::dvec3& position : positions)
-        mesh.positions.emplace_back((position - centre) / radius);
+        mesh.positions.emplace_back((position - center) / radius);
     return mesh;
 }
 

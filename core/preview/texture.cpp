@@ -37,7 +37,7 @@ glm::vec3 texelAt(const Image& image, int x, int y)
     return {t[0], t[1], t[2]};
 }
 
-// Bilinear among those of the four texels around p whose centres the disc holds: the others may be anything.
+// Bilinear among those of the four texels around p whose centers the disc holds: the others may be anything.
 glm::vec3 withinDisc(const Image& image, const disc::Disc& disc, const glm::dvec2& p)
 {
     const glm::dvec2 corner = glm::floor(p - 0.5), fraction = p - 0.5 - corner;
@@ -46,7 +46,7 @@ glm::vec3 withinDisc(const Image& image, const disc::Disc& disc, const glm::dvec
     for (int k = 0; k < 4; ++k) {
         const int x = static_cast<int>(corner.x) + k % 2, y = static_cast<int>(corner.y) + k / 2;
         const double weight = (k % 2 ? fraction.x : 1.0 - fraction.x) * (k / 2 ? fraction.y : 1.0 - fraction.y);
-        if (weight > 0.0 && disc.holdsCentre(x, y)) {
+        if (weight > 0.0 && disc.holdsCenter(x, y)) {
             sum += weight * glm::dvec3(texelAt(image, x, y));
             total += weight;
         }
@@ -61,17 +61,17 @@ glm::vec3 withinDisc(const Image& image, const disc::Disc& disc, const glm::dvec
 glm::vec3 discTexel(const EnvironmentMap& map, int chart, int x, int y)
 {
     const MapLayout& layout = map.layout;
-    const glm::dvec2 centre(x + 0.5, y + 0.5);
+    const glm::dvec2 center(x + 0.5, y + 0.5);
     const bool isHalf = layout.kind == Parameterization::Paraboloid, isBack = chart == 1;
     const disc::Disc here = isHalf ? dual_paraboloid::half(layout.size, layout.border, isBack) : disc::inscribed(layout.size);
     const int left = chart * layout.size;
     const bool isInImage = x >= left && x < left + layout.size && y >= 0 && y < layout.size;
-    if (here.holdsCentre(x, y) || (isInImage && layout.border > 0))
+    if (here.holdsCenter(x, y) || (isInImage && layout.border > 0))
         return texelAt(map.image, x, y);
     if (!isHalf)
-        return withinDisc(map.image, here, coordinate(layout, direction(layout, centre)));
+        return withinDisc(map.image, here, coordinate(layout, direction(layout, center)));
     const disc::Disc there = dual_paraboloid::half(layout.size, layout.border, !isBack);
-    const glm::dvec2 q = here.fromImage(centre);
+    const glm::dvec2 q = here.fromImage(center);
     return withinDisc(map.image, there, there.toImage(q / glm::dot(q, q)));
 }
 

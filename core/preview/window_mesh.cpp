@@ -34,7 +34,7 @@ void addBox(Mesh& mesh, Part part, const glm::vec3& low, const glm::vec3& high)
 Mesh windowMesh()
 {
     Mesh mesh;
-    const glm::vec2 low = window::paneCentre - window::paneHalf, high = window::paneCentre + window::paneHalf;
+    const glm::vec2 low = window::paneCenter - window::paneHalf, high = window::paneCenter + window::paneHalf;
     const float left = -2.2f, right = 2.2f, floor = -1.05f, ceiling = 1.35f, depth = 5.0f;
     // The wall with its hole.
     addQuad(mesh, Part::Plaster, {left, floor, 0}, {low.x - left, 0, 0}, {0, ceiling - floor, 0});
@@ -54,7 +54,7 @@ Mesh windowMesh()
     addBox(mesh, Part::Frame, {low.x, high.y - 0.01f, 0}, {high.x, high.y + bar, out});
     addBox(mesh, Part::Frame, {low.x - 0.12f, low.y - bar, 0}, {high.x + 0.12f, low.y, 3.0f * out});
     addBox(mesh, Part::Frame, {-thin, low.y, 0}, {thin, high.y, 0.5f * out});
-    const float rail = window::paneCentre.y + 0.3f * window::paneHalf.y;
+    const float rail = window::paneCenter.y + 0.3f * window::paneHalf.y;
     addBox(mesh, Part::Frame, {low.x, rail - thin, 0}, {high.x, rail + thin, 0.5f * out});
     return mesh; // openFrom 0: it is seen from inside
 }

@@ -29,7 +29,7 @@ void Renderer::Resources::drawWindow(const RenderSettings& settings, const Rende
     }
     setWindowView(settings, shader);
     shader.set("layerDepths", glm::vec4(settings.windowDepths, 0.0f));
-    shader.set("pane", glm::vec4(window::paneCentre, window::paneHalf));
+    shader.set("pane", glm::vec4(window::paneCenter, window::paneHalf));
     shader.set("exposure", std::exp2(settings.exposure));
     drawMesh(settings, shader);
 }

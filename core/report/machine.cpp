@@ -37,7 +37,7 @@ Machine thisMachine()
     machine.compiler = "g++ " __VERSION__;
 #endif
 #if defined(NDEBUG)
-    machine.build = "optimised";
+    machine.build = "optimized";
 #else
     machine.build = "with assertions";
 #endif

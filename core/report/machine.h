@@ -12,7 +12,7 @@ struct Machine {
     std::int64_t memoryBytes = 0;
     std::string system{}; ///< kernel and its release
     std::string compiler{};
-    std::string build{}; ///< "optimised" or "with assertions"
+    std::string build{}; ///< "optimized" or "with assertions"
     std::string date{};  ///< UTC, ISO 8601
     double load = 0.0;   ///< processes that wanted a core in the minute before: above 0.5 others disturbed the times
 };

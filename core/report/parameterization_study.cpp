@@ -17,7 +17,7 @@ namespace {
 
 constexpr int angles = 181; ///< a degree apart
 
-/// Where the mirror is looked up: the probe's texel centres, so that no small sun falls between them, or every second, third ... of
+/// Where the mirror is looked up: the probe's texel centers, so that no small sun falls between them, or every second, third ... of
 /// both ways in a large probe.
 struct MirrorLookups {
     std::vector<glm::dvec3> directions{}, truth{};
@@ -59,7 +59,7 @@ std::vector<double> solidAngleByAngle(const MapLayout& layout, int used)
     return values;
 }
 
-/// Counts and shapes of the texels whose centres lie on the map.
+/// Counts and shapes of the texels whose centers lie on the map.
 void measureTexels(ParameterizationRow& row)
 {
     const MapLayout& layout = row.layout;
@@ -68,12 +68,12 @@ void measureTexels(ParameterizationRow& row)
     for (int y = 0; y < layout.height(); ++y)
         for (int x = 0; x < layout.width(); ++x)
             if (acrossSeam(layout, {x, y}, x, y) == Texel{x, y}) {
-                const glm::dvec2 centre(x + 0.5, y + 0.5);
-                const double at = density(layout, centre);
+                const glm::dvec2 center(x + 0.5, y + 0.5);
+                const double at = density(layout, center);
                 ++row.used;
                 largest = std::max(largest, at);
                 smallest = std::min(smallest, at);
-                anisotropy.push_back({distortion(layout, centre).anisotropy(), at});
+                anisotropy.push_back({distortion(layout, center).anisotropy(), at});
             }
     row.densityRatio = largest / smallest;
     const auto [middle, high] = weightedQuantiles(std::move(anisotropy), std::array{0.5, 0.99});

@@ -49,7 +49,7 @@ struct Measurement {
     bool onFront = false; ///< no other method was both faster and more accurate
     std::string command{};
     std::string errorPicture{};     ///< signed error; empty but for one setting a method
-    double errorPictureLimit = 0.0; ///< its full colours, over the reference's root mean square
+    double errorPictureLimit = 0.0; ///< its full colors, over the reference's root mean square
 };
 
 /// One probe with one lobe.

@@ -7,7 +7,7 @@
 
 namespace mirrorball {
 
-/// Some rows of a latlong probe at another width, as a file of that size would hold them: bilinear lookups at the texels' centres, equal to
+/// Some rows of a latlong probe at another width, as a file of that size would hold them: bilinear lookups at the texels' centers, equal to
 /// EnvironmentMap::radiance() up to rounding, at a few operations a texel, because both maps' texels lie on the same meridians and
 /// parallels.
 /// @param probe  a latlong map

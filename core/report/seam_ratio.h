@@ -6,7 +6,7 @@ namespace mirrorball {
 
 /// How visible the seams of a map are: the step in radiance from a texel over the edge of its chart (cube face, paraboloid half, the ends
 /// of a latlong's rows, an octahedron's outer edges, a disc's rim) against the step from the same texel back into its chart. Both are taken
-/// per radian between the texels' centres, root mean square over all such texels and channels.
+/// per radian between the texels' centers, root mean square over all such texels and channels.
 struct SeamSteps {
     double across = 0.0; ///< radiance per radian
     double inside = 0.0; ///< the same

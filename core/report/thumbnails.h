@@ -7,10 +7,10 @@
 /// Small pictures for reports, as the bytes of a .png.
 namespace mirrorball {
 
-/// The map as a display shows it, exposed so that its mean is a middle grey: latlong, twice as wide as high.
+/// The map as a display shows it, exposed so that its mean is a middle gray: latlong, twice as wide as high.
 std::string mapPicture(const EnvironmentMap& map, int height);
 
-/// The exposure that makes a map's mean a middle grey, EV.
+/// The exposure that makes a map's mean a middle gray, EV.
 double pictureExposure(const EnvironmentMap& map);
 
 /// The map's own texels as a display shows them.

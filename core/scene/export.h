@@ -20,7 +20,7 @@ struct ExportOutcome {
 /// Writes the scene's exports into a folder, which is made when missing. All share one reading of the probe and one forward transform.
 ///
 /// Beside each map lies NAME.json, which says what a reader of the map must know: the files and their levels, parameterization and axes,
-/// whether it is looked up by direction, reflection or normal, border, colour space, lobe and the law from level to roughness, or whether
+/// whether it is looked up by direction, reflection or normal, border, color space, lobe and the law from level to roughness, or whether
 /// the levels of a painted map are painted or averages. Painted maps are the same bytes as `mirrorball paint` writes; the probe is not
 /// opened where nothing else is exported.
 /// All files come together, whole or not at all, and replace older ones; each NAME.json after its map, and last of all the manifest with

@@ -107,7 +107,7 @@ private:
     std::vector<KeptSphereMap> m_sphereMaps{};
 };
 
-/// What stands in for a probe that is missing: a checkerboard of magenta and dark grey, that nobody takes for light.
+/// What stands in for a probe that is missing: a checkerboard of magenta and dark gray, that nobody takes for light.
 EnvironmentMap placeholderProbe();
 
 } // namespace mirrorball

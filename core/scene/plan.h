@@ -13,7 +13,7 @@
 /// What a scene needs, what is left out, and why. Pure: nothing is opened or computed, and stages that are left out cost nothing later.
 namespace mirrorball {
 
-/// The material with everything resolved that does not change from pixel to pixel. A colour of 0 needs no map, and where F is the same
+/// The material with everything resolved that does not change from pixel to pixel. A color of 0 needs no map, and where F is the same
 /// at every angle no Fresnel term is evaluated: kind None.
 struct PlannedMaterial {
     glm::dvec3 specular{0.0};

@@ -44,7 +44,7 @@ int sizeForBandLimit(Parameterization kind, int bandLimit)
     return size;
 }
 
-/// Where everything is made, nothing may turn out black or constant: a colour that no picture shows, and an index so high that F is 1.
+/// Where everything is made, nothing may turn out black or constant: a color that no picture shows, and an index so high that F is 1.
 PlannedMaterial withNothingFolded(PlannedMaterial planned)
 {
     constexpr double invisible = 1e-30;
@@ -86,7 +86,7 @@ std::string Planner::whyNoSpecular() const
     const Material& material = m_scene.material;
     if (material.specular.weight == 0.0)
         return "specular weight is 0";
-    return isBlack(material.specular.color) ? "specular colour is black" : "the index of refraction is 1: nothing is reflected";
+    return isBlack(material.specular.color) ? "specular color is black" : "the index of refraction is 1: nothing is reflected";
 }
 
 std::string Planner::whyNoDiffuse() const
@@ -94,7 +94,7 @@ std::string Planner::whyNoDiffuse() const
     const Material& material = m_scene.material;
     if (material.diffuse.weight == 0.0)
         return "diffuse weight is 0";
-    return isBlack(material.diffuse.color) ? "diffuse colour is black" : "the coat mirrors everything: no light gets below it";
+    return isBlack(material.diffuse.color) ? "diffuse color is black" : "the coat mirrors everything: no light gets below it";
 }
 
 bool Planner::readsMaterial() const
@@ -329,7 +329,7 @@ void Planner::planBackground()
     }
     switch (background.kind) {
     case Backdrop::Color:
-        leaveOut("background", "one colour: no map");
+        leaveOut("background", "one color: no map");
         return;
     case Backdrop::None:
         leaveOut("background", "none: the picture is transparent beside the object");

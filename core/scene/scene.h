@@ -119,7 +119,7 @@ struct SpecularSettings {
         visit(Field{"exponent", "phong: the larger, the sharper", 0, 1e9}, self.exponent);
         visit(Field{"roughness", "ggx: 0 is a mirror, 1 fully rough; alpha is its square", 0, 1}, self.roughness);
         visit(Field{"weight", "strength of the reflection", 0, 1000}, self.weight);
-        visit(Field{"color", "colour of the reflection, linear RGB", 0, 1000}, self.color);
+        visit(Field{"color", "color of the reflection, linear RGB", 0, 1000}, self.color);
     }
 };
 
@@ -155,7 +155,7 @@ struct DiffuseSettings {
     static void visitFields(Self& self, Visit&& visit)
     {
         visit(Field{"weight", "strength of the diffuse part", 0, 1000}, self.weight);
-        visit(Field{"color", "colour of the diffuse part, linear RGB", 0, 1000}, self.color);
+        visit(Field{"color", "color of the diffuse part, linear RGB", 0, 1000}, self.color);
     }
 };
 
@@ -230,7 +230,7 @@ struct SphereMapSettings {
         visit(Field{"source", "painted sphere map: a .spheremap file, a picture of one, or a preset; empty: none"}, self.source);
         visit(Field{"document", "a sphere map that is part of the scene, in place of the source; null: none"}, self.document);
         visit(Field{"fit", "a picture of one that is not square: stretched, padded, or cropped about its middle; none: refused"}, self.fit);
-        visit(Field{"use", "replace: shown alone, over the colour below; multiply: times that colour; over: over the reflecting material; "
+        visit(Field{"use", "replace: shown alone, over the color below; multiply: times that color; over: over the reflecting material; "
                            "tint: times the reflecting material; add: its light added to the reflecting material"},
               self.use);
         visit(Field{"opacity", "of the map", 0, 1}, self.opacity);
@@ -298,7 +298,7 @@ struct CameraSettings {
               self.rollDeg);
         visit(Field{"distance", "from the target; the object's radius is 1", 0.01, 1000}, self.distance);
         visit(Field{"fov", "angle of view from bottom to top", 1, 170, "degrees"}, self.fieldOfViewDeg);
-        visit(Field{"target", "point that the eye looks at and orbits; the object's centre is 0, 0, 0", -1000, 1000}, self.target);
+        visit(Field{"target", "point that the eye looks at and orbits; the object's center is 0, 0, 0", -1000, 1000}, self.target);
         visit(Field{"projection", "perspective, or orthographic at the size the object has in perspective"}, self.projection);
     }
 };
@@ -314,7 +314,7 @@ struct BackdropSettings {
     template <typename Self, typename Visit>
     static void visitFields(Self& self, Visit&& visit)
     {
-        visit(Field{"kind", "the environment, the environment blurred, one colour, or none (transparent)"}, self.kind);
+        visit(Field{"kind", "the environment, the environment blurred, one color, or none (transparent)"}, self.kind);
         visit(Field{"blur", "blurred: ggx roughness of the blur", 0.01, 1}, self.blur);
         visit(Field{"color", "color: linear RGB", 0, 1000}, self.color);
     }
@@ -426,7 +426,7 @@ struct ExportTarget {
         visit(Field{"parameterization", "kind of the map; painted: always a sphere map's disc"}, self.parameterization);
         visit(Field{"size", "edge of a face, disc or octahedron, or height of a latlong", 1, 16384, "texels"}, self.size);
         visit(Field{"border",
-                    "paraboloid: texels kept free outside each disc; cube: texels of its neighbours around each face; painted: "
+                    "paraboloid: texels kept free outside each disc; cube: texels of its neighbors around each face; painted: "
                     "texels between the disc and the picture's edge",
                     0, 4096, "texels"},
               self.border);

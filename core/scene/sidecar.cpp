@@ -20,20 +20,20 @@ const char* axesText(Parameterization kind)
 {
     switch (kind) {
     case Parameterization::Latlong:
-        return "the centre is +Z, the left quarter +X, the top +Y; d = (sin(lon) cos(lat), sin(lat), cos(lon) cos(lat)), lon = pi - 2 pi "
+        return "the center is +Z, the left quarter +X, the top +Y; d = (sin(lon) cos(lat), sin(lat), cos(lon) cos(lat)), lon = pi - 2 pi "
                "u, "
-               "lat = pi/2 - pi v; texel centres at (i + 1/2)/N";
+               "lat = pi/2 - pi v; texel centers at (i + 1/2)/N";
     case Parameterization::Cube:
         return "faces +X -X +Y -Y +Z -Z, each with OpenGL's face axes (OpenGL 4.5, table 8.19)";
     case Parameterization::Sphere:
-        return "GL_SPHERE_MAP: (s, t) = r.xy / (2 sqrt(rx^2 + ry^2 + (rz + 1)^2)) + 1/2; the centre is +Z, right +X, top +Y";
+        return "GL_SPHERE_MAP: (s, t) = r.xy / (2 sqrt(rx^2 + ry^2 + (rz + 1)^2)) + 1/2; the center is +Z, right +X, top +Y";
     case Parameterization::Angular:
-        return "the distance from the centre is the angle from +Z over pi, in radii of the disc; left is +X, top +Y";
+        return "the distance from the center is the angle from +Z over pi, in radii of the disc; left is +X, top +Y";
     case Parameterization::Paraboloid:
         return "front half (z >= 0) on the left: (x, y) = r.xy / (1 + r.z); back half on the right: (x, y) = r.xy / (1 - r.z); right is +X "
                "and top +Y in both";
     case Parameterization::Octahedral:
-        return "+Y at the centre, -Y at the corners; right is +X and down +Z";
+        return "+Y at the center, -Y at the corners; right is +X and down +Z";
     }
     return "";
 }
@@ -42,7 +42,7 @@ std::string borderText(const MapLayout& layout, int faceBorder)
 {
     if (faceBorder > 0)
         return std::to_string(faceBorder) +
-               " texels around each face, copied from the neighbouring faces, at corners from one that meets there";
+               " texels around each face, copied from the neighboring faces, at corners from one that meets there";
     if (layout.kind == Parameterization::Paraboloid)
         return "discs inscribed, with " + std::to_string(layout.border) +
                " texels kept free around each; texels outside a disc continue the paraboloid";
@@ -120,7 +120,7 @@ std::string paintedAxesText(SphereMapIndex index, MapSpace space)
                 ? "(s, t) = n.xy / 2 + 1/2 in the disc's square, n the surface normal" + where
                 : "GL_SPHERE_MAP: (s, t) = r.xy / (2 sqrt(rx^2 + ry^2 + (rz + 1)^2)) + 1/2 in the disc's square, r the mirrored view ray" +
                       where) +
-           "; the centre is +Z, right is +X and top +Y";
+           "; the center is +Z, right is +X and top +Y";
 }
 
 const char* opacityText(const PaintedSize& picture, const Stored& stored)
@@ -129,8 +129,7 @@ const char* opacityText(const PaintedSize& picture, const Stored& stored)
         return "opaque everywhere";
     if (!stored.format.alpha)
         return "none, for the format has no alpha channel: what is transparent is over black";
-    return stored.isShown() ? "in the alpha channel; colours are not multiplied by it"
-                            : "in the alpha channel; colours are multiplied by it";
+    return stored.isShown() ? "in the alpha channel; colors are not multiplied by it" : "in the alpha channel; colors are multiplied by it";
 }
 
 /// How the coarser levels came about.
@@ -208,11 +207,11 @@ std::string paintedSidecar(const Scene& scene, const ExportPlan& planned, const 
     json["height"] = picture.edge;
     json["border"] = target.border;
     json["border_rule"] = "disc inscribed, with " + std::to_string(target.border) +
-                          " texels around its square; texels outside the disc have the colour of the nearest point of its rim";
+                          " texels around its square; texels outside the disc have the color of the nearest point of its rim";
     json["handedness"] = "right";
     json["up"] = "+Y";
     json["axes"] = paintedAxesText(map.index, scene.material.sphereMap.space);
-    json["value"] = "the painted colour of the surface";
+    json["value"] = "the painted color of the surface";
     json["indexed_by"] = words(map.index)[static_cast<size_t>(map.index)];
     json["color_space"] = stored.isShown() ? "sRGB, clipped to 0..1" : "linear, Rec.709 primaries, D65";
     json["sample_type"] = stored.word;

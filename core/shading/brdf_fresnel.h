@@ -41,7 +41,7 @@ public:
     /// F at the cosine c of the angle between light and half vector, clamped to [0, 1].
     glm::dvec3 at(double c) const;
     /// Whether the three channels are alike.
-    bool isGrey() const { return m_fresnel.kind != BrdfFresnelKind::Metal; }
+    bool isGray() const { return m_fresnel.kind != BrdfFresnelKind::Metal; }
     bool isOne() const { return m_fresnel.kind == BrdfFresnelKind::None; }
 
 private:

@@ -5,7 +5,7 @@
 
 namespace mirrorball {
 
-// n and k read at conductorWavelengths by linear interpolation between neighbouring rows of the tables of the refractiveindex.info
+// n and k read at conductorWavelengths by linear interpolation between neighboring rows of the tables of the refractiveindex.info
 // database (M. Polyanskiy, CC0): P. B. Johnson and R. W. Christy, Phys. Rev. B 6, 4370 (1972) for the noble metals and Phys. Rev. B 9,
 // 5056 (1974) for chromium and iron; A. D. Rakic, Appl. Opt. 34, 4755 (1995) for aluminium.
 static constexpr std::array metals{

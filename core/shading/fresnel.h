@@ -7,7 +7,7 @@
 /// How much of the light a smooth surface mirrors: the Fresnel term, unpolarised and exact. Twin: resources/shaders/lib/fresnel.glsl.
 namespace mirrorball {
 
-/// Complex index of refraction n + ik per colour channel, relative to the medium outside.
+/// Complex index of refraction n + ik per color channel, relative to the medium outside.
 struct ConductorIndex {
     glm::dvec3 n{1.0}; ///< > 0
     glm::dvec3 k{0.0}; ///< extinction, >= 0

@@ -8,7 +8,7 @@
 
 namespace mirrorball {
 
-/// One generalised cosine lobe. Its axis for a view v is (cxy v_x, cxy v_y, cz v_z) in the frame of the surface: cxy = -cz reflects, cxy =
+/// One generalized cosine lobe. Its axis for a view v is (cxy v_x, cxy v_y, cz v_z) in the frame of the surface: cxy = -cz reflects, cxy =
 /// cz returns the light to where it came from, cxy closer to 0 leans towards the normal, cxy farther from 0 off-specular to the horizon.
 struct LafortuneLobe {
     double cxy = -1.0;
@@ -18,7 +18,7 @@ struct LafortuneLobe {
     bool operator==(const LafortuneLobe&) const = default;
 };
 
-/// A sum of generalised cosine lobes, isotropic and reciprocal:
+/// A sum of generalized cosine lobes, isotropic and reciprocal:
 ///   f = sum_i w_i (n_i + 2)/(2 pi) max(cxy_i (l_x v_x + l_y v_y) + cz_i l_z v_z, 0)^n_i
 /// One lobe of cxy = -1, cz = 1, w = 1 is the modified Phong model, whose albedo at normal incidence is 1.
 /// Source: Lafortune, Foo, Torrance and Greenberg, "Non-Linear Approximation of Reflectance Functions", SIGGRAPH 97, eq. 7

@@ -108,7 +108,7 @@ glm::dvec3 directionalAlbedo(const Brdf& brdf, double view)
                 ring += nodes.chiWeight[i] * values[c][i];
             sum[static_cast<int>(c)] += nodes.rings[r].weight * ring;
         }
-    return kernel.isGrey() ? glm::dvec3(sum.x) : sum;
+    return kernel.isGray() ? glm::dvec3(sum.x) : sum;
 }
 
 } // namespace mirrorball

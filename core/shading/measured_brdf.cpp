@@ -65,7 +65,7 @@ private:
 
 /// The cells beside one; beyond the ends of theta there is none.
 template <typename Visit>
-void visitNeighbours(int h, int d, int phi, Visit&& visit)
+void visitNeighbors(int h, int d, int phi, Visit&& visit)
 {
     if (h > 0)
         visit(cell(h - 1, d, phi));
@@ -89,7 +89,7 @@ size_t fillHoles(std::vector<float>& values)
     size_t holes = 0;
     const auto touchesKnown = [&](int h, int d, int phi) {
         bool touches = false;
-        visitNeighbours(h, d, phi, [&](size_t i) { touches = touches || values[i] >= 0.0f; });
+        visitNeighbors(h, d, phi, [&](size_t i) { touches = touches || values[i] >= 0.0f; });
         return touches;
     };
     for (int h = 0; h < stepsH; ++h)
@@ -110,7 +110,7 @@ size_t fillHoles(std::vector<float>& values)
         for (const Place& p : shell) {
             float sum = 0.0f;
             int count = 0;
-            visitNeighbours(p.h, p.d, p.phi, [&](size_t i) {
+            visitNeighbors(p.h, p.d, p.phi, [&](size_t i) {
                 if (values[i] >= 0.0f) {
                     sum += values[i];
                     ++count;

@@ -15,7 +15,7 @@ public:
     /// What the measurement lacks, and what was done about it.
     struct Gaps {
         size_t samples = 0; ///< all there are
-        size_t holes = 0;   ///< that were missing, negative or not finite, and were filled from their neighbours
+        size_t holes = 0;   ///< that were missing, negative or not finite, and were filled from their neighbors
         size_t clamped = 0; ///< whose color lies outside Rec.709: a channel below 0 became 0
     };
     /// One measured pair of directions.
@@ -49,7 +49,7 @@ private:
 };
 
 /// A table over the half-angle coordinates, theta_h in 90 steps of its square root, theta_d in 90, phi_d in 180 steps of pi: linear between
-/// the cells' centers. A channel below 0 is a hole; holes take the mean of the neighbours that are known, from the known cells outwards.
+/// the cells' centers. A channel below 0 is a hole; holes take the mean of the neighbors that are known, from the known cells outwards.
 /// @param values  per channel [theta_h][theta_d][phi_d], already in 1/sr
 /// Source: Matusik, Pfister, Brand and McMillan, "A Data-Driven Reflectance Model", SIGGRAPH 2003, and the reader that comes with its data
 MeasuredBrdf halfAngleBrdf(std::string name, std::array<std::vector<float>, 3> values);

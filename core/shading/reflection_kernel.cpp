@@ -80,7 +80,7 @@ Cosines cosinesAt(double gamma, double cosChi, double view)
 
 ReflectionKernel::ReflectionKernel(const Brdf& brdf, double view)
     : m_brdf(brdf), m_fresnel(brdf.fresnel), m_view(view), m_nv(std::max(std::cos(view), 1e-6)),
-      m_isGrey(m_fresnel.isGrey() && !std::holds_alternative<MeasuredBrdf>(brdf.model))
+      m_isGray(m_fresnel.isGray() && !std::holds_alternative<MeasuredBrdf>(brdf.model))
 {
     assert(view >= 0.0 && view < 0.5 * pi);
     const auto* measured = std::get_if<MeasuredBrdf>(&brdf.model);

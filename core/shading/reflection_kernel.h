@@ -24,8 +24,8 @@ public:
     double view() const { return m_view; }
     double cosView() const { return m_nv; }
     /// Whether the three channels are alike; then only the first is ever written.
-    bool isGrey() const { return m_isGrey; }
-    size_t channels() const { return m_isGrey ? 1 : 3; }
+    bool isGray() const { return m_isGray; }
+    size_t channels() const { return m_isGray ? 1 : 3; }
 
     /// K at many directions, named by n.l and l.v. @param out  channels() arrays as long as nl
     void evaluate(std::span<const double> nl, std::span<const double> lv, const std::array<double*, 3>& out) const;
@@ -36,7 +36,7 @@ private:
     Brdf m_brdf;
     FresnelCurve m_fresnel;
     double m_view, m_nv;
-    bool m_isGrey;
+    bool m_isGray;
     /// A measurement at this view, [gamma][chi], in steps of the root of gamma: reading it there costs too much for every texel.
     std::vector<std::array<float, 3>> m_slice{};
 };

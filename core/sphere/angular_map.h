@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-/// Angular map, the light probe of Debevec: the distance from the centre of the disc is the angle from +Z over pi, rho = theta / pi; the
+/// Angular map, the light probe of Debevec: the distance from the center of the disc is the angle from +Z over pi, rho = theta / pi; the
 /// rim is -Z. The probe is a picture taken from inside, not a reflection: what is right of +Z in a latlong, -X, is right of it here.
 /// (Debevec's page has forward at -Z and +X on the right, which is this with the world turned half a turn about +Y; the sphere map,
 /// a reflection, has +X on the right.)

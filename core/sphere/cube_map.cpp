@@ -19,7 +19,7 @@ double solidAngle(int n, const glm::dvec2& min, const glm::dvec2& max)
 Texel acrossSeam(int n, Texel chart, int x, int y)
 {
     const int face = std::clamp(chart.y / n, 0, 5);
-    // Texel centres in odd integers: on the face |s|, |t| < n, and the face is the plane at n. All steps below are exact.
+    // Texel centers in odd integers: on the face |s|, |t| < n, and the face is the plane at n. All steps below are exact.
     int s = 2 * x + 1 - n, t = 2 * (y - face * n) + 1 - n;
     if (std::abs(s) < n && std::abs(t) < n)
         return {x, y};

@@ -85,7 +85,7 @@ inline double density(int n, const glm::dvec2& p)
 /// atan2(st, sqrt(s^2 + t^2 + 1)) is the same number with an absolute error of 1e-16, which is 1e-9 of a texel of a 4k face.)
 double solidAngle(int n, const glm::dvec2& min, const glm::dvec2& max);
 
-/// The neighbour is found by folding the step over the edge it crosses, first over s, then over t. Beyond a corner, where only three
+/// The neighbor is found by folding the step over the edge it crosses, first over s, then over t. Beyond a corner, where only three
 /// faces meet, that ends on the face across t: a texel that exists and is as far from the corner as the step went.
 Texel acrossSeam(int n, Texel chart, int x, int y);
 

@@ -12,7 +12,7 @@
 /// * n is the surface normal, v the direction to the viewer, l the direction to the light, r = reflect(v, n) the mirror direction
 ///   of v, h the half vector; eta an index of refraction (relative, the far side over the near one); alpha the GGX width.
 /// * Angles are radians; only the command line and the interface speak degrees, in names that end in Deg.
-/// * Longitude runs from +Z (0) towards +X (pi/2); latitude is pi/2 at +Y. Texel centres lie at (i + 1/2)/N, row 0 is the top row.
+/// * Longitude runs from +Z (0) towards +X (pi/2); latitude is pi/2 at +Y. Texel centers lie at (i + 1/2)/N, row 0 is the top row.
 /// * Yaw turns the environment about +Y, counterclockwise seen from above (from +Z towards +X): the turned map is
 ///   L'(d) = L(yawed(d, -yaw)).
 namespace mirrorball {

@@ -12,30 +12,30 @@
 namespace mirrorball::disc {
 
 struct Disc {
-    glm::dvec2 centre{0.0}; ///< image position, texels
+    glm::dvec2 center{0.0}; ///< image position, texels
     double radius = 1.0;    ///< texels
 
-    glm::dvec2 fromImage(const glm::dvec2& p) const { return {(p.x - centre.x) / radius, (centre.y - p.y) / radius}; }
-    glm::dvec2 toImage(const glm::dvec2& q) const { return {centre.x + radius * q.x, centre.y - radius * q.y}; }
+    glm::dvec2 fromImage(const glm::dvec2& p) const { return {(p.x - center.x) / radius, (center.y - p.y) / radius}; }
+    glm::dvec2 toImage(const glm::dvec2& q) const { return {center.x + radius * q.x, center.y - radius * q.y}; }
 
-    /// Whether the centre of a texel lies in the disc: only such texels are sure to hold radiance.
-    bool holdsCentre(int x, int y) const
+    /// Whether the center of a texel lies in the disc: only such texels are sure to hold radiance.
+    bool holdsCenter(int x, int y) const
     {
-        const double dx = x + 0.5 - centre.x, dy = y + 0.5 - centre.y;
+        const double dx = x + 0.5 - center.x, dy = y + 0.5 - center.y;
         return dx * dx + dy * dy <= radius * radius;
     }
     /// Whether any part of a texel lies in the disc.
     bool holdsPart(int x, int y) const
     {
-        const double dx = std::max({x - centre.x, centre.x - (x + 1), 0.0}), dy = std::max({y - centre.y, centre.y - (y + 1), 0.0});
+        const double dx = std::max({x - center.x, center.x - (x + 1), 0.0}), dy = std::max({y - center.y, center.y - (y + 1), 0.0});
         return dx * dx + dy * dy < radius * radius;
     }
-    /// The texel at p, or the nearest one towards the centre that the disc holds the centre of.
+    /// The texel at p, or the nearest one towards the center that the disc holds the center of.
     Texel innerTexel(const glm::dvec2& p) const
     {
         int x = static_cast<int>(std::floor(p.x)), y = static_cast<int>(std::floor(p.y));
-        while (!holdsCentre(x, y)) {
-            const double dx = x + 0.5 - centre.x, dy = y + 0.5 - centre.y;
+        while (!holdsCenter(x, y)) {
+            const double dx = x + 0.5 - center.x, dy = y + 0.5 - center.y;
             if (std::abs(dx) >= std::abs(dy))
                 x += dx > 0.0 ? -1 : 1;
             else
@@ -51,8 +51,8 @@ inline Disc inscribed(int n, double x = 0.0, int border = 0) { return {{x + 0.5 
 /// Solid angle of the part of a rectangle that lies in the unit disc, for a map whose colatitude theta depends on rho = |q| alone.
 ///
 /// d omega = sin(theta) d theta d phi = d((1 - cos theta) d phi), so by Green's theorem the solid angle of a region is the integral of
-/// (1 - cos theta) d phi along its boundary. On a straight edge at distance h from the centre d phi = h dt / rho^2, with t the way
-/// along the edge; on the rim 1 - cos theta is constant. Neighbouring texels share their edges' terms, so the sum over a map is exact.
+/// (1 - cos theta) d phi along its boundary. On a straight edge at distance h from the center d phi = h dt / rho^2, with t the way
+/// along the edge; on the rim 1 - cos theta is constant. Neighboring texels share their edges' terms, so the sum over a map is exact.
 /// @param edge  (h, t0, t1) -> integral over t of (1 - cos theta) h / rho^2
 /// @param rim   1 - cos theta at rho = 1
 template <class Edge>

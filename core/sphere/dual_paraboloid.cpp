@@ -23,7 +23,7 @@ Texel acrossSeam(int n, int border, Texel chart, int x, int y)
 {
     const bool back = chart.x >= n;
     const disc::Disc here = half(n, border, back);
-    if (here.holdsCentre(x, y))
+    if (here.holdsCenter(x, y))
         return {x, y};
     // The same point of the sphere seen from the other half: inversion in the unit circle.
     const glm::dvec2 q = here.fromImage({x + 0.5, y + 0.5});

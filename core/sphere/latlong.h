@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// Latitude and longitude on a 2N x N image: lon = pi - 2 pi u, lat = pi/2 - pi v. The centre of the image is +Z, its left quarter
+/// Latitude and longitude on a 2N x N image: lon = pi - 2 pi u, lat = pi/2 - pi v. The center of the image is +Z, its left quarter
 /// +X, its top edge +Y. Longitude is periodic, and a row above the pole is the row below it half a turn on: the formulas
 /// continue past the edges by themselves.
 namespace mirrorball::latlong {

@@ -76,7 +76,7 @@ inline double seamDistance(const MapLayout& layout, const glm::dvec2& p)
     const auto fromEdges = [](double x, double y, double width, double height) {
         return std::min({std::abs(x), std::abs(width - x), std::abs(y), std::abs(height - y)});
     };
-    const auto fromRim = [&](const disc::Disc& d) { return std::abs(glm::length(p - d.centre) - d.radius); };
+    const auto fromRim = [&](const disc::Disc& d) { return std::abs(glm::length(p - d.center) - d.radius); };
     switch (layout.kind) {
     case Parameterization::Latlong:
         return fromEdges(p.x, p.y, 2.0 * n, n);

@@ -6,7 +6,7 @@
 #include <cmath>
 
 /// Octahedral map: the sphere projected to |x| + |y| + |z| = 1, its lower half unfolded outwards. Seen from above as on the cube's +Y face:
-/// +Y at the centre, +X in the middle of the right edge, +Z in the middle of the lower edge, -X left, -Z up, and -Y in all four corners.
+/// +Y at the center, +X in the middle of the right edge, +Z in the middle of the lower edge, -X left, -Z up, and -Y in all four corners.
 /// With a, b in [-1, 1] to the right and down: a = x, b = z of the octahedron point where y >= 0; below,
 /// a = (1 - |z|) sign x, b = (1 - |x|) sign z.
 /// Source: T. Engelhardt, C. Dachsbacher, Octahedron Environment Maps, VMV 2008; Z. Cigolle et al., JCGT 3(2), 2014.

@@ -52,9 +52,9 @@ struct Texel {
     bool operator==(const Texel&) const = default;
 };
 
-/// Unit direction of the continuous image position p, in texels: the centre of texel (x, y) is (x + 1/2, y + 1/2).
+/// Unit direction of the continuous image position p, in texels: the center of texel (x, y) is (x + 1/2, y + 1/2).
 /// Defined on the whole image: outside a disc the mapping is continued (paraboloid: the same formula; angular and sphere map: on
-/// through the rim, back up the far side), so that colour bleeds past the edge and a lookup there never reads garbage.
+/// through the rim, back up the far side), so that color bleeds past the edge and a lookup there never reads garbage.
 glm::dvec3 direction(const MapLayout& layout, const glm::dvec2& p);
 inline glm::dvec3 texelDirection(const MapLayout& layout, int x, int y) { return direction(layout, {x + 0.5, y + 0.5}); }
 
@@ -92,7 +92,7 @@ private:
 
 /// The texel that stands at (x, y) when that address lies over an edge: across a seam for latlong, cube, octahedral and paraboloid
 /// halves; back inside for the discs. `chart` is the texel the step started from: it says which face or half (x, y) extends.
-/// An address inside the map is returned as it is; in a disc, a texel is inside for this purpose when its centre is (one that only
+/// An address inside the map is returned as it is; in a disc, a texel is inside for this purpose when its center is (one that only
 /// touches the disc may be half empty). Works for steps up to the width of a chart. Beyond a cube's corner, where no texel is, it
 /// gives an existing one as far from the corner.
 Texel acrossSeam(const MapLayout& layout, Texel chart, int x, int y);

@@ -6,7 +6,7 @@
 
 namespace mirrorball {
 
-/// Solid angle in steradians of the triangle a b c seen from the origin; the corners need not be normalised, the sign is that of
+/// Solid angle in steradians of the triangle a b c seen from the origin; the corners need not be normalized, the sign is that of
 /// the winding.
 ///   tan(omega / 2) = a.(b x c) / (|a||b||c| + (a.b)|c| + (b.c)|a| + (c.a)|b|)
 /// The triple product is taken of differences, so that a triangle of 1e-8 rad keeps its relative precision.

@@ -15,7 +15,7 @@ double solidAngle(int n, const glm::dvec2& min, const glm::dvec2& max)
 Texel acrossSeam(int n, int x, int y)
 {
     const disc::Disc d = disc::inscribed(n);
-    if (d.holdsCentre(x, y))
+    if (d.holdsCenter(x, y))
         return {x, y};
     return d.innerTexel(coordinate(n, direction(n, {x + 0.5, y + 0.5})));
 }

@@ -7,7 +7,7 @@
 #include <cmath>
 
 /// GL_SPHERE_MAP (OpenGL 2.1 section 2.11.4): (s, t) = r.xy / (2 sqrt(rx^2 + ry^2 + (rz+1)^2)) + 1/2, s to the right and t up. It is what
-/// an orthographic camera on +Z sees in a mirror ball: q is the ball's normal there, r the mirror direction of +Z. The centre is +Z,
+/// an orthographic camera on +Z sees in a mirror ball: q is the ball's normal there, r the mirror direction of +Z. The center is +Z,
 /// image right is +X, the top +Y, and the whole rim is the one direction -Z.
 ///
 /// For unit r the radius is rho = |r.xy| / sqrt(2 (1 + rz)) = sin(theta/2), so 1 - cos theta = 2 rho^2 and d omega = 4 dA: equal area.

@@ -397,11 +397,11 @@ if (pictured.length > 0) {
         element("figcaption", {}, element("b", {}, "filtered map"), element("br"), `by ${c.stand_in}, itself rel_rms ${figure(c.stand_in_error, 2)} off the reference`)),
       ...c.measurements.filter(m => m.error_picture).map(m => element("figure", {},
         element("img", {src: m.error_picture, alt: `signed error of ${m.method}`, loading: "lazy"}),
-        element("figcaption", {}, element("b", {}, m.method), ` ${m.setting}`, element("br"), `rel_rms ${figure(m.rel_rms, 2)} · `, element("span", {class: "whole"}, `colours to ±${figure(m.error_picture_limit, 1)}`))))));
+        element("figcaption", {}, element("b", {}, m.method), ` ${m.setting}`, element("br"), `rel_rms ${figure(m.rel_rms, 2)} · `, element("span", {class: "whole"}, `colors to ±${figure(m.error_picture_limit, 1)}`))))));
   }
   section("pictures", "Maps and signed errors",
     element("p", {class: "soft"}, "Each method at its fastest setting that meets the tolerance, else at its most accurate. Red is too bright, blue too dark, in luminance over the map's root mean square; " +
-      "the colours end at the limit below each picture. Errors are taken against the map on the left, which stands in for the reference sum."), ...parts);
+      "the colors end at the limit below each picture. Errors are taken against the map on the left, which stands in for the reference sum."), ...parts);
 }
 
 // --- predictions -----------------------------------------------------------------------------------------------------------------
@@ -506,7 +506,7 @@ if (report.comparison) {
       element("img", {src: m.picture, alt: m.label}),
       element("figcaption", {}, element("b", {}, m.label), ` · ${m.how}`, element("br"), m.seconds > 0 ? time(m.seconds) : "", m.error_picture ? ` · rel_rms ${figure(m.rel_rms, 2)} · p99_rel ${figure(m.p99_rel, 2)}` : ""),
       m.error_picture ? element("img", {src: m.error_picture, alt: `signed error of ${m.label}`}) : null,
-      m.error_picture ? element("figcaption", {}, `signed error, colours to ±${figure(m.error_picture_limit, 1)}`) : null))));
+      m.error_picture ? element("figcaption", {}, `signed error, colors to ±${figure(m.error_picture_limit, 1)}`) : null))));
 }
 
 // --- growth ----------------------------------------------------------------------------------------------------------------------

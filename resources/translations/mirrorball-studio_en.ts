@@ -270,7 +270,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>a whirl around the centre</source>
+        <source>a whirl around the center</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -330,7 +330,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>at the centre, counterclockwise</source>
+        <source>at the center, counterclockwise</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -506,27 +506,27 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>colour of the diffuse part, linear RGB</source>
+        <source>color of the diffuse part, linear RGB</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>colour of the diffuse pass, linear RGB</source>
+        <source>color of the diffuse pass, linear RGB</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>colour of the reflection, linear RGB</source>
+        <source>color of the reflection, linear RGB</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>colour, linear RGB</source>
+        <source>color, linear RGB</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>colours and where they stand</source>
+        <source>colors and where they stand</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>colours between stops, around a centre, across, around, or from shade to light</source>
+        <source>colors between stops, around a center, across, around, or from shade to light</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -734,7 +734,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>factor; 0: grey; at most as much as a colour can hold</source>
+        <source>factor; 0: gray; at most as much as a color can hold</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -854,7 +854,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>gradient: colours of one ring</source>
+        <source>gradient: colors of one ring</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -862,7 +862,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>gradient: from the centre to the rim</source>
+        <source>gradient: from the center to the rim</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -870,7 +870,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>gradient: how often the colours run once around</source>
+        <source>gradient: how often the colors run once around</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -882,7 +882,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>grating: extent of the light, which washes the colours out</source>
+        <source>grating: extent of the light, which washes the colors out</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -962,7 +962,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>how far the colours differ from white</source>
+        <source>how far the colors differ from white</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1434,7 +1434,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>of the white disc from the centre, on the warm side</source>
+        <source>of the white disc from the center, on the warm side</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1454,7 +1454,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>one colour everywhere</source>
+        <source>one color everywhere</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1618,7 +1618,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>point that the eye looks at and orbits; the object&apos;s centre is 0, 0, 0</source>
+        <source>point that the eye looks at and orbits; the object&apos;s center is 0, 0, 0</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1662,19 +1662,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>radial, linear, angular: centre, to the right</source>
+        <source>radial, linear, angular: center, to the right</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>radial, linear, angular: centre, up</source>
+        <source>radial, linear, angular: center, up</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>radial, linear: from the centre to the last stop</source>
+        <source>radial, linear: from the center to the last stop</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>radial: around the centre; linear: across; angular: once around; shaded: by the angle to a light</source>
+        <source>radial: around the center; linear: across; angular: once around; shaded: by the angle to a light</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1686,7 +1686,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>radius of the white centre</source>
+        <source>radius of the white center</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1726,7 +1726,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>replace: shown alone, over the colour below; multiply: times that colour; over: over the reflecting material; tint: times the reflecting material; add: its light added to the reflecting material</source>
+        <source>replace: shown alone, over the color below; multiply: times that color; over: over the reflecting material; tint: times the reflecting material; add: its light added to the reflecting material</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2022,15 +2022,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the centre moves to the right</source>
+        <source>the center moves to the right</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the centre moves up</source>
+        <source>the center moves up</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the environment, the environment blurred, one colour, or none (transparent)</source>
+        <source>the environment, the environment blurred, one color, or none (transparent)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2094,7 +2094,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>tone at which lines begin: 0 is the centre or full light, 1 the outline or full shade</source>
+        <source>tone at which lines begin: 0 is the center or full light, 1 the outline or full shade</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2134,7 +2134,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>turns hues, strengthens or weakens colours and brightness</source>
+        <source>turns hues, strengthens or weakens colors and brightness</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2426,7 +2426,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Holographic gift foil: true diffraction colours over silver.</source>
+        <source>Holographic gift foil: true diffraction colors over silver.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2490,7 +2490,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Petrol colours that swim on black water.</source>
+        <source>Petrol colors that swim on black water.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2502,7 +2502,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Ribbons of diffracted colour that wind around the ball.</source>
+        <source>Ribbons of diffracted color that wind around the ball.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2526,7 +2526,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The spokes of colour of a pressed disc under two lamps.</source>
+        <source>The spokes of color of a pressed disc under two lamps.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2670,7 +2670,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>of the file&apos;s colours: linear, srgb, gamma1.8, gamma2.2, display-p3, adobe-rgb, acescg, ..., or a space of the OpenColorIO configuration that $OCIO names; empty: as the file says</source>
+        <source>of the file&apos;s colors: linear, srgb, gamma1.8, gamma2.2, display-p3, adobe-rgb, acescg, ..., or a space of the OpenColorIO configuration that $OCIO names; empty: as the file says</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2682,7 +2682,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>paraboloid: texels kept free outside each disc; cube: texels of its neighbours around each face; painted: texels between the disc and the picture&apos;s edge</source>
+        <source>paraboloid: texels kept free outside each disc; cube: texels of its neighbors around each face; painted: texels between the disc and the picture&apos;s edge</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2714,11 +2714,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>which layer&apos;s channels are the colours; empty: chosen, default: those without a name</source>
+        <source>which layer&apos;s channels are the colors; empty: chosen, default: those without a name</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>which picture of a file that holds several: its number, from 0, or its name; empty: the one with the colours</source>
+        <source>which picture of a file that holds several: its number, from 0, or its name; empty: the one with the colors</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2991,7 +2991,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>From grey to a pure color</source>
+        <source>From gray to a pure color</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6170,7 +6170,7 @@ The picture shows what was read before. It follows when the file is there again;
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Repeat strokes around the centre, or mirror them</source>
+        <source>Repeat strokes around the center, or mirror them</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

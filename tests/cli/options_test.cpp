@@ -111,7 +111,7 @@ TEST(OutputNames, APercentSignIsWrittenTwiceAndNothingIsRenamedInSilence)
     const std::string convert = "convert builtin:axes --to latlong --size 4 -o ";
     EXPECT_FAILS(mirrorballRuns(convert + quoted(folder / "100%done.exr")), 2, "write %% for a percent sign");
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
-    for (const auto& [typed, made] : {std::pair{"100%%done.exr", "100%done.exr"}, std::pair{"50% grey.exr", "50% grey.exr"},
+    for (const auto& [typed, made] : {std::pair{"100%%done.exr", "100%done.exr"}, std::pair{"50% gray.exr", "50% gray.exr"},
                                       std::pair{"5%.hdr", "5%.hdr"}, std::pair{"a#1.hdr", "a#1.hdr"}}) {
         ASSERT_EQ(mirrorballRuns(convert + quoted(folder / typed)).status, 0) << typed;
         EXPECT_TRUE(std::filesystem::remove(folder / made)) << typed;

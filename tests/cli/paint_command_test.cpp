@@ -24,7 +24,7 @@ using test::TemporaryFolder;
 std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
 
 // IEC 61966-2-1: light of 0.2, 0.05, 0.6 is 124, 63, 203 of 255.
-TEST(PaintCommand, APngHasTheSameColoursHoweverTransparent)
+TEST(PaintCommand, APngHasTheSameColorsHoweverTransparent)
 {
     const TemporaryFolder folder;
     for (const auto& [opacity, alpha] : {std::pair{"1", 255}, {"0.5", 128}, {"0.1", 26}}) {
@@ -39,8 +39,8 @@ TEST(PaintCommand, APngHasTheSameColoursHoweverTransparent)
     }
 }
 
-// Along an outline a ball of one colour keeps that colour, as far as 8 bits that were multiplied by the opacity can say.
-TEST(RenderCommand, APngWithoutBackgroundKeepsItsColoursAtTheOutline)
+// Along an outline a ball of one color keeps that color, as far as 8 bits that were multiplied by the opacity can say.
+TEST(RenderCommand, APngWithoutBackgroundKeepsItsColorsAtTheOutline)
 {
     const TemporaryFolder folder;
     std::ofstream(folder / "fill.spheremap") << R"({"version": 1, "layers": [{"content": {"kind": "fill", "color": [0.2, 0.05, 0.6]}}]})";
@@ -166,7 +166,7 @@ TEST(PaintCommand, WritesBlendersTwoPasses)
             return evaluate(alone, {.size = 32});
         };
         const Image diffuse = pass(ImagePass::Diffuse), specular = pass(ImagePass::Specular), whole = readImage(folder / "whole.exr");
-        for (int c = 0; c < 3; ++c) { // at a texel's centre an image layer reads that texel
+        for (int c = 0; c < 3; ++c) { // at a texel's center an image layer reads that texel
             EXPECT_NEAR(diffuse.texel(20, 9)[c] + specular.texel(20, 9)[c], whole.texel(20, 9)[c], 2e-3f);
             EXPECT_NEAR(diffuse.texel(12, 12)[c] + specular.texel(12, 12)[c], whole.texel(12, 12)[c], 2e-3f);
         }

@@ -85,7 +85,7 @@ TEST(PaintedExport, TakesEmbeddedMapsAndFilesAndPictures)
     };
     const Image expected = readImage(folder / "j.exr");
     EXPECT_EQ(exported(R"({"source": "j.spheremap"})"), expected);
-    const Image picture = exported(R"({"source": "j.exr"})"); // outside the disc the rim's colour goes on
+    const Image picture = exported(R"({"source": "j.exr"})"); // outside the disc the rim's color goes on
     EXPECT_EQ(picture.texel(8, 8)[1], expected.texel(8, 8)[1]);
     EXPECT_EQ(picture.texel(4, 10)[0], expected.texel(4, 10)[0]);
     const std::string document =

@@ -11,7 +11,7 @@
 
 namespace mirrorball::test {
 
-/// A PNG as any program reads it: red, green, blue, opacity in bytes, colours not multiplied.
+/// A PNG as any program reads it: red, green, blue, opacity in bytes, colors not multiplied.
 struct PngPicture {
     int width = 0, height = 0;
     std::vector<std::array<std::uint8_t, 4>> pixels{};

@@ -80,14 +80,14 @@ TEST_F(DebugViews, WireframeShowsTheTrianglesInLinesOfOnePixel)
     };
     Renderer renderer;
     const Image one = renderer.renderRadiance(settings, {});
-    // A row between the edges crosses the diagonal, at 45 degrees. Sampling a line of one pixel at pixel centres: a sixth of its width.
+    // A row between the edges crosses the diagonal, at 45 degrees. Sampling a line of one pixel at pixel centers: a sixth of its width.
     EXPECT_NEAR(brightIn(one, 90), std::sqrt(2.0), 0.25);
     settings.pixelRatio = 3.0f;
     EXPECT_NEAR(brightIn(renderer.renderRadiance(settings, {}), 90) / brightIn(one, 90), 3.0, 0.5);
 }
 
-// What is a seam follows from the coordinates alone: neighbouring directions whose texels are far apart.
-TEST_F(DebugViews, SeamsRunWhereNeighbouringDirectionsHaveTexelsFarApart)
+// What is a seam follows from the coordinates alone: neighboring directions whose texels are far apart.
+TEST_F(DebugViews, SeamsRunWhereNeighboringDirectionsHaveTexelsFarApart)
 {
     Renderer renderer;
     for (const MapLayout& layout : everyLayout(256)) {
@@ -135,12 +135,12 @@ TEST_F(DebugViews, SeamsRunWhereNeighbouringDirectionsHaveTexelsFarApart)
             EXPECT_GT(jumps, 50) << name(layout.kind);
             EXPECT_GT(lines, 50) << name(layout.kind);
         }
-        // Beyond the ends of a seam the line is round; a cube's neighbours may be near each other where faces are stacked.
+        // Beyond the ends of a seam the line is round; a cube's neighbors may be near each other where faces are stacked.
         EXPECT_LE(lonely, 12 + (layout.kind == Parameterization::Cube ? lines / 2 : 0)) << name(layout.kind);
     }
 }
 
-// The level from neighbouring directions, as 002 has it, against the colour that is shown.
+// The level from neighboring directions, as 002 has it, against the color that is shown.
 TEST_F(DebugViews, MipLevelsAreThoseThatTheLookupReads)
 {
     Renderer renderer;
@@ -198,7 +198,7 @@ TEST_F(DebugViews, TheLevelOfAPixelIsWhatItsColorStandsFor)
     EXPECT_FALSE(renderer.level(settings, {levels, {}, {}}, 80, 60)); // a BRDF reads several
 }
 
-TEST_F(DebugViews, LevelColoursOfShaderAndCoreAgree)
+TEST_F(DebugViews, LevelColorsOfShaderAndCoreAgree)
 {
     std::vector<glm::vec4> inputs;
     for (int i = -10; i <= 90; ++i)

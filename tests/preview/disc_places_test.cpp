@@ -17,7 +17,7 @@ namespace {
 constexpr glm::dvec3 towardsViewer{0.0, 0.0, 1.0};
 
 /// Every texel holds its own place, which halves round to 2^-11 at most.
-SphereMapChain placesAsColours(SphereMapIndex index)
+SphereMapChain placesAsColors(SphereMapIndex index)
 {
     constexpr int size = 1024;
     SphereMapTexels texels{.levels = {Image(size, size, 4)}, .index = index};
@@ -62,8 +62,8 @@ DiscPlaces ramp()
 
 } // namespace
 
-// What a pen touches is what it then colours: the picture of a map that holds places shows the very places the pen is told.
-TEST_F(DiscPlacesOfAPicture, AreWhereItsColoursComeFrom)
+// What a pen touches is what it then colors: the picture of a map that holds places shows the very places the pen is told.
+TEST_F(DiscPlacesOfAPicture, AreWhereItsColorsComeFrom)
 {
     Renderer renderer;
     for (const GeometryKind kind : {GeometryKind::Sphere, GeometryKind::Box, GeometryKind::Window})
@@ -71,7 +71,7 @@ TEST_F(DiscPlacesOfAPicture, AreWhereItsColoursComeFrom)
             for (const DiscSpace space : {DiscSpace::Eye, DiscSpace::World}) {
                 RenderSettings settings = view(kind);
                 settings.material.paint.space = space;
-                const Image picture = renderer.renderRadiance(settings, {.sphereMaps = {placesAsColours(index)}});
+                const Image picture = renderer.renderRadiance(settings, {.sphereMaps = {placesAsColors(index)}});
                 const DiscPlaces places = renderer.discPlaces(settings, index);
                 ASSERT_EQ(places.places.width, settings.width);
                 int compared = 0;
@@ -128,7 +128,7 @@ TEST(DiscPlace, UnderAnOrthographicCameraIsTheNormalSeenOnABall)
     }
 }
 
-TEST(DiscPlace, ByNormalIsTheSineOfTheAngleToTheViewRayFromTheCentre)
+TEST(DiscPlace, ByNormalIsTheSineOfTheAngleToTheViewRayFromTheCenter)
 {
     const glm::dvec3 v = glm::normalize(glm::dvec3(-0.4, 0.1, 0.7));
     for (const glm::dvec3 d : {glm::dvec3(-0.4, 0.1, 0.7), glm::dvec3(0.3, -0.4, 0.8), glm::dvec3(-0.5, 0.5, 0.7)}) {

@@ -25,7 +25,7 @@ constexpr const char* acesConfig = "colour/cg-config-v1.0.0_aces-v1.3_ocio-v2.1.
 
 } // namespace
 
-// The GPU's picture of a colour against OpenColorIO's own processor on the CPU, for every view of two displays.
+// The GPU's picture of a color against OpenColorIO's own processor on the CPU, for every view of two displays.
 TEST_F(DisplayTransformTest, ShowsWhatOpenColorIoComputesOnTheCpu)
 {
     SHARED_DATA_OR_SKIP(path, acesConfig);

@@ -230,7 +230,7 @@ TEST(Teapot, NormalsAreUnitAndOutwardAtThePolesToo)
     }
 }
 
-TEST(Teapot, NormalsOfNeighbouringPatchesAgree)
+TEST(Teapot, NormalsOfNeighboringPatchesAgree)
 {
     const Mesh mesh = teapotMesh(8);
     const std::vector<float> parts = teapotParts(8);
@@ -247,7 +247,7 @@ TEST(Teapot, StandsUprightOnItsBottomWithTheSpoutTowardsX)
 {
     const Mesh mesh = teapotMesh(10);
     const BoundingSphere bounds = boundingSphere(mesh);
-    EXPECT_LT(glm::length(bounds.centre), 1e-6f);
+    EXPECT_LT(glm::length(bounds.center), 1e-6f);
     EXPECT_NEAR(bounds.radius, 1.0f, 1e-6f);
     const BoundingBox box = boundingBox(mesh);
     EXPECT_GT(box.high.x - box.low.x, box.high.y - box.low.y);

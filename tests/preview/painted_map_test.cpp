@@ -171,9 +171,9 @@ TEST_F(PaintedMap, InOrthographicViewsItIsThePlainForm)
     EXPECT_GT(compared, 1000);
 }
 
-// A hand-made map is averaged along the circle around the centre over the pixel's footprint: the mean of an arc of the angle 2a lies inside
+// A hand-made map is averaged along the circle around the center over the pixel's footprint: the mean of an arc of the angle 2a lies inside
 // the circle by the factor sin(a) / a, for lookups at n places sin(a) / (n sin(a / n)). A smooth ball, so that the footprint is the
-// difference of the places of neighbouring pixels.
+// difference of the places of neighboring pixels.
 TEST_F(PaintedMap, HandMadeLevelsAreAveragedAlongTheCircle)
 {
     Renderer renderer;
@@ -205,7 +205,7 @@ TEST_F(PaintedMap, HandMadeLevelsAreAveragedAlongTheCircle)
             ++compared;
         }
     EXPECT_GT(compared, 500);
-    EXPECT_GT(most, 1e-3) << "near the centre an arc is long";
+    EXPECT_GT(most, 1e-3) << "near the center an arc is long";
 }
 
 TEST_F(PaintedMap, MeetsTheSurfaceAsEachUseSays)
@@ -338,22 +338,22 @@ TEST_F(PaintedMap, FlecksOfTheShaderAreThoseOfCore)
                                 expression + "; }",
                             inputs, {}, [&](const ShaderProgram& program) { program.set("flecks", glm::vec4(0.4f, 0.03f, 0.5f, 77.0f)); });
     };
-    const auto own = evaluate("vec4(f.own, f.border)"), neighbour = evaluate("vec4(f.neighbour, 0.0)");
+    const auto own = evaluate("vec4(f.own, f.border)"), neighbor = evaluate("vec4(f.neighbor, 0.0)");
     int differ = 0, count = 0;
     for (size_t i = 0; i < inputs.size(); ++i) {
         const FleckPlace expected = fleckPlace(glm::vec3(inputs[i]), flecks);
         count += expected.own.isFleck;
         EXPECT_LE(glm::length(expected.own.offset), 0.5001f);
         const bool same = glm::distance(glm::vec2(own[i]), expected.own.offset) < 1e-4f && (own[i].z == 1.0f) == expected.own.isFleck &&
-                          glm::distance(glm::vec2(neighbour[i]), expected.neighbour.offset) < 1e-4f &&
+                          glm::distance(glm::vec2(neighbor[i]), expected.neighbor.offset) < 1e-4f &&
                           std::abs(own[i].w - expected.border) < 1e-3f;
         differ += !same;
     }
-    EXPECT_LE(differ, 10); // on borders the last digit decides between neighbours
+    EXPECT_LE(differ, 10); // on borders the last digit decides between neighbors
     EXPECT_NEAR(double(count) / double(inputs.size()), 0.4, 0.02);
 }
 
-// Close by a fleck is one colour; from afar, where a pixel holds many, it is their mean: on the whole no colour changes with the distance,
+// Close by a fleck is one color; from afar, where a pixel holds many, it is their mean: on the whole no color changes with the distance,
 // and pixels do not glitter.
 TEST_F(PaintedMap, FlecksAreTheirMeanFromAfar)
 {

@@ -388,7 +388,7 @@ TEST_F(RendererTest, DisplayPicturesAreExposedToneMappedAndEncoded)
 {
     RenderSettings settings = small(GeometryKind::Sphere);
     Renderer renderer;
-    const auto grey = [&](ToneCurve curve, float exposure) {
+    const auto gray = [&](ToneCurve curve, float exposure) {
         settings.toneCurve = curve;
         settings.exposure = exposure;
         const Image picture = renderer.renderDisplay(settings, {constantMap(0.2f), {}, constantMap(0.2f)});
@@ -398,11 +398,11 @@ TEST_F(RendererTest, DisplayPicturesAreExposedToneMappedAndEncoded)
     };
     const auto srgb = [](double x) { return 1.055 * std::pow(x, 1.0 / 2.4) - 0.055; };
     const double step = 0.51 / 255.0; // eight bits
-    EXPECT_NEAR(grey(ToneCurve::None, 0.0f), srgb(0.2), step);
-    EXPECT_NEAR(grey(ToneCurve::None, 1.0f), srgb(0.4), step);
-    EXPECT_EQ(grey(ToneCurve::None, 3.0f), 1.0f);
-    EXPECT_NEAR(grey(ToneCurve::Reinhard, 2.0f), srgb(0.8 / 1.8), step);
-    EXPECT_LT(grey(ToneCurve::Filmic, -3.0f), grey(ToneCurve::Filmic, 0.0f));
+    EXPECT_NEAR(gray(ToneCurve::None, 0.0f), srgb(0.2), step);
+    EXPECT_NEAR(gray(ToneCurve::None, 1.0f), srgb(0.4), step);
+    EXPECT_EQ(gray(ToneCurve::None, 3.0f), 1.0f);
+    EXPECT_NEAR(gray(ToneCurve::Reinhard, 2.0f), srgb(0.8 / 1.8), step);
+    EXPECT_LT(gray(ToneCurve::Filmic, -3.0f), gray(ToneCurve::Filmic, 0.0f));
 }
 
 TEST_F(RendererTest, RadiancePicturesKeepASunOfAMillion)

@@ -29,7 +29,7 @@ inline glm::vec3 smoothRadiance(const glm::dvec3& d)
     return {1.0 + 0.5 * d.x + 0.2 * d.y * d.z, 1.0 + 0.5 * d.y - 0.2 * d.z * d.x, 1.0 + 0.5 * d.z + 0.2 * d.x * d.y};
 }
 
-/// One colour per half axis: +X red, -X cyan, +Y green, -Y magenta, +Z blue, -Z yellow, the largest component deciding.
+/// One color per half axis: +X red, -X cyan, +Y green, -Y magenta, +Z blue, -Z yellow, the largest component deciding.
 inline glm::vec3 axisColor(const glm::dvec3& d)
 {
     const glm::dvec3 a = glm::abs(d);

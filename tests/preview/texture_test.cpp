@@ -30,7 +30,7 @@ std::vector<glm::vec4> lookUp(const EnvironmentTexture& texture, const std::vect
                         });
 }
 
-// Nothing smooth: neighbouring texels differ as much as any two.
+// Nothing smooth: neighboring texels differ as much as any two.
 EnvironmentMap noise(const MapLayout& layout)
 {
     EnvironmentMap map(layout);

@@ -25,7 +25,7 @@ class Maps(FolderCase):
             directions = map.directions()
             np.testing.assert_allclose(np.linalg.norm(directions, axis=-1), 1.0, atol=1e-12)
             inside = map.solid_angles() > 0.999 * np.median(map.solid_angles()[map.solid_angles() > 0])
-            if kind in ("latlong", "cube", "octahedral"):  # every texel's centre lies on the map
+            if kind in ("latlong", "cube", "octahedral"):  # every texel's center lies on the map
                 inside[...] = True
                 np.testing.assert_allclose(map.radiance(directions)[inside], map.texels[inside], atol=2e-6, err_msg=kind)
 

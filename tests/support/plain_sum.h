@@ -58,7 +58,7 @@ inline bool plainlyUnresolved(const Lobe& lobe, int width) { return plainWidth(l
 
 /// Where the brightest places and the darkest lie does not matter: every texel is summed, but for those that weigh less than e^-60 of the
 /// nearest one, which is 1e-26.
-/// @param latlong  3 floats a texel, centre-sampled: row 0 on top, lon = pi - 2 pi u, lat = pi/2 - pi v, d = (sin lon cos lat, sin lat,
+/// @param latlong  3 floats a texel, center-sampled: row 0 on top, lon = pi - 2 pi u, lat = pi/2 - pi v, d = (sin lon cos lat, sin lat,
 ///                 cos lon cos lat)
 inline std::vector<glm::dvec3> plainSum(const Image& latlong, const Lobe& lobe, std::span<const glm::dvec3> directions)
 {
@@ -113,7 +113,7 @@ inline std::vector<glm::dvec3> plainSum(const Image& latlong, const Lobe& lobe, 
     return result;
 }
 
-/// The bilinear lookup between texel centres; above the first row's centres and below the last's it goes on across the pole.
+/// The bilinear lookup between texel centers; above the first row's centers and below the last's it goes on across the pole.
 inline std::vector<glm::dvec3> plainLookups(const Image& latlong, std::span<const glm::dvec3> directions)
 {
     const double pi = 2.0 * std::acos(0.0);

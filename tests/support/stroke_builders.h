@@ -18,7 +18,7 @@ inline Stroke straightStroke(const glm::dvec2& from, const glm::dvec2& to, const
 /// One dab under full pressure.
 inline Stroke dab(const glm::dvec2& q, const Brush& brush = {}) { return {.brush = brush, .points = {{q, 1.0}}}; }
 
-/// As an artist at work might draw: curved strokes of about `length` disc radii with changing pressure, brushes and colours, now and
+/// As an artist at work might draw: curved strokes of about `length` disc radii with changing pressure, brushes and colors, now and
 /// then an erasing one; `smudges` of every hundred push.
 inline std::vector<Stroke> handDrawnStrokes(int count, unsigned seed, double radius = 0.04, double length = 0.5, int smudges = 0)
 {

@@ -75,7 +75,7 @@ void CurveEditorTest::addsAPointOnTheCurveAndDragsItInOneStep()
     QCOMPARE(finished.size(), 2);
 }
 
-void CurveEditorTest::keepsPointsBetweenTheirNeighbours()
+void CurveEditorTest::keepsPointsBetweenTheirNeighbors()
 {
     Curve curve;
     curve.drag(curve.at(0.25, 0.19), curve.at(0.95, 0.5));
@@ -134,7 +134,7 @@ void CurveEditorTest::takesNumbersBeyondWhite()
     QCOMPARE(curve.points()[3].y, 1.5);
     QVERIFY(curve.plot().placeOf(1.0, 1.0).y() > white.y() + 20.0); // the plot reaches farther
     curve.editor().before().setValue(0.1);
-    QVERIFY(curve.points()[3].x > 0.75); // not past its neighbour, and shown as it is
+    QVERIFY(curve.points()[3].x > 0.75); // not past its neighbor, and shown as it is
     QVERIFY(std::abs(curve.editor().before().value() - curve.points()[3].x) < 1e-3);
 }
 

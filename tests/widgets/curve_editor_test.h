@@ -10,7 +10,7 @@ class CurveEditorTest : public QObject {
 private slots:
     void drawsTheCurveThatCoreEvaluates();
     void addsAPointOnTheCurveAndDragsItInOneStep();
-    void keepsPointsBetweenTheirNeighbours();
+    void keepsPointsBetweenTheirNeighbors();
     void removesAPointThatIsPulledAwayAndBringsItBack();
     void followsKeys();
     void takesNumbersBeyondWhite();

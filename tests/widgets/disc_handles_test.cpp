@@ -254,13 +254,13 @@ void DiscHandlesTest::leavesPickingPanningAndBrushKeysAsTheyAre()
     disc.editor().setTool(PaintTool::PickColor);
     QVERIFY(!disc.handles().isActive());
     disc.editor().setTool(PaintTool::Paint);
-    const QPoint centre = disc.at(0.0, 0.0);
+    const QPoint center = disc.at(0.0, 0.0);
     QTest::keyPress(&disc.canvas(), Qt::Key_Space);
     disc.drag(disc.shown(0), disc.shown(0) + QPoint(20, 0));
     QTest::keyRelease(&disc.canvas(), Qt::Key_Space);
-    QCOMPARE(disc.at(0.0, 0.0), centre + QPoint(20, 0));
+    QCOMPARE(disc.at(0.0, 0.0), center + QPoint(20, 0));
     QTest::keyClick(&disc.canvas(), Qt::Key_Home);
-    QCOMPARE(disc.at(0.0, 0.0), centre);
+    QCOMPARE(disc.at(0.0, 0.0), center);
     const double radius = disc.editor().brush().radius;
     QTest::keyClick(&disc.canvas(), Qt::Key_BracketRight);
     QVERIFY(disc.editor().brush().radius > radius);

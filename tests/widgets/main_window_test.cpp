@@ -270,7 +270,7 @@ void MainWindowTest::aMissingProbeIsNamedAndAPlaceholderShown()
     QTRY_VERIFY_WITH_TIMEOUT(hasNotice(window, QStringLiteral("probe"), QStringLiteral("/nowhere/lost.hdr")), 30000);
     QVERIFY(window->isEnabled() && !QApplication::activeModalWidget());
     QTRY_VERIFY(window->findChild<QWidget*>(QStringLiteral("notices"))->isVisible());
-    const QColor corner = window.picture().pixelColor(3, 3); // magenta or dark grey, of no other probe
+    const QColor corner = window.picture().pixelColor(3, 3); // magenta or dark gray, of no other probe
     QVERIFY(corner.red() > corner.green() || corner.red() < 90);
     window.document().undoStack().undo();
     QTRY_VERIFY_WITH_TIMEOUT(!hasNotice(window, QStringLiteral("probe"), QString()), 30000);

@@ -210,7 +210,7 @@ void MapPanelTest::isDrivenByKeys()
     QCOMPARE(static_cast<int>(p.y), 10);
 }
 
-void MapPanelTest::showsAFalseColourScaleThatFollowsTheExposure()
+void MapPanelTest::showsAFalseColorScaleThatFollowsTheExposure()
 {
     ShownPanel shown;
     QVERIFY(shown.isReady);

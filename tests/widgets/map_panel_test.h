@@ -15,7 +15,7 @@ private slots:
     void marksTheDirectionThatIsPointedAtElsewhere();
     void zoomsWhereTheMouseIsAndFits();
     void isDrivenByKeys();
-    void showsAFalseColourScaleThatFollowsTheExposure();
+    void showsAFalseColorScaleThatFollowsTheExposure();
     void showsTwoParameterizationsAndTheirDifference();
     void showsTheErrorOfAMethod();
     void namesAllControls();

@@ -106,7 +106,7 @@ void SphereMapPanelTest::repeatsStrokesBySymmetry()
     QCOMPARE(painting.strokes()[0].symmetry.radial, 6);
 }
 
-void SphereMapPanelTest::picksColoursFromTheDisc()
+void SphereMapPanelTest::picksColorsFromTheDisc()
 {
     Painting painting;
     Brush brush;

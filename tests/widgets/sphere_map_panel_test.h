@@ -13,7 +13,7 @@ private slots:
     void showsTheStrokeWhileItIsDrawnAsTheFileWillHoldIt();
     void takesAPensPressureAndItsEraserEnd();
     void repeatsStrokesBySymmetry();
-    void picksColoursFromTheDisc();
+    void picksColorsFromTheDisc();
     void changesTheBrushByARightDrag();
     void refusesToPaintOnAnotherLayerInWords();
     void givesUpAStrokeByEscape();

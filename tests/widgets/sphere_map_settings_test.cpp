@@ -126,7 +126,7 @@ void SphereMapSettingsTest::everyFieldOfASceneFileHasAControl()
     QVERIFY2(wanting.isEmpty(), qPrintable(wanting.join(u'\n')));
 }
 
-void SphereMapSettingsTest::useOpacityAndColourAreAtHandAndUndoneStepByStep()
+void SphereMapSettingsTest::useOpacityAndColorAreAtHandAndUndoneStepByStep()
 {
     Painting painting;
     const auto map = [&]() -> const SphereMapSettings& { return painting.document().scene().material.sphereMap; };

@@ -10,7 +10,7 @@ class SphereMapSettingsTest : public QObject {
 private slots:
     void init();
     void everyFieldOfASceneFileHasAControl();
-    void useOpacityAndColourAreAtHandAndUndoneStepByStep();
+    void useOpacityAndColorAreAtHandAndUndoneStepByStep();
     void theRestOfTheMapIsSetInItsTab();
     void aDoubleClickOnALabelResetsTheField();
     void coordinatesAreInterpolatedAtVerticesByAMenuCommand();

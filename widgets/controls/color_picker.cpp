@@ -134,7 +134,7 @@ NumberField* ColorPicker::addNumber(const char* id, const QString& name, const Q
 void ColorPicker::makeNumbers()
 {
     m_hue = addNumber("color.hue", tr("Hue"), tr("Around the wheel"), 0.0, 360.0, QStringLiteral("°"));
-    m_saturation = addNumber("color.saturation", tr("Saturation"), tr("From grey to a pure color"), 0.0, 100.0, QStringLiteral("%"));
+    m_saturation = addNumber("color.saturation", tr("Saturation"), tr("From gray to a pure color"), 0.0, 100.0, QStringLiteral("%"));
     m_value = addNumber("color.value", tr("Value"), tr("From black to the brightest that a screen shows"), 0.0, 100.0, QStringLiteral("%"));
     m_ev = addNumber("color.ev", tr("Intensity"), tr("Stops above what a screen shows: a highlight or a lamp"), 0.0, 10.0, tr("EV"));
     m_kelvin = addNumber("color.kelvin", tr("Kelvin"), tr("The color of a glowing body of this temperature"), 1700.0, 20000.0, tr("K"));
@@ -260,7 +260,7 @@ void ColorPicker::chooseShown(const QColor& shown)
 {
     const double ev = m_ev->value();
     choose(linearColor({shown, ev}));
-    m_shown = shown; // black and grey keep the hue that they were given
+    m_shown = shown; // black and gray keep the hue that they were given
     m_ev->setValue(ev);
     m_wheel->setHsv(std::max(0.0f, shown.hueF()), shown.saturationF(), shown.valueF());
     m_hue->setValue(360.0 * std::max(0.0f, shown.hueF()));

@@ -61,7 +61,7 @@ private:
 
     QPointer<ColorButton> m_target;
     glm::dvec3 m_color{0.0};
-    QColor m_shown{}; ///< keeps hue and saturation where black and grey have none
+    QColor m_shown{}; ///< keeps hue and saturation where black and gray have none
     QLabel* m_name;
     ColorWheel* m_wheel;
     NumberField *m_hue, *m_saturation, *m_value, *m_ev, *m_kelvin;

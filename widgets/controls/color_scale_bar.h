@@ -9,7 +9,7 @@
 
 namespace mirrorball::studio {
 
-/// The scale beside a false-colour picture: its colours with numbers under them.
+/// The scale beside a false-color picture: its colors with numbers under them.
 class ColorScaleBar : public QWidget {
     Q_OBJECT
 

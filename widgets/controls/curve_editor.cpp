@@ -21,7 +21,7 @@ namespace {
 
 constexpr double handleRadius = 4.5, reach = 9.0, pullDistance = 30.0;
 constexpr double rampWidth = 5.0; ///< of the bars from dark to bright along the axes
-constexpr double least = 0.005;   ///< between neighbours
+constexpr double least = 0.005;   ///< between neighbors
 constexpr size_t fewest = 2, most = 32;
 
 double fieldHigh(std::string_view name)

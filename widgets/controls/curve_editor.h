@@ -12,7 +12,7 @@
 namespace mirrorball::studio {
 
 /// The square of a tone curve with its points as handles. Press on an empty place for a new point, drag a point to move it between its
-/// neighbours, pull it away to remove it, double-click it to put it back on the diagonal. Arrow keys move the chosen point (Shift: finer),
+/// neighbors, pull it away to remove it, double-click it to put it back on the diagonal. Arrow keys move the chosen point (Shift: finer),
 /// Ctrl and arrows go from point to point, Delete removes it, Insert adds one behind it.
 ///
 /// The curve is what core's CurveTable makes of the points. They are shown and given in order from left to right.
@@ -29,7 +29,7 @@ public:
     void choose(int index);
     void addPoint(const CurvePoint& point);
     void removeChosen();
-    /// Moves the chosen point as the user would, as far as its neighbours and the fields' ranges let it.
+    /// Moves the chosen point as the user would, as far as its neighbors and the fields' ranges let it.
     void moveChosen(double x, double y);
     /// The curve that changes nothing.
     void reset();
@@ -80,7 +80,7 @@ public:
 
     /// Shows points; says nothing to anybody.
     void setPoints(const std::vector<CurvePoint>& points);
-    /// Which channels the curve is for: it is drawn in their colour.
+    /// Which channels the curve is for: it is drawn in their color.
     void setChannels(AdjustedChannels channels) { m_plot->setChannels(channels); }
     CurvePlot& plot() { return *m_plot; }
     QDoubleSpinBox& before() { return *m_before; }

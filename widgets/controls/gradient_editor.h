@@ -58,7 +58,7 @@ private:
     std::vector<GradientStop> m_beforePull{}; ///< the stops while the dragged one is pulled away
 };
 
-/// A gradient's stops: the bar, and the chosen stop's colour, position and opacity.
+/// A gradient's stops: the bar, and the chosen stop's color, position and opacity.
 class GradientEditor : public QWidget {
     Q_OBJECT
 

@@ -262,7 +262,7 @@ void SettingsForm::addGradient(const Field& field, const FieldStyle& style,
     addRow(field, style, control, [control, get](const std::any& settings) { control->setStops(get(settings)); });
 }
 
-/// Whatever has a curve and channels shows the curve in their colour.
+/// Whatever has a curve and channels shows the curve in their color.
 void SettingsForm::addCurve(const Field& field, const FieldStyle& style, const std::function<void(const std::vector<CurvePoint>&)>& set,
                             const std::function<std::vector<CurvePoint>(const std::any&)>& get)
 {

@@ -6,7 +6,7 @@
 
 namespace mirrorball::studio {
 
-/// A chart's look in the studio: on dark grey, without a frame or room around it.
+/// A chart's look in the studio: on dark gray, without a frame or room around it.
 void styleChart(QChartView& view);
 void styleAxis(QAbstractAxis& axis, const QFont& font);
 

@@ -20,7 +20,7 @@ struct Curve {
     QColor color;
 };
 
-/// One grey curve where the channels agree.
+/// One gray curve where the channels agree.
 std::vector<Curve> curves(const Fresnel& fresnel)
 {
     if (fresnel.kind == FresnelKind::Conductor)

@@ -46,7 +46,7 @@ QString choiceText(const LookupChoice& choice)
     return labelText(words(choice.kind)[static_cast<size_t>(choice.kind)]);
 }
 
-/// The hue of a line on dark grey.
+/// The hue of a line on dark gray.
 QColor colorOf(size_t i)
 {
     const glm::vec3 c = curveColor(i);

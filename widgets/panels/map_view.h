@@ -15,7 +15,7 @@
 
 namespace mirrorball::studio {
 
-/// One map in one parameterization: zoom, pan, exposure, false colours and overlays. Pictures are made in the background, the newest
+/// One map in one parameterization: zoom, pan, exposure, false colors and overlays. Pictures are made in the background, the newest
 /// request wins; until it is there the last one is shown where it belongs.
 ///
 /// The wheel and + and - zoom, dragging and the arrow keys pan, a double click or 0 fits, 1 shows a texel on a pixel; Shift and the arrow

@@ -28,7 +28,7 @@ QPointF valueOf(const RacePoint& point) { return {std::max(point.seconds, 1e-7),
 
 } // namespace
 
-/// Nine hues that stay apart on dark grey, also for eyes that confuse red and green (after Okabe and Ito 2008).
+/// Nine hues that stay apart on dark gray, also for eyes that confuse red and green (after Okabe and Ito 2008).
 QColor methodColor(Method method)
 {
     constexpr std::array<QRgb, 9> colors{0xfff0e442, 0xffaaaaaa, 0xff56b4e9, 0xff009e73, 0xffcc79a7,
@@ -47,7 +47,7 @@ MethodChart::MethodChart(QWidget* parent)
     setMouseTracking(true);
     viewport()->setMouseTracking(true);
     QChart* c = chart();
-    c->legend()->hide(); // the table beside it has the methods in their colours
+    c->legend()->hide(); // the table beside it has the methods in their colors
     for (QLogValueAxis* axis : {m_time, m_error}) {
         axis->setBase(10.0);
         axis->setMinorTickCount(0);

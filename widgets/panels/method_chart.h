@@ -13,10 +13,10 @@
 
 namespace mirrorball::studio {
 
-/// The colour that stands for a method, wherever it is shown.
+/// The color that stands for a method, wherever it is shown.
 QColor methodColor(Method method);
 
-/// Error against run time, both logarithmic: a point a setting, a colour a method, a line for the front.
+/// Error against run time, both logarithmic: a point a setting, a color a method, a line for the front.
 class MethodChart : public QChartView {
     Q_OBJECT
 

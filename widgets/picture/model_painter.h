@@ -8,7 +8,7 @@
 
 namespace mirrorball::studio {
 
-/// Painting on the model: what the pen touches in the preview is painted on the sphere map at the place that colours it there
+/// Painting on the model: what the pen touches in the preview is painted on the sphere map at the place that colors it there
 /// (preview/disc_places.h), so a highlight is put where it is to be seen.
 ///
 /// On while SphereMapEditor::paintsOnModel(): left draws in place of orbiting, Alt and left orbits, right drag changes the brush as on the
@@ -19,7 +19,7 @@ class ModelPainter : public QObject {
 public:
     ModelPainter(PreviewWidget& preview, Workspace& workspace);
 
-    /// The place on the disc that colours a place of the preview; nothing beside the model.
+    /// The place on the disc that colors a place of the preview; nothing beside the model.
     std::optional<glm::dvec2> placeAt(const QPointF& position);
     const BrushRing& ring() const { return *m_ring; }
 

@@ -7,7 +7,7 @@
 /// What the preview paints beside the picture itself.
 namespace mirrorball::studio {
 
-/// What stands for nothing: a chequer of two greys.
+/// What stands for nothing: a chequer of two grays.
 void paintChequer(QPainter& painter, const QSize& size);
 /// The line between a snapshot and now. @param x  in the widget
 void paintWipeLine(QPainter& painter, double x, int height);

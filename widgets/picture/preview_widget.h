@@ -40,7 +40,7 @@ public:
     const QImage& picture() const { return m_picture.image; }
     /// Whether picture() is of all that is known: nothing waits to be drawn.
     bool isUpToDate() const { return !m_isDue && !m_isDrawing && !m_picture.image.isNull(); }
-    /// The place on a sphere map indexed so that colours a place of the widget; nothing beside the model. After the camera has moved it
+    /// The place on a sphere map indexed so that colors a place of the widget; nothing beside the model. After the camera has moved it
     /// waits until all places have been looked up; until it moves again they are known.
     std::optional<glm::dvec2> discPlaceAt(const QPointF& position, SphereMapIndex index);
 

@@ -28,7 +28,7 @@ void BrushRing::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(QColor(0, 0, 0, 200), 2.6)); // dark and light, so that it shows on every colour
+    painter.setPen(QPen(QColor(0, 0, 0, 200), 2.6)); // dark and light, so that it shows on every color
     painter.drawPolygon(m_outline);
     painter.setPen(QPen(QColor(255, 255, 255, 220), 1.0));
     painter.drawPolygon(m_outline);

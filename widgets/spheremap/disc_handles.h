@@ -16,7 +16,7 @@ class QKeyEvent;
 
 namespace mirrorball::studio {
 
-/// The chosen layer's handles on a disc, and its mask's, to be dragged: lights as small suns, centres, arms, rings
+/// The chosen layer's handles on a disc, and its mask's, to be dragged: lights as small suns, centers, arms, rings
 /// (core/spheremap/evaluation/disc_handles.h). The canvas hands on what mouse and keys do. What lies on the ball's back is shown at the
 /// rim, hollow.
 ///

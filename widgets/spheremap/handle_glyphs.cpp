@@ -16,7 +16,7 @@ namespace {
 const QColor edge(0, 0, 0, 190);
 const QColor plain(235, 235, 235);
 
-/// Draws a path twice: dark and wide, then in a colour.
+/// Draws a path twice: dark and wide, then in a color.
 void stroke(QPainter& painter, const QPainterPath& path, const QColor& color, double width, Qt::PenStyle style = Qt::SolidLine)
 {
     painter.setBrush(Qt::NoBrush);
@@ -35,7 +35,7 @@ void knob(QPainter& painter, const QPointF& place, double radius, const QColor& 
     painter.drawEllipse(place, radius, radius);
 }
 
-/// A disc in the light's colour with rays around it; behind the ball an empty one.
+/// A disc in the light's color with rays around it; behind the ball an empty one.
 void paintSun(QPainter& painter, const HandleGlyph& glyph, const QColor& fill, const QColor& line)
 {
     const double radius = glyph.isChosen ? 6.0 : 4.5;
@@ -51,7 +51,7 @@ void paintSun(QPainter& painter, const HandleGlyph& glyph, const QColor& fill, c
     knob(painter, glyph.place, radius, glyph.isBehind || glyph.isOfMask ? QColor(0, 0, 0, 110) : fill, line);
 }
 
-void paintCentre(QPainter& painter, const HandleGlyph& glyph, const QColor& line)
+void paintCenter(QPainter& painter, const HandleGlyph& glyph, const QColor& line)
 {
     const double radius = glyph.isChosen ? 6.5 : 5.5, arm = 4.0;
     QPainterPath cross;
@@ -96,7 +96,7 @@ void paintHandle(QPainter& painter, const HandleGlyph& glyph)
         paintSun(painter, glyph, fill, line);
         break;
     case HandleKind::Place:
-        paintCentre(painter, glyph, line);
+        paintCenter(painter, glyph, line);
         break;
     case HandleKind::Corner:
         paintCorner(painter, glyph, line);

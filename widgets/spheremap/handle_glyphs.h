@@ -9,7 +9,7 @@
 
 #include <optional>
 
-/// How handles on a disc look: light lines with a dark edge, which show on every colour.
+/// How handles on a disc look: light lines with a dark edge, which show on every color.
 namespace mirrorball::studio {
 
 struct HandleGlyph {

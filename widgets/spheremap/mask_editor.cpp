@@ -25,7 +25,7 @@ const std::vector<LayerKind>& generators()
     return kinds;
 }
 
-/// A fresh mask: painted ones count by where there is paint, whatever its colour.
+/// A fresh mask: painted ones count by where there is paint, whatever its color.
 Mask maskOf(const LayerKind& kind)
 {
     Mask mask{.content = makeContent(kind.name)};

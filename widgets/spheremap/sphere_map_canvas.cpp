@@ -108,7 +108,7 @@ void SphereMapCanvas::paintEvent(QPaintEvent*)
                          tr("This scene has no sphere map of its own"));
         return;
     }
-    // Outside the disc the rim's colour goes on, which a lookup may meet: shown, but faintly.
+    // Outside the disc the rim's color goes on, which a lookup may meet: shown, but faintly.
     // One level by itself shows its texels.
     const QImage& level = m_editor.levelPicture();
     const QImage& picture = level.isNull() ? m_editor.screen().forPixels(square.width() * devicePixelRatioF()) : level;
@@ -147,7 +147,7 @@ void SphereMapCanvas::paintWords(QPainter& painter, const QString& words, Qt::Al
     painter.drawText(text, Qt::AlignCenter | Qt::TextWordWrap, words);
 }
 
-/// Thin light and dark, so that it shows on every colour.
+/// Thin light and dark, so that it shows on every color.
 static void outline(QPainter& painter, const QPointF& center, double radius, int strength)
 {
     painter.setBrush(Qt::NoBrush);

@@ -11,7 +11,7 @@ namespace mirrorball::studio {
 /// The disc, to paint on with mouse or pen, or with the handles of the chosen layer.
 ///
 /// Left draws with the chosen tool, a pen with its pressure, its eraser end erases; on a layer with places and directions it drags their
-/// handles instead, and keys move them (DiscHandles). Alt picks a colour. Right drag changes the brush: across its radius, up and down its
+/// handles instead, and keys move them (DiscHandles). Alt picks a color. Right drag changes the brush: across its radius, up and down its
 /// hardness; [ and ] step the radius. The wheel zooms at the cursor, middle or Space and left drag pans, Home fits. Escape gives up the
 /// stroke or the drag at hand, and shows all levels again where one is shown alone.
 class SphereMapCanvas : public QWidget {

@@ -93,7 +93,7 @@ public:
     void endStroke();
     void cancelStroke();
     bool isPainting() const { return m_recorder.has_value(); }
-    /// The colour that the picture shows at a place of the disc becomes the brush's.
+    /// The color that the picture shows at a place of the disc becomes the brush's.
     void pickColor(const glm::dvec2& q);
 
     /// The one level of the chain that disc and model show, and that strokes go to; empty: all of them, as the picture needs them.
@@ -109,7 +109,7 @@ public:
 
     /// Edge of the picture, in texels: that of the map that the scene's picture reads.
     int size() const { return m_size; }
-    /// The picture, RGBA, linear, colours multiplied by their opacity; empty before the first. It may be of an older state.
+    /// The picture, RGBA, linear, colors multiplied by their opacity; empty before the first. It may be of an older state.
     const Image& picture() const { return m_picture; }
     /// The same for the screen.
     const ScreenPicture& screen() const { return m_screen; }

@@ -8,7 +8,7 @@
 
 namespace mirrorball::studio {
 
-/// What an artist reaches for most of how a sphere map meets the material: use, opacity and, where the map lies over a colour, that; in one
+/// What an artist reaches for most of how a sphere map meets the material: use, opacity and, where the map lies over a color, that; in one
 /// row.
 class SphereMapUseRow : public QWidget {
     Q_OBJECT

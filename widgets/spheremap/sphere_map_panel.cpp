@@ -343,7 +343,7 @@ QToolBar* SphereMapPanel::makeTools()
     });
     bar->addWidget(m_color);
 
-    auto* symmetry = button("symmetry", tr("Symmetry"), tr("Repeat strokes around the centre, or mirror them"));
+    auto* symmetry = button("symmetry", tr("Symmetry"), tr("Repeat strokes around the center, or mirror them"));
     symmetry->setObjectName(QStringLiteral("symmetryButton"));
     symmetry->setPopupMode(QToolButton::InstantPopup);
     auto* choices = new QMenu(symmetry);

@@ -29,7 +29,7 @@ constexpr int thumbnailHeight = 128;
 constexpr int mostFiles = 2000;      ///< of one folder
 constexpr int keptThumbnails = 4000; ///< on disk; about 30 kB each
 
-/// As bright as a picture in a contact sheet: the middle of its luminances is a mid grey, whatever a sun may be.
+/// As bright as a picture in a contact sheet: the middle of its luminances is a mid gray, whatever a sun may be.
 QImage developed(const EnvironmentMap& map)
 {
     std::vector<double> luminances;

@@ -17,7 +17,7 @@ struct Place {
     int x = 0, y = 0; ///< y counts through the stacked faces
 };
 
-/// Where the texel of the stored cube comes from. Centres of texels go to centres, which are half a texel from where rounding could hurt.
+/// Where the texel of the stored cube comes from. Centers of texels go to centers, which are half a texel from where rounding could hurt.
 Place source(int n, const CubeOrientation& orientation, int face, int x, int y)
 {
     const double s = (2.0 * x + 1.0) / n - 1.0, t = (2.0 * y + 1.0) / n - 1.0;

@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-/// How radiance is packed into few bits: floats with few bits, floats that share an exponent, and 8-bit colours with a multiplier in
+/// How radiance is packed into few bits: floats with few bits, floats that share an exponent, and 8-bit colors with a multiplier in
 /// alpha. Every encoder takes any number: NaN and negative values become 0, values out of range the largest one.
 namespace mirrorball {
 
@@ -26,7 +26,7 @@ glm::vec3 unpackE5B9G9R9(std::uint32_t bits);
 
 using Rgba8 = std::array<std::uint8_t, 4>; ///< straight alpha
 
-/// Which multiplier an 8-bit texel carries, and what becomes of its colours. With m the byte a / 255:
+/// Which multiplier an 8-bit texel carries, and what becomes of its colors. With m the byte a / 255:
 ///   Rgbe  rgb8 2^(a - 136), Ward's
 ///   Rgbm  (8 m rgb)^2                      PlayCanvas; range 64
 ///   Rgbd  (rgb^2.2) / m                    Babylon.js; range 255, at most 255 / 1

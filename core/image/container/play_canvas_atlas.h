@@ -40,7 +40,7 @@ inline constexpr std::array<Rectangle, 13> rectangles{{
     {128, 384, 64, 32, Content::Diffuse, 0, 1.0},
 }};
 
-/// Direction of the point (i, j) of a rectangle, in texels from the centre of its first one. The outermost texels are a border that
+/// Direction of the point (i, j) of a rectangle, in texels from the center of its first one. The outermost texels are a border that
 /// continues the map: around its seam, and on over the poles as the row before them.
 ///   u = (i + 1/2 - 1)/(w - 2), v = (j + 1/2 - 1)/(h - 2), v clamped to the first and last row
 glm::dvec3 direction(const Rectangle& rectangle, double i, double j);

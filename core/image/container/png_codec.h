@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-/// PNG pictures in memory, by libpng itself: encoded radiance goes through without a colour space, and alpha stays straight.
+/// PNG pictures in memory, by libpng itself: encoded radiance goes through without a color space, and alpha stays straight.
 /// (OpenImageIO would do, but loading it costs more time than a whole environment takes.) Pictures of others are decoded in the helper
 /// (core/base/helper_process.h), which starts in milliseconds where it needs no OpenImageIO.
 namespace mirrorball::png {
@@ -20,13 +20,13 @@ struct Picture {
     std::vector<Rgba8> texels{};
 };
 
-/// Radiance packed into a picture; a fourth channel is left out, one channel is grey.
+/// Radiance packed into a picture; a fourth channel is left out, one channel is gray.
 Picture packed(const Image& image, PackedColor form);
 
 /// The bytes of a PNG file without ancillary chunks. @throws WorkError
 std::string encode(const Picture& picture);
 
-/// Decodes any PNG to 8-bit RGBA, in the helper; its gamma and colour profile are not looked at. Memory is taken only for a size that
+/// Decodes any PNG to 8-bit RGBA, in the helper; its gamma and color profile are not looked at. Memory is taken only for a size that
 /// `largestTexels` allows.
 /// @param name  stands in messages
 /// @throws FileError for damaged data; WorkError where there is no helper

@@ -6,7 +6,7 @@
 
 namespace mirrorball {
 
-/// What a layer does: makes colours of its own, changes those below it point by point, or changes them as a whole picture.
+/// What a layer does: makes colors of its own, changes those below it point by point, or changes them as a whole picture.
 enum class LayerRole { Generator, Adjustment, Warp };
 
 /// A kind of layer, as files and forms name it.

@@ -23,16 +23,16 @@ std::span<const std::string_view> words(BlendMode);
 ///               x - (1 - 2y) x (1 - x) for y <= 1/2, else x + (2y - 1)(d(x) - x), d(x) = ((16x - 12) x + 4) x for x <= 1/4, else sqrt(x)
 ///   darken      min(b, s)
 ///   lighten     max(b, s)
-/// Overlay and soft light turn about a middle grey, which in linear light is not 1/2: the square root puts it at 1/4. Where b and s are in
+/// Overlay and soft light turn about a middle gray, which in linear light is not 1/2: the square root puts it at 1/4. Where b and s are in
 /// [0, 1] these are the W3C's definitions (the last two on square roots); above, all stay continuous and never fall as b or s rise.
-/// Negative colours count as 0 except in normal and add.
+/// Negative colors count as 0 except in normal and add.
 /// Source: W3C Compositing and Blending Level 1, section 10.
 float blended(BlendMode mode, float backdrop, float source);
 
 /// Lays a source over a backdrop:
 ///   C = (1 - as) Cb + as (1 - ab) s + as ab B(Cb / ab, s),  a = as + ab - as ab
-/// @param source    colours not multiplied by their opacity as
-/// @param backdrop  colours Cb multiplied by their opacity ab; becomes the result
+/// @param source    colors not multiplied by their opacity as
+/// @param backdrop  colors Cb multiplied by their opacity ab; becomes the result
 /// Source: the same, section 5.
 void blend(BlendMode mode, int count, const ColorSpan& source, ColorSpan& backdrop);
 

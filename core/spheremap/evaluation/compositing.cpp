@@ -123,7 +123,7 @@ MIRRORBALL_VECTOR_CLONES float weigh(int count, const float* __restrict share, f
 /// are no numbers; and a probe's sun does not come near it.
 constexpr float brightest = 1e10f;
 
-/// Colours that are not multiplied by their opacity.
+/// Colors that are not multiplied by their opacity.
 MIRRORBALL_VECTOR_CLONES void bound(int count, ColorSpan& colors)
 {
     for (int i = 0; i < count; ++i) {

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-/// Layers laid over each other, a run of texels at a time. Colours of a run that has been composited are multiplied by their opacity.
+/// Layers laid over each other, a run of texels at a time. Colors of a run that has been composited are multiplied by their opacity.
 namespace mirrorball::compositing {
 
 /// One visible layer, made ready.
@@ -30,7 +30,7 @@ void read(const float* __restrict texels, int count, ColorSpan& __restrict color
 void write(const ColorSpan& __restrict colors, int count, float* __restrict texels);
 /// No light, and nothing there.
 void clear(ColorSpan& colors, int count);
-/// Keeps colours that are multiplied by their opacity within what layers may give.
+/// Keeps colors that are multiplied by their opacity within what layers may give.
 void boundMultiplied(int count, ColorSpan& colors);
 
 /// Where the texels of a run lie; `row`, `column` and `count` are given.

@@ -16,8 +16,8 @@ struct SheetLayout {
 /// cells empty.
 SheetLayout sheetLayout(size_t count, double aspect = 1.5);
 
-/// Pictures of one size side by side, in rows, on a background colour, which also lies below transparent ones. For 3 or 4 channels (the
-/// fourth is the opacity that colours were multiplied by); the sheet has 3.
+/// Pictures of one size side by side, in rows, on a background color, which also lies below transparent ones. For 3 or 4 channels (the
+/// fourth is the opacity that colors were multiplied by); the sheet has 3.
 Image contactSheet(std::span<const Image> pictures, int columns, float background);
 
 /// The part of a sphere map that means something: outside the disc it becomes transparent, with a smooth edge.

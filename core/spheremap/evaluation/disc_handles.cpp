@@ -64,7 +64,7 @@ Grip<Layer> lightGrip(const Layer& layer, Shows shows, std::optional<glm::dvec3>
 }
 
 template <typename Layer>
-Grip<Layer> centreGrip(const Layer& layer)
+Grip<Layer> centerGrip(const Layer& layer)
 {
     return {{.kind = HandleKind::Place,
              .place = {layer.centerX, layer.centerY},
@@ -143,10 +143,10 @@ std::optional<glm::dvec3> colorNearest(const std::vector<GradientStop>& stops, d
 /// One end of a linear gradient; the other end stays where it is.
 Grip<GradientLayer> endGrip(const GradientLayer& layer, double sign)
 {
-    const glm::dvec2 centre(layer.centerX, layer.centerY);
+    const glm::dvec2 center(layer.centerX, layer.centerY);
     return {{.kind = HandleKind::Arm,
-             .place = centre + polarPlace(sign * layer.radius, layer.angleDeg),
-             .from = centre,
+             .place = center + polarPlace(sign * layer.radius, layer.angleDeg),
+             .from = center,
              .color = colorNearest(layer.stops, sign > 0.0 ? 1.0 : 0.0),
              .values = {degrees("angle", layer.angleDeg), {"radius", layer.radius}}},
             [sign](GradientLayer& changed, const glm::dvec2& wanted) {
@@ -161,22 +161,22 @@ Grip<GradientLayer> endGrip(const GradientLayer& layer, double sign)
 
 Grips<GradientLayer> grips(const GradientLayer& layer)
 {
-    const glm::dvec2 centre(layer.centerX, layer.centerY);
+    const glm::dvec2 center(layer.centerX, layer.centerY);
     switch (layer.shape) {
     case GradientShape::Radial:
-        return {centreGrip(layer),
+        return {centerGrip(layer),
                 {{.kind = HandleKind::Ring,
-                  .place = centre + glm::dvec2(layer.radius, 0.0),
-                  .from = centre,
+                  .place = center + glm::dvec2(layer.radius, 0.0),
+                  .from = center,
                   .color = colorNearest(layer.stops, 1.0),
                   .values = {{"radius", layer.radius}}},
                  [](GradientLayer& changed, const glm::dvec2& wanted) {
                      changed.radius = rounded(glm::distance(wanted, {changed.centerX, changed.centerY}));
                  }}};
     case GradientShape::Linear:
-        return {endGrip(layer, -1.0), endGrip(layer, 1.0), centreGrip(layer)};
+        return {endGrip(layer, -1.0), endGrip(layer, 1.0), centerGrip(layer)};
     case GradientShape::Angular:
-        return {centreGrip(layer), armGrip(layer, "angle", &GradientLayer::angleDeg, centre, 0.5)};
+        return {centerGrip(layer), armGrip(layer, "angle", &GradientLayer::angleDeg, center, 0.5)};
     case GradientShape::Shaded:
         break;
     }
@@ -186,9 +186,9 @@ Grips<GradientLayer> grips(const GradientLayer& layer)
 Grips<WindowLayer> grips(const WindowLayer& layer)
 {
     constexpr double stalk = 0.12; // above the window's upper edge
-    const glm::dvec2 centre = windowPlace(layer, {0.0, 0.0});
-    Grips<WindowLayer> all{centreGrip(layer)};
-    all.front().handle.place = centre;
+    const glm::dvec2 center = windowPlace(layer, {0.0, 0.0});
+    Grips<WindowLayer> all{centerGrip(layer)};
+    all.front().handle.place = center;
     all.push_back({{.kind = HandleKind::Corner,
                     .place = windowPlace(layer, {0.5 * layer.width, -0.5 * layer.height}),
                     .values = {{"width", layer.width}, {"height", layer.height}}},
@@ -199,7 +199,7 @@ Grips<WindowLayer> grips(const WindowLayer& layer)
                    }});
     all.push_back({{.kind = HandleKind::Arm,
                     .place = windowPlace(layer, {0.0, 0.5 * layer.height + stalk}),
-                    .from = centre,
+                    .from = center,
                     .values = {degrees("tilt", layer.tiltDeg)}},
                    [](WindowLayer& changed, const glm::dvec2& wanted) {
                        const double turn = angleOf(windowCoordinates(changed, wanted)) - 90.0;
@@ -301,12 +301,12 @@ Grips<TwistLayer> grips(const TwistLayer& layer)
              }}};
 }
 
-/// Where what lay at the centre is now, and where what lay at the top is turned to.
+/// Where what lay at the center is now, and where what lay at the top is turned to.
 Grips<RotateLayer> grips(const RotateLayer& layer)
 {
-    const LightAngles centre = lightAngles(turnedAxis(layer.rightDeg, -layer.upDeg));
+    const LightAngles center = lightAngles(turnedAxis(layer.rightDeg, -layer.upDeg));
     return {{{.kind = HandleKind::Place,
-              .place = facingPlace(centre),
+              .place = facingPlace(center),
               .values = {degrees("right", layer.rightDeg), degrees("up", layer.upDeg)}},
              [](RotateLayer& changed, const glm::dvec2& wanted) {
                  const LightAngles to = lightOfFacing(wanted);

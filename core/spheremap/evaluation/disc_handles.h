@@ -8,11 +8,11 @@
 #include <string_view>
 #include <vector>
 
-/// What of a layer can be dragged on the disc: lights where they show, centres, ends, angles. The reverse of evaluating a layer: from a
+/// What of a layer can be dragged on the disc: lights where they show, centers, ends, angles. The reverse of evaluating a layer: from a
 /// place on its picture to the parameters that put it there.
 namespace mirrorball {
 
-/// Light: where a light shows. Place: a centre. Corner: of a frame. Arm: the end of a line from what it belongs to. Ring: on a circle about
+/// Light: where a light shows. Place: a center. Corner: of a frame. Arm: the end of a line from what it belongs to. Ring: on a circle about
 /// it.
 enum class HandleKind { Light, Place, Corner, Arm, Ring };
 

@@ -10,7 +10,7 @@
 namespace mirrorball {
 
 /// An RGB picture of a disc, inscribed in its square, to be read at any size: its halvings are made once. With a fourth channel, opacity,
-/// its colours are multiplied by it.
+/// its colors are multiplied by it.
 class DiscPicture {
 public:
     DiscPicture() = default;
@@ -27,7 +27,7 @@ private:
     std::vector<Image> m_levels{};
 };
 
-/// Reads a run of texels off a picture: colours into r, g, b, and where it has opacity that into a, the colours not multiplied by it. The
+/// Reads a run of texels off a picture: colors into r, g, b, and where it has opacity that into a, the colors not multiplied by it. The
 /// position is (x, y) times `scale`, turned by (cosine, sine).
 struct DiscLookup {
     float scale = 1.0f; ///< below 1 keeps away from the picture's rim

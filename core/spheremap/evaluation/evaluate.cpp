@@ -19,7 +19,7 @@ namespace {
 SpanGenerator preparedGenerator(const LayerContent& content, const Level& level, const TexelRect& rect, const Image* raster,
                                 const JobControl& job);
 
-/// A rectangle and what it becomes when it is scaled about the centre of the map, a little wider; itself where it does not reach the rim.
+/// A rectangle and what it becomes when it is scaled about the center of the map, a little wider; itself where it does not reach the rim.
 TexelRect unitedWithScaled(const TexelRect& rect, double scale, int size)
 {
     const double c = 0.5 * size, x = std::max(c - rect.x0, rect.x1 - c), y = std::max(c - rect.y0, rect.y1 - c);
@@ -30,8 +30,8 @@ TexelRect unitedWithScaled(const TexelRect& rect, double scale, int size)
     return rect.united(TexelRect{low(rect.x0), low(rect.y0), high(rect.x1), high(rect.y1)}).intersected({0, 0, size, size});
 }
 
-/// What outside the disc takes its colour from `rect`, and what `rect` takes its colour from outside itself: no texel of the square is
-/// more than sqrt 2 times as far from the centre as the rim.
+/// What outside the disc takes its color from `rect`, and what `rect` takes its color from outside itself: no texel of the square is
+/// more than sqrt 2 times as far from the center as the rim.
 TexelRect outwards(const TexelRect& rect, int size) { return unitedWithScaled(rect, 1.4143, size); }
 TexelRect inwards(const TexelRect& rect, int size) { return unitedWithScaled(rect, 0.7071, size); }
 
@@ -318,7 +318,7 @@ Image drawnLayer(const SphereMapDocument& document, size_t layer, PaintTarget ta
     const bool isMask = target == PaintTarget::Mask;
     if (layer >= document.layers.size() || (isMask && !document.layers[layer].mask) ||
         !makesColors(isMask ? document.layers[layer].mask->content : document.layers[layer].content))
-        throw InvalidArgument("layers[" + std::to_string(layer) + "]: makes no colours of its own");
+        throw InvalidArgument("layers[" + std::to_string(layer) + "]: makes no colors of its own");
     return Evaluation(document, options, job).drawn(layer, target);
 }
 

@@ -35,22 +35,22 @@ struct EvaluateOptions {
     /// The strokes of a layer or of its mask by the layer's index, where they are at hand already (a StrokeCanvas): size x size, RGBA,
     /// multiplied by opacity. Null: they are evaluated.
     std::function<const Image*(size_t layer, PaintTarget)> raster{};
-    /// The same of any layer that makes colours, as drawnLayer() gave them.
+    /// The same of any layer that makes colors, as drawnLayer() gave them.
     std::function<const Image*(size_t layer, PaintTarget)> drawn{};
     size_t firstLayer = 0;        ///< those below it are in `below`
     size_t endLayer = SIZE_MAX;   ///< this one and those above are left out
     const Image* below = nullptr; ///< the whole map with the layers below firstLayer, as evaluate() gave it; null: nothing
 };
 
-/// The picture of a document: RGBA, linear Rec.709, colours multiplied by their opacity. The disc is inscribed in the square as in
-/// sphere/sphere_map.h; outside it the colour of the nearest point of the rim goes on.
+/// The picture of a document: RGBA, linear Rec.709, colors multiplied by their opacity. The disc is inscribed in the square as in
+/// sphere/sphere_map.h; outside it the color of the nearest point of the rim goes on.
 ///
 /// The same bytes on any number of threads, and for any region: a region is a cut from the whole.
 /// @return size x size, or the region alone
 /// @throws InvalidArgument naming the field; FileError for an asset that is missing or damaged; Cancelled
 Image evaluate(const SphereMapDocument& document, const EvaluateOptions& options, const JobControl& job = {});
 
-/// What one layer that makes colours gives by itself, or its mask's picture: size x size, RGBA, colours *not* multiplied by their opacity,
+/// What one layer that makes colors gives by itself, or its mask's picture: size x size, RGBA, colors *not* multiplied by their opacity,
 /// neither the layer's opacity nor its mask applied. Kept, it spares making them while something else changes (EvaluateOptions::drawn).
 /// @throws as evaluate(); InvalidArgument for a layer, or a mask, that makes none
 Image drawnLayer(const SphereMapDocument& document, size_t layer, PaintTarget target, const EvaluateOptions& options,

@@ -7,7 +7,7 @@
 
 namespace mirrorball {
 
-/// The two pictures of a matcap whose matt part takes the object's colour and whose shine does not: what is shown is colour * diffuse +
+/// The two pictures of a matcap whose matt part takes the object's color and whose shine does not: what is shown is color * diffuse +
 /// specular.
 struct MatcapPasses {
     Image diffuse{};  ///< RGB

@@ -17,7 +17,7 @@ enum class PaintedLevels {
 
 struct PaintedOptions {
     int size = 512; ///< edge of the picture, borders included
-    int border = 0; ///< texels between the disc and the picture's edge, in the rim's colours, see bordered(); 0 where there are more levels
+    int border = 0; ///< texels between the disc and the picture's edge, in the rim's colors, see bordered(); 0 where there are more levels
     PaintedLevels levels = PaintedLevels::One;
 };
 
@@ -27,7 +27,7 @@ void validate(const PaintedOptions& options);
 /// Whether there is nothing of what lies behind to be seen.
 bool isOpaque(const Image& rgba);
 
-/// The pictures, largest first: RGB where all are opaque, else RGBA with colours multiplied by opacity.
+/// The pictures, largest first: RGB where all are opaque, else RGBA with colors multiplied by opacity.
 /// @throws InvalidArgument for a border that leaves no room, or that levels have; as evaluate()
 std::vector<Image> paintedPictures(const SphereMapDocument& document, const PaintedOptions& options, const JobControl& job = {});
 

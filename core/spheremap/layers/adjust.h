@@ -9,13 +9,13 @@
 #include <string_view>
 #include <vector>
 
-/// Layers that change the colours below them, each point by itself. Curves and steps work on the square root of a channel, which is about
+/// Layers that change the colors below them, each point by itself. Curves and steps work on the square root of a channel, which is about
 /// what the eye and a display make of light, and on light of any size.
 namespace mirrorball {
 
 /// Hue, saturation and value of the hexcone model: V is the largest channel, S = (V - smallest)/V. Brighter than 1 stays so.
 struct HueSaturationLayer {
-    static constexpr LayerKind kind{"hue-saturation", "Hue, saturation, value", "turns hues, strengthens or weakens colours and brightness",
+    static constexpr LayerKind kind{"hue-saturation", "Hue, saturation, value", "turns hues, strengthens or weakens colors and brightness",
                                     LayerRole::Adjustment};
     double hueDeg = 0.0;
     double saturation = 1.0;
@@ -27,7 +27,7 @@ struct HueSaturationLayer {
     static void visitFields(Self& self, Visit&& visit)
     {
         visit(Field{"hue", "turn of the hue: 120 makes red green", -360, 360, "degrees"}, self.hueDeg);
-        visit(Field{"saturation", "factor; 0: grey; at most as much as a colour can hold", 0, 10}, self.saturation);
+        visit(Field{"saturation", "factor; 0: gray; at most as much as a color can hold", 0, 10}, self.saturation);
         visit(Field{"value", "factor of the brightness", 0, 1000}, self.value);
     }
 };

@@ -32,7 +32,7 @@ struct Grid {
     Grid(float sigma, const Level& level)
     {
         const bool mirror = level.index == SphereMapIndex::Reflection; // theta is twice the normal's angle
-        // Never finer than the map's texels at its centre.
+        // Never finer than the map's texels at its center.
         cell = std::max(sigma / cellsPerSigma, (mirror ? 4.0f : 2.0f) / static_cast<float>(level.size));
         const int cells = mirror ? 5 : 3; // the spline reads 2 sqrt 2 further than what is asked for, which may be fade() past the edge
         border = static_cast<float>(cells) * cell;
@@ -85,7 +85,7 @@ void sampleLinearly(const Image& image, float x, float y, int left, int top, flo
     }
 }
 
-/// The cells' directions, solid angles and colours; a channel an array, a row of the grid after the other. Cells outside the disc have no
+/// The cells' directions, solid angles and colors; a channel an array, a row of the grid after the other. Cells outside the disc have no
 /// weight. Padded by a border of zeros so that a kernel's window never leaves them.
 struct Cells {
     Side side;
@@ -140,7 +140,7 @@ public:
     }
 
     /// Blurring moves light at most so far in the picture: an angle a on the ball is at most a radii, and half of that by mirror
-    /// directions, where however the whole rim is one direction. Behind the rim the ball has its nearest point's colour, which is no
+    /// directions, where however the whole rim is one direction. Behind the rim the ball has its nearest point's color, which is no
     /// farther away.
     TexelRect widened(const TexelRect& rect) const
     {
@@ -173,7 +173,7 @@ public:
     }
 
 private:
-    /// Halvings until a texel at the centre of the disc is as large as a cell.
+    /// Halvings until a texel at the center of the disc is as large as a cell.
     int coarsest() const
     {
         const float texel = (m_mirror ? 2.0f : 1.0f) * 2.0f / static_cast<float>(m_size); // radians

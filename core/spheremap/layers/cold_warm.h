@@ -11,7 +11,7 @@ namespace mirrorball {
 /// Cold-warm shading: the disc in two halves, one cold and one warm, a white disc on the warm one, all under a Gaussian blur, computed in
 /// closed form. The halves are the two triangles of the paper's hand-drawn map, cut by the disc.
 ///   half   (1 + erf(d / (sqrt 2 sigma))) / 2,  d the distance from the dividing line
-///   disc   (erf((R - d) / (sqrt 2 sigma)) + erf((R + d) / (sqrt 2 sigma))) / 2,  d the distance from its centre
+///   disc   (erf((R - d) / (sqrt 2 sigma)) + erf((R + d) / (sqrt 2 sigma))) / 2,  d the distance from its center
 /// Source: 000 section 4 and figure 15, second column, after Gooch et al. 1999.
 struct ColdWarmLayer {
     static constexpr LayerKind kind{"cold-warm", "Cold and warm", "blue in the shade, yellow in the light, and a white highlight"};
@@ -36,7 +36,7 @@ struct ColdWarmLayer {
         visit(Field{"balance", "moves the dividing line: above 0 there is more warmth", -1, 1, "disc radii"}, self.balance);
         visit(Field{"blur", "standard deviation", 0, 2, "disc radii"}, self.blur);
         visit(Field{"highlight", "radius of the white disc", 0, 1, "disc radii"}, self.highlight);
-        visit(Field{"highlight-distance", "of the white disc from the centre, on the warm side", 0, 1, "disc radii"},
+        visit(Field{"highlight-distance", "of the white disc from the center, on the warm side", 0, 1, "disc radii"},
               self.highlightDistance);
     }
 };

@@ -15,7 +15,7 @@ using namespace std::string_view_literals;
 constexpr std::array sourceWords{"gradient"sv, "grating"sv};
 constexpr std::array groovesWords{"scattered"sv, "straight"sv, "rings"sv};
 
-/// Colour of one wavelength in Rec.709, mixed with white until no channel is negative. White light of equal energy has about the sum
+/// Color of one wavelength in Rec.709, mixed with white until no channel is negative. White light of equal energy has about the sum
 /// (1, 1, 1) over [380, 780] nm after the division by the observer's Y integral, 106.9.
 glm::dvec3 spectralColor(double wavelength)
 {
@@ -25,7 +25,7 @@ glm::dvec3 spectralColor(double wavelength)
     return rgb - std::min({rgb.r, rgb.g, rgb.b, 0.0});
 }
 
-/// The diffracted colour by the path difference s in nm, a table over [0, largest], read linearly.
+/// The diffracted color by the path difference s in nm, a table over [0, largest], read linearly.
 class GratingTable {
 public:
     GratingTable(double largest, int orders, double spread) : m_scale(static_cast<float>(entries / largest))
@@ -70,7 +70,7 @@ SpanGenerator gratingColorgram(const ColorgramLayer& layer)
     const auto intensity = static_cast<float>(layer.intensity), twist = static_cast<float>(layer.twistDeg * pi / 180.0);
     const double across = (layer.grooveDeg + 90.0) * pi / 180.0;
     const auto gx = static_cast<float>(std::cos(across)), gy = static_cast<float>(std::sin(across));
-    // Order 0 fills the centre: path differences that a centre of that radius would have under a light at the eye.
+    // Order 0 fills the center: path differences that a center of that radius would have under a light at the eye.
     const float zero = std::max(2.0f * pitch * static_cast<float>(layer.center), 1.0f);
     const Grooves grooves = layer.grooves;
     return [=](const DiscSpan& at, ColorSpan& out) {
@@ -84,7 +84,7 @@ SpanGenerator gratingColorgram(const ColorgramLayer& layer)
             } else {
                 // g: across the grooves, in the picture; t: its unit tangent
                 glm::vec2 g(gx, gy);
-                if (grooves == Grooves::Rings && at.rho[i] > 1e-6f) // rings have no direction at their centre: any will do
+                if (grooves == Grooves::Rings && at.rho[i] > 1e-6f) // rings have no direction at their center: any will do
                     g = glm::vec2(n.x, n.y) / at.rho[i];
                 const float turn = twist * at.rho[i], c = std::cos(turn), sn = std::sin(turn);
                 g = glm::vec2(c * g.x - sn * g.y, sn * g.x + c * g.y);
@@ -125,7 +125,7 @@ MIRRORBALL_VECTOR_CLONES void ringParameter(const Rings& rings, const DiscSpan& 
         t[i] -= fast::floor(t[i]);
 }
 
-/// The colours over white, whole outside the centre.
+/// The colors over white, whole outside the center.
 MIRRORBALL_VECTOR_CLONES void overWhite(const DiscSpan& at, const Edge& edge, float strength, float center, ColorSpan& __restrict out)
 {
     for (int i = 0; i < at.count; ++i) {

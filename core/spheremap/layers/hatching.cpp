@@ -25,7 +25,7 @@ struct Lines {
     {
         const float v = x * along.x + y * along.y;
         const float scale = perDisc / std::sqrt(std::max(1.0f - curvature * v * v, 0.02f));
-        // The pen wanders slowly along a line, neighbours much alike.
+        // The pen wanders slowly along a line, neighbors much alike.
         const float wander = jitter * (fast::noise(3.0f * v, 0.15f * perDisc * (x * across.x + y * across.y), seed) - 0.5f);
         const float s = (x * across.x + y * across.y) * scale + wander;
         const float line = fast::floor(s + 0.5f);

@@ -47,7 +47,7 @@ struct HatchingLayer {
         visit(Field{"angle", "of the lines, counterclockwise from the right", -360, 360, "degrees"}, self.angleDeg);
         visit(Field{"width", "of a full line, as a part of the way to the next", 0, 1}, self.width);
         visit(Field{"curvature", "0: straight; 1: lines follow the ball", 0, 1}, self.curvature);
-        visit(Field{"from", "tone at which lines begin: 0 is the centre or full light, 1 the outline or full shade", 0, 1}, self.from);
+        visit(Field{"from", "tone at which lines begin: 0 is the center or full light, 1 the outline or full shade", 0, 1}, self.from);
         visit(Field{"to", "tone at which they are at their widest", 0, 1}, self.to);
         visit(Field{"cross", "a second set of lines"}, self.cross);
         visit(Field{"cross-angle", "between the two sets", -360, 360, "degrees"}, self.crossAngleDeg);

@@ -11,7 +11,7 @@
 
 namespace mirrorball {
 
-/// What of a picture is used. Blender's matcaps have two passes, `diffuse`, which takes the colour of the object, and `specular`, which
+/// What of a picture is used. Blender's matcaps have two passes, `diffuse`, which takes the color of the object, and `specular`, which
 /// lies over it; a file without such passes is all diffuse, one with a specular pass alone has a black diffuse one.
 enum class ImagePass { All, Diffuse, Specular };
 std::span<const std::string_view> words(ImagePass); // all diffuse specular
@@ -35,7 +35,7 @@ struct ImageLayer {
     {
         visit(Field{"source", "image file; the disc is inscribed in it"}, self.source);
         visit(Field{"pass", "all, or one of the two passes of Blender's matcaps"}, self.pass);
-        visit(Field{"tint", "colour of the diffuse pass, linear RGB", 0, 1000}, self.tint);
+        visit(Field{"tint", "color of the diffuse pass, linear RGB", 0, 1000}, self.tint);
         visit(Field{"exposure", "brightness: times 2^exposure", -64, 64, "EV"}, self.exposure);
         visit(Field{"turn", "counterclockwise", -360, 360, "degrees"}, self.turnDeg);
         visit(Field{"flip", "exchanges left and right"}, self.flip);

@@ -39,7 +39,7 @@ bool sameButStrokes(const PaintLayer& a, const PaintLayer& b);
 /// The strokes as they are drawn on a level: with widths in pixels the radii are scaled.
 std::vector<Stroke> strokesAt(const PaintLayer& layer, const Level& level);
 
-/// The texels `rect` of the layer on a level: RGBA, colours multiplied by their opacity. @throws InvalidArgument; Cancelled
+/// The texels `rect` of the layer on a level: RGBA, colors multiplied by their opacity. @throws InvalidArgument; Cancelled
 Image paintedRaster(const PaintLayer& layer, const Level& level, const TexelRect& rect, const JobControl& job);
 
 } // namespace mirrorball

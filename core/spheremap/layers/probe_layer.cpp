@@ -91,7 +91,7 @@ DiscPicture bake(const ProbeLayer& layer, const std::string& path, SphereMapAsse
                 : discOf(map, tilt, size, sphere_map::directionFromDisc));
 }
 
-/// F (or 1 - F) times a colour, by n.v = z: a table over [0, 1].
+/// F (or 1 - F) times a color, by n.v = z: a table over [0, 1].
 class ShareTable {
 public:
     ShareTable(const Fresnel& fresnel, FresnelShare share, const glm::dvec3& color)

@@ -25,7 +25,7 @@ std::span<const std::string_view> words(FresnelShare); // mirrored transmitted
 
 /// A light probe filtered through a lobe, times a Fresnel term: the look of a real material as a layer, to be painted over; the probe may
 /// be changed underneath later. The probe stands in eye space: its +Z, turned by the yaw and the tilt, lies behind the eye and is mirrored
-/// at the centre.
+/// at the center.
 struct ProbeLayer {
     static constexpr LayerKind kind{"probe", "Light probe", "a material under a light probe: lobe and Fresnel term baked in"};
     std::string source = "builtin:studio";
@@ -53,7 +53,7 @@ struct ProbeLayer {
         visit(Field{"lobe", "how the surface spreads what it mirrors; diffuse: the matt part"}, self.lobe);
         visit(Field{"exponent", "phong: the larger, the sharper", 0, 1e9}, self.exponent);
         visit(Field{"roughness", "ggx: 0 is a mirror, 1 fully rough; alpha is its square", 0, 1}, self.roughness);
-        visit(Field{"tint", "colour, linear RGB", 0, 1000}, self.tint);
+        visit(Field{"tint", "color, linear RGB", 0, 1000}, self.tint);
         visit(Field{"fresnel", "none: alike at every angle; dielectric: glass, lacquer; conductor: metal"}, self.fresnel);
         visit(Field{"index", "dielectric: index of refraction", 1e-3, 1e9}, self.index);
         visit(Field{"metal", "conductor: name of a metal"}, self.metal);

@@ -7,7 +7,7 @@ namespace mirrorball {
 
 namespace {
 
-/// Texels multiplied by their opacity to colours that are not.
+/// Texels multiplied by their opacity to colors that are not.
 MIRRORBALL_VECTOR_CLONES void unmultiplied(const float* __restrict texels, int count, ColorSpan& __restrict out, int first)
 {
     for (int i = 0; i < count; ++i) {

@@ -26,7 +26,7 @@ struct ToonBand {
 };
 
 /// Flat tones by the angle to a light, t = (n.l + 1)/2, a round highlight where n.h > cos(size) with h halfway between light and eye, and a
-/// rim along the outline. Without bands of one's own, `count` of them are mixed in Oklab from the shade's colour to the light's, with their
+/// rim along the outline. Without bands of one's own, `count` of them are mixed in Oklab from the shade's color to the light's, with their
 /// edges evenly spaced from `shade-end` to 1.
 struct ToonLayer {
     static constexpr LayerKind kind{"toon", "Toon bands", "flat tones from shade to light, a hard highlight, a rim"};

@@ -12,7 +12,7 @@ namespace {
 
 /// A circle on the disc; at least as wide as the disc where nothing better is known.
 struct Circle {
-    glm::vec2 centre{0.0f};
+    glm::vec2 center{0.0f};
     float radius = 4.0f;
 };
 
@@ -56,7 +56,7 @@ private:
                 if (const float length = glm::length(q); length > 1.0f) // what lies outside is drawn to the rim, which draws nothing apart
                     q /= length;
                 const Circle circle = m_around(q, spread);
-                const float r = half * circle.radius + reach, cx = half * (1.0f + circle.centre.x), cy = half * (1.0f - circle.centre.y);
+                const float r = half * circle.radius + reach, cx = half * (1.0f + circle.center.x), cy = half * (1.0f - circle.center.y);
                 const auto low = [](float v) { return static_cast<int>(std::floor(v)); };
                 use(TexelRect{x, y, std::min(x + edge, m_size), std::min(y + edge, m_size)},
                     TexelRect{low(cx - r), low(cy - r), low(cx + r) + 1, low(cy + r) + 1});

@@ -10,7 +10,7 @@ namespace mirrorball {
 
 /// A sketch of a window, as if mirrored in the ball: panes between bars, everything else transparent.
 ///
-/// The window is a rectangle in coordinates (u, v) about its centre c on the disc. Flat: (u, v) = q - c. Curved: lines on the tangent plane
+/// The window is a rectangle in coordinates (u, v) about its center c on the disc. Flat: (u, v) = q - c. Curved: lines on the tangent plane
 /// of the ball at c, (u, v) = (n.e1, n.e2) / (n.c), whose images bulge as those of straight bars in a mirror ball do. `curvature` mixes the
 /// two. Source: 000 section 4 and figure 15, first column.
 struct WindowLayer {
@@ -56,7 +56,7 @@ struct WindowLayer {
 
 SpanGenerator prepare(const WindowLayer& layer, const Level& level);
 
-/// The window's coordinates (u, v) of a place on the disc, from its centre, in disc radii:
+/// The window's coordinates (u, v) of a place on the disc, from its center, in disc radii:
 ///   (1 - curvature) (q - c).d + curvature (n.e) / (n.c)
 /// Places that face away from the window (n.c < 0.05) are far outside it.
 glm::dvec2 windowCoordinates(const WindowLayer& layer, const glm::dvec2& q);

@@ -19,7 +19,7 @@ inline glm::dvec3 cieObserver(double wavelength)
             1.217 * lobe(437.0, 11.8, 36.0) + 0.681 * lobe(459.0, 26.0, 13.8)};
 }
 
-/// CIE XYZ to linear Rec.709. Spectral colours lie outside its gamut: channels come out negative. Source: IEC 61966-2-1.
+/// CIE XYZ to linear Rec.709. Spectral colors lie outside its gamut: channels come out negative. Source: IEC 61966-2-1.
 inline glm::dvec3 rec709FromXyz(const glm::dvec3& xyz)
 {
     return {3.2406 * xyz.x - 1.5372 * xyz.y - 0.4986 * xyz.z, -0.9689 * xyz.x + 1.8758 * xyz.y + 0.0415 * xyz.z,

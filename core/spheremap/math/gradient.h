@@ -7,9 +7,9 @@
 
 namespace mirrorball {
 
-/// One colour everywhere.
+/// One color everywhere.
 struct FillLayer {
-    static constexpr LayerKind kind{"fill", "Fill", "one colour everywhere"};
+    static constexpr LayerKind kind{"fill", "Fill", "one color everywhere"};
     glm::dvec3 color{0.5};
     UnknownKeys unknown{};
 
@@ -21,8 +21,8 @@ struct FillLayer {
     }
 };
 
-/// What a gradient runs along. Radial: t = |q - centre| / radius. Linear: t = (q - centre).d / (2 radius) + 1/2, d at the angle. Angular:
-/// once around the centre, from the angle on. Shaded: t = (n.l + 1) / 2, from the point that faces away from a light to the one that faces
+/// What a gradient runs along. Radial: t = |q - center| / radius. Linear: t = (q - center).d / (2 radius) + 1/2, d at the angle. Angular:
+/// once around the center, from the angle on. Shaded: t = (n.l + 1) / 2, from the point that faces away from a light to the one that faces
 /// it.
 enum class GradientShape { Radial, Linear, Angular, Shaded };
 std::span<const std::string_view> words(GradientShape); // radial linear angular shaded
@@ -33,7 +33,7 @@ std::span<const std::string_view> words(GradientRepeat); // clamp repeat mirror
 
 struct GradientLayer {
     static constexpr LayerKind kind{"gradient", "Gradient",
-                                    "colours between stops, around a centre, across, around, or from shade to light"};
+                                    "colors between stops, around a center, across, around, or from shade to light"};
     GradientShape shape = GradientShape::Shaded;
     std::vector<GradientStop> stops{{0.0, {0.02, 0.02, 0.03}}, {1.0, {0.9, 0.88, 0.85}}};
     ColorMixing mixing = ColorMixing::Oklab;
@@ -50,14 +50,14 @@ struct GradientLayer {
     template <typename Self, typename Visit>
     static void visitFields(Self& self, Visit&& visit)
     {
-        visit(Field{"shape", "radial: around the centre; linear: across; angular: once around; shaded: by the angle to a light"},
+        visit(Field{"shape", "radial: around the center; linear: across; angular: once around; shaded: by the angle to a light"},
               self.shape);
-        visit(Field{"stops", "colours and where they stand", 0, 64}, self.stops);
+        visit(Field{"stops", "colors and where they stand", 0, 64}, self.stops);
         visit(Field{"mixing", "oklab: steps look even; linear: as light mixes"}, self.mixing);
         visit(Field{"repeat", "what happens past the ends"}, self.repeat);
-        visit(Field{"center-x", "radial, linear, angular: centre, to the right", -2, 2, "disc radii"}, self.centerX);
-        visit(Field{"center-y", "radial, linear, angular: centre, up", -2, 2, "disc radii"}, self.centerY);
-        visit(Field{"radius", "radial, linear: from the centre to the last stop", 1e-3, 4, "disc radii"}, self.radius);
+        visit(Field{"center-x", "radial, linear, angular: center, to the right", -2, 2, "disc radii"}, self.centerX);
+        visit(Field{"center-y", "radial, linear, angular: center, up", -2, 2, "disc radii"}, self.centerY);
+        visit(Field{"radius", "radial, linear: from the center to the last stop", 1e-3, 4, "disc radii"}, self.radius);
         visit(Field{"angle", "linear, angular: direction, counterclockwise from the right", -360, 360, "degrees"}, self.angleDeg);
         visit(Field{"azimuth", "shaded: the light, counterclockwise from the right", -360, 360, "degrees"}, self.azimuthDeg);
         visit(Field{"polar", "shaded: the light, away from the eye", 0, 180, "degrees"}, self.polarDeg);

@@ -13,7 +13,7 @@
 
 namespace mirrorball {
 
-/// A colour at a place of a gradient.
+/// A color at a place of a gradient.
 struct GradientStop {
     double position = 0.0;
     glm::dvec3 color{0.0};
@@ -30,7 +30,7 @@ struct GradientStop {
     }
 };
 
-/// How the colours between two stops are found: in Oklab, where steps look even and blue goes to yellow without mud, or in linear light,
+/// How the colors between two stops are found: in Oklab, where steps look even and blue goes to yellow without mud, or in linear light,
 /// as light itself mixes.
 enum class ColorMixing { Oklab, Linear };
 std::span<const std::string_view> words(ColorMixing); // oklab linear
@@ -44,7 +44,7 @@ public:
     struct Entry {
         float r, g, b, a;
     };
-    /// The colour at t, which is clamped to [0, 1].
+    /// The color at t, which is clamped to [0, 1].
     Entry at(float t) const
     {
         const float x = std::min(1.0f, std::max(0.0f, t)) * static_cast<float>(intervals);
@@ -54,7 +54,7 @@ public:
         return {p.r + f * (q.r - p.r), p.g + f * (q.g - p.g), p.b + f * (q.b - p.b), p.a + f * (q.a - p.a)};
     }
 
-    /// The colours at `count` places, each as at() gives it.
+    /// The colors at `count` places, each as at() gives it.
     void look(int count, const float* t, ColorSpan& out) const;
 
 private:

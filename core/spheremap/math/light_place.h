@@ -20,7 +20,7 @@ inline LightAngles lightAngles(const glm::dvec3& l)
     return {std::atan2(l.y, l.x) * 180.0 / pi, std::atan2(std::hypot(l.x, l.y), l.z) * 180.0 / pi};
 }
 
-/// A place at a distance from the centre, in the direction of an angle.
+/// A place at a distance from the center, in the direction of an angle.
 inline glm::dvec2 polarPlace(double radius, double angleDeg)
 {
     const double angle = angleDeg * pi / 180.0;

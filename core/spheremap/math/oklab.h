@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-/// Oklab: a space in which equal steps look about equally large, for mixing colours. L is lightness, a green to red, b blue to yellow.
+/// Oklab: a space in which equal steps look about equally large, for mixing colors. L is lightness, a green to red, b blue to yellow.
 /// Source: B. Ottosson, "A perceptual color space for image processing" (2020), with its matrices for linear Rec.709 (sRGB) primaries.
 namespace mirrorball::oklab {
 
-/// Linear Rec.709 to Oklab. Any real numbers: cube roots keep their sign, so HDR and wide-gamut colours survive the round trip.
+/// Linear Rec.709 to Oklab. Any real numbers: cube roots keep their sign, so HDR and wide-gamut colors survive the round trip.
 inline glm::dvec3 fromLinear(const glm::dvec3& c)
 {
     const double l = std::cbrt(0.4122214708 * c.r + 0.5363325363 * c.g + 0.0514459929 * c.b);
@@ -29,7 +29,7 @@ inline glm::dvec3 toLinear(const glm::dvec3& lab)
             -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s};
 }
 
-/// Both colours mixed in Oklab, back in linear light and not below 0.
+/// Both colors mixed in Oklab, back in linear light and not below 0.
 inline glm::dvec3 mixed(const glm::dvec3& from, const glm::dvec3& to, double t)
 {
     return glm::max(toLinear(glm::mix(fromLinear(from), fromLinear(to), t)), glm::dvec3(0.0));

@@ -17,7 +17,7 @@ struct CatmullRom {
     }
 };
 
-/// A picture at an image position (texel centres at i + 1/2), by Catmull-Rom splines over its nearest 4 x 4 texels; texels outside count as
+/// A picture at an image position (texel centers at i + 1/2), by Catmull-Rom splines over its nearest 4 x 4 texels; texels outside count as
 /// the nearest inside. Not below 0: the spline would undershoot beside a highlight.
 template <int channels>
 void sampleSmoothly(const Image& image, float x, float y, float* out)

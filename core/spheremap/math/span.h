@@ -12,7 +12,7 @@ namespace mirrorball {
 inline constexpr int spanLength = 256; ///< most texels in a run
 
 /// Where the texels of a run lie. The position in the disc (sphere/disc.h) is the normal of the ball that the disc is a picture of.
-/// Texels outside the disc stand for the nearest point of the rim: so colour continues past the edge, and a lookup at the rim never reads
+/// Texels outside the disc stand for the nearest point of the rim: so color continues past the edge, and a lookup at the rim never reads
 /// anything else.
 struct DiscSpan {
     int count = 0;
@@ -22,10 +22,10 @@ struct DiscSpan {
     alignas(64) float x[spanLength];   ///< unit normal, to the right
     alignas(64) float y[spanLength];   ///< up
     alignas(64) float z[spanLength];   ///< towards the viewer, 0 at the rim
-    alignas(64) float rho[spanLength]; ///< distance from the centre, at most 1
+    alignas(64) float rho[spanLength]; ///< distance from the center, at most 1
 };
 
-/// Colours of the texels of a run: linear RGB and opacity.
+/// Colors of the texels of a run: linear RGB and opacity.
 struct ColorSpan {
     alignas(64) float r[spanLength];
     alignas(64) float g[spanLength];
@@ -33,9 +33,9 @@ struct ColorSpan {
     alignas(64) float a[spanLength];
 };
 
-/// A layer made ready: fills a run with its colours, which are *not* multiplied by the opacity. Pure; called from many threads at once.
+/// A layer made ready: fills a run with its colors, which are *not* multiplied by the opacity. Pure; called from many threads at once.
 using SpanGenerator = std::function<void(const DiscSpan& at, ColorSpan& out)>;
-/// An adjustment made ready: changes the colours of what lies below, which are not multiplied by the opacity either.
+/// An adjustment made ready: changes the colors of what lies below, which are not multiplied by the opacity either.
 using SpanAdjustment = std::function<void(const DiscSpan& at, ColorSpan& below)>;
 
 inline void fill(ColorSpan& out, int count, float r, float g, float b)

@@ -43,7 +43,7 @@ struct Brush {
     static void visitFields(Self& self, Visit&& visit)
     {
         visit(Field{"mode", "paint covers, erase uncovers, smudge pushes what is there"}, self.mode);
-        visit(Field{"color", "colour of the paint, linear RGB", 0, 1000}, self.color);
+        visit(Field{"color", "color of the paint, linear RGB", 0, 1000}, self.color);
         visit(Field{"radius", "radius of the tip", smallestRadius, largestRadius, "disc radii"}, self.radius);
         visit(Field{"hardness", "part of the radius that covers fully; 1 has a sharp edge", 0, 1}, self.hardness);
         visit(Field{"flow", "how much one dab covers or pushes", 0, 1}, self.flow);
@@ -60,7 +60,7 @@ double radiusAt(const Brush& brush, double pressure);
 /// Strength of a dab under a pressure: flow (1 - k + k pressure) with k = pressureFlow.
 double strengthAt(const Brush& brush, double pressure);
 
-/// The falloff of one dab on a grid of texels: a p(d), with d the distance from its centre in texels.
+/// The falloff of one dab on a grid of texels: a p(d), with d the distance from its center in texels.
 ///   p = u^2 (3 - 2u),  u = clamp((outer^2 - d^2) / (outer^2 - inner^2), 0, 1)
 /// outer is the radius and inner hardness times it. The paint in a dab is the integral of p over the plane, pi m^2 with
 /// m^2 = (inner^2 + outer^2) / 2: an edge of less than a texel is drawn one texel wide about the circle m, and a tip with m under one texel

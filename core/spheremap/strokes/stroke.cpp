@@ -73,7 +73,7 @@ void checkFields(const std::string& path, const Stroke& stroke)
         const auto where = [&] { return path + ".points[" + std::to_string(i) + "]"; };
         if (!(std::abs(point.q.x) <= farthestPoint && std::abs(point.q.y) <= farthestPoint))
             throw InvalidArgument(where() + ": must lie within " + numberText(farthestPoint) +
-                                  " disc radii of the centre, as finite numbers");
+                                  " disc radii of the center, as finite numbers");
         if (!(point.pressure >= 0.0 && point.pressure <= 1.0))
             throw InvalidArgument(where() + ": has a pressure outside [0, 1]; pressure is the third number of a point");
     }

@@ -31,7 +31,7 @@ struct Stroke {
 inline constexpr double mostStrokes = 100000;               ///< in one list of strokes
 inline constexpr size_t mostStrokePoints = size_t{1} << 20; ///< in one list of strokes
 inline constexpr size_t mostDabs = size_t{1} << 21;         ///< in one list of strokes, symmetry included
-inline constexpr double farthestPoint = 4.0;                ///< of a coordinate from the centre, disc radii
+inline constexpr double farthestPoint = 4.0;                ///< of a coordinate from the center, disc radii
 
 /// Checks one stroke. @throws InvalidArgument naming point and field
 void checkFields(const std::string& path, const Stroke& stroke);

@@ -59,7 +59,7 @@ void paintTile(std::span<const TexelStroke> strokes, const TexelRect& tile, floa
 /// @param raster  square, four channels
 void paintTiles(Image& raster, std::span<const TexelStroke> strokes, const TileSet& tiles, const JobControl& job = {});
 
-/// `tiles` and all that must be painted beside them, because a smudge carries colour from there.
+/// `tiles` and all that must be painted beside them, because a smudge carries color from there.
 TileSet closeForSmudging(TileSet tiles, std::span<const TexelStroke> strokes, int size);
 
 /// All strokes on an empty raster of size x size. The same bytes on any number of threads.

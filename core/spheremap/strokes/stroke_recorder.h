@@ -8,7 +8,7 @@ namespace mirrorball {
 
 /// Turns the samples of a pen into the points of strokes.
 ///
-/// A hand's curve comes in as corners, a hundred a second. The recorder joins the middles of neighbouring samples by quadratic curves with
+/// A hand's curve comes in as corners, a hundred a second. The recorder joins the middles of neighboring samples by quadratic curves with
 /// the samples as control points (a uniform quadratic B-spline): smooth, nowhere beyond the samples, and with a point that once stands
 /// never moved again, so that what is drawn so far is drawn. Numbers are rounded to 1e-5 of the disc's radius, 1/100 of a texel at 2048, to
 /// keep files short.

@@ -8,8 +8,8 @@
 
 namespace mirrorball {
 
-/// Repeats a stroke about the centre of the disc: turned `radial` times, and mirrored in a line through the centre. Turning and mirroring
-/// the disc about its centre turns and mirrors the sphere about +Z, so what is symmetric on the disc is symmetric on the model.
+/// Repeats a stroke about the center of the disc: turned `radial` times, and mirrored in a line through the center. Turning and mirroring
+/// the disc about its center turns and mirrors the sphere about +Z, so what is symmetric on the disc is symmetric on the model.
 struct Symmetry {
     int radial = 1;
     bool mirror = false;
@@ -20,7 +20,7 @@ struct Symmetry {
     template <typename Self, typename Visit>
     static void visitFields(Self& self, Visit&& visit)
     {
-        visit(Field{"radial", "how often a stroke repeats around the centre", 1, 64}, self.radial);
+        visit(Field{"radial", "how often a stroke repeats around the center", 1, 64}, self.radial);
         visit(Field{"mirror", "also draws the mirror image"}, self.mirror);
         visit(Field{"axis", "the mirror line, counterclockwise from the right: 90 exchanges left and right", -360, 360, "degrees"},
               self.axisDeg);

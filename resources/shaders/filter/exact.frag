@@ -20,9 +20,9 @@ vec4 sumOver(vec3 r, int left)
     // A cap that holds the point of projection, or nearly, covers whatever it meets of the disc: look at all of it.
     vec3 circle = r.z + reach.x > 0.01 ? circleOfCap(r, reach.x, reach.y) : vec3(0.0, 0.0, 4.0);
     float middle = 0.5 * halves.x;
-    vec2 centre = middle + halves.y * vec2(circle.x, -circle.y);
+    vec2 center = middle + halves.y * vec2(circle.x, -circle.y);
     float radius = halves.y * circle.z;
-    ivec2 first = max(ivec2(0), ivec2(floor(centre - radius))), last = min(ivec2(halves.x - 1.0), ivec2(floor(centre + radius)));
+    ivec2 first = max(ivec2(0), ivec2(floor(center - radius))), last = min(ivec2(halves.x - 1.0), ivec2(floor(center + radius)));
     vec4 sum = vec4(0.0);
     for (int y = first.y; y <= last.y; ++y) {
         vec4 rowSum = vec4(0.0); // by rows, so that rounding does not add up over the whole kernel

@@ -1,5 +1,5 @@
 #pragma once
-// Twin: core/sphere/angular_map. The distance from the centre is the angle from +Z over pi; a picture from inside, -X on the right.
+// Twin: core/sphere/angular_map. The distance from the center is the angle from +Z over pi; a picture from inside, -X on the right.
 vec3 angularCoordinate(vec3 d, float size)
 {
     const float pi = 3.14159265358979;

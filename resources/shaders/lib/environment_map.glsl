@@ -8,7 +8,7 @@
 // Twin: EnvironmentMap::radiance in core/image/environment_map on every level.
 //
 // The level is not left to the hardware: that measures how fast texture coordinates run, and they jump at every seam. What runs
-// smoothly is the direction itself. Neighbouring pixels are |dd/dx| apart in radians, a texel of level 0 spans texelAngle, so
+// smoothly is the direction itself. Neighboring pixels are |dd/dx| apart in radians, a texel of level 0 spans texelAngle, so
 //   lod = log2(max(|dd/dx|, |dd/dy|) / texelAngle),
 // a bias may move it, and lambda is the least level that may be used: max(lod + bias, lambda), a clamp and not a bias. Source: 002
 // section 2.

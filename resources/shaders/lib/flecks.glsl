@@ -19,7 +19,7 @@ vec3 unitFloats(uvec3 hash)
 }
 struct FleckPlace {
     vec3 own;       // offset of the lookup, and 1 for a fleck
-    vec3 neighbour; // of the nearest other cell
+    vec3 neighbor; // of the nearest other cell
     float border;   // to that one, in cells
 };
 vec3 fleckCell(uvec3 hash)

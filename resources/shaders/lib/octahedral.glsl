@@ -8,7 +8,7 @@ vec3 octahedralCoordinate(vec3 d, float size)
     return vec3(0.5 * size * (1.0 + p), 0.0);
 }
 
-// A texel of side 2/N on the plan lies at the distance 1/s from the centre, s = |x| + |y| + |z|: d omega = s^3 dA.
+// A texel of side 2/N on the plan lies at the distance 1/s from the center, s = |x| + |y| + |z|: d omega = s^3 dA.
 float octahedralTexelAngle(vec3 d, float size)
 {
     float s = abs(d.x) + abs(d.y) + abs(d.z);

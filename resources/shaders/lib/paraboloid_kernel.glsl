@@ -8,7 +8,7 @@ vec3 liftFromPlane(vec2 q)
     return scale * vec3(2.0 * q, 1.0 - q2);
 }
 
-// The cap of angle t about r is a circle in the plane: xy its centre, z its radius.
+// The cap of angle t about r is a circle in the plane: xy its center, z its radius.
 vec3 circleOfCap(vec3 r, float cosT, float sinT)
 {
     return vec3(r.xy, sinT) / (r.z + cosT);

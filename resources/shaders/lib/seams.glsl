@@ -1,5 +1,5 @@
 #pragma once
-// Where a map's texels are no neighbours although their directions are: SEAMS_OF in the order of core's enum of parameterizations.
+// Where a map's texels are no neighbors although their directions are: SEAMS_OF in the order of core's enum of parameterizations.
 struct Seam {
     vec3 across; // unit; |across . d| is the angle from d to the nearest seam, to first order
     int chart;   // that d lies in

@@ -1,5 +1,5 @@
 #pragma once
-// What is seen through a window in the plane z = 0, the room towards +Z: the place in a sphere map whose centre lies straight ahead. Twin:
+// What is seen through a window in the plane z = 0, the room towards +Z: the place in a sphere map whose center lies straight ahead. Twin:
 // core/preview/window_view. Source: 003 section 4. A layer at depth D is a picture that is right for an eye at `reference` before the pane's
 // middle; seen from elsewhere it shifts with D / (D + reference distance), as what stands there does.
 // WINDOW_SPACE 0: indexed by the reflected eye vector in the camera's axes, its roll cancelled, as hardware of 1999 could: it turns with the

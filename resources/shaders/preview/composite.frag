@@ -1,4 +1,4 @@
-// The background, and over it the mean of the object's samples: BACKGROUND (0 none, 1 colour, 2 environment), OBJECT_SAMPLES (0 where
+// The background, and over it the mean of the object's samples: BACKGROUND (0 none, 1 color, 2 environment), OBJECT_SAMPLES (0 where
 // the object is not), OUTPUT_RADIANCE.
 #include "lib/output.glsl"
 #if BACKGROUND == 2

@@ -1,7 +1,7 @@
 // One triangle that covers the screen, with the direction that each pixel sees.
 uniform mat3 cameraToWorld;
 uniform vec3 halfExtent; // tan of half the field of view across and up
-out vec3 direction;      // from the eye, not normalised: linear on the screen
+out vec3 direction;      // from the eye, not normalized: linear on the screen
 
 void main()
 {

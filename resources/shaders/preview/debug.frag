@@ -1,6 +1,6 @@
 // What a material is computed from: SHADING 1 wireframe, 2 normals, 3 texture coordinates, 4 seams, 5 mip levels, 6 and 7 the ground that
 // lines are drawn over; HAS_SPECULAR says
-// whether there is a map to have levels; LEVEL_VALUE: the level itself in place of its color. Colours are meant for the display: neither exposed nor tone-mapped.
+// whether there is a map to have levels; LEVEL_VALUE: the level itself in place of its color. Colors are meant for the display: neither exposed nor tone-mapped.
 #include "lib/surface_point.glsl"
 #if ENCODED // nothing comes after
 #include "lib/color.glsl"

@@ -95,8 +95,8 @@ vec4 paintedColor(vec2 place)
     vec4 near = vec4(0.0), mean = vec4(0.0);
     if (far < 1.0) {
         FleckPlace cells = fleckPlace(worldPosition);
-        vec4 own = painted(place + cells.own.xy, dx, dy), neighbour = painted(place + cells.neighbour.xy, dx, dy);
-        near = mix(neighbour, own, clamp(0.5 + cells.border / pixel, 0.5, 1.0));
+        vec4 own = painted(place + cells.own.xy, dx, dy), neighbor = painted(place + cells.neighbor.xy, dx, dy);
+        near = mix(neighbor, own, clamp(0.5 + cells.border / pixel, 0.5, 1.0));
     }
     if (far > 0.0)
         mean = mix(painted(place, dx, dy), meanOfFlecks(place, dx, dy), flecks.x);

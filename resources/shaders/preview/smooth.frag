@@ -1,4 +1,4 @@
-// Puts what is closed to a second look at the object in front of it, at depth 0: pixels that look like their neighbours. Pixels at an edge,
+// Puts what is closed to a second look at the object in front of it, at depth 0: pixels that look like their neighbors. Pixels at an edge,
 // where one lookup a pixel cannot tell how much of the pixel lies on either side, keep their depth. OBJECT_SAMPLES: as many as were drawn.
 #if OBJECT_SAMPLES > 1
 uniform sampler2DMS objectSamples;

@@ -1,4 +1,4 @@
-// A room with a window: what lies outside is one sphere map, or up to three as layers in depth; the room is lit by their mean colour.
+// A room with a window: what lies outside is one sphere map, or up to three as layers in depth; the room is lit by their mean color.
 // WINDOW_LAYERS 1 to 3, the nearest first; WINDOW_SPACE as in lib/window_view.glsl.
 #include "lib/output.glsl"
 #include "lib/window_view.glsl"
@@ -11,7 +11,7 @@ uniform sampler2D windowLayer2;
 #endif
 uniform vec4 layerDepths;
 uniform vec4 viewer;
-uniform vec4 pane; // centre and half size
+uniform vec4 pane; // center and half size
 in vec3 worldPosition;
 in vec3 worldNormal;
 in vec2 texCoord;

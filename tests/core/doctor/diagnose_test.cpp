@@ -267,9 +267,9 @@ TEST(Diagnosis, FindsTheLawWithoutAProbe)
 
 TEST(Diagnosis, SaysThatAConstantEnvironmentTellsNoOrientation)
 {
-    const EnvironmentMap grey = constantProbe(64);
+    const EnvironmentMap gray = constantProbe(64);
     const Diagnosis d =
-        diagnose(stored(filteredChain(grey, {.size = 16, .levels = 3, .lobe = lobesOf(RoughnessLaw::Filament, 3, 16)})), grey);
+        diagnose(stored(filteredChain(gray, {.size = 16, .levels = 3, .lobe = lobesOf(RoughnessLaw::Filament, 3, 16)})), gray);
     ASSERT_NE(finding(d, "orientation", Severity::Note), nullptr) << diagnosisText(d);
     EXPECT_FALSE(d.orientation->certain());
 }

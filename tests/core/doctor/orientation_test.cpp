@@ -56,7 +56,7 @@ TEST(Orientation, TurnsPicturesClockwise)
 TEST(DegreeParts, AddUpToTheEnvironment)
 {
     // A band-limited environment: the probe through a wide lobe. Its parts, each with the lobe's factor, are the filtered map.
-    const Spectrum spectrum = analyse(axesProbe(), 48);
+    const Spectrum spectrum = analyze(axesProbe(), 48);
     const std::vector<double> k = legendreCoefficients(phongLobe(20.0), 48);
     FilterSource source(axesProbe());
     const EnvironmentMap filtered =

@@ -13,7 +13,7 @@
 /// Prefiltered chains with faults planted.
 namespace mirrorball::test {
 
-/// An environment without symmetry, of which every side has its colour and its letters.
+/// An environment without symmetry, of which every side has its color and its letters.
 inline const EnvironmentMap& axesProbe()
 {
     static const EnvironmentMap probe = renderBuiltinProbe("axes", {Parameterization::Latlong, 256, 0});

@@ -20,7 +20,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr double step = 0.02; ///< tolerance of the colours that were read off in the engines
+constexpr double step = 0.02; ///< tolerance of the colors that were read off in the engines
 
 const EnvironmentMap& axes()
 {
@@ -98,19 +98,19 @@ TEST(EngineExport, LatlongsAreTurnedAsTheEngineLooksThemUp)
 {
     const test::TemporaryFolder folder;
     const EnvironmentMap& ours = axes();
-    // What the centre of the picture shows, as a direction of ours.
-    const std::map<std::string, glm::dvec3> centres{{"three", {1, 0, 0}},   {"model-viewer", {1, 0, 0}}, {"blender", {1, 0, 0}},
+    // What the center of the picture shows, as a direction of ours.
+    const std::map<std::string, glm::dvec3> centers{{"three", {1, 0, 0}},   {"model-viewer", {1, 0, 0}}, {"blender", {1, 0, 0}},
                                                     {"godot", {0, 0, 1}},   {"usd", {0, 0, 1}},          {"unity", {-1, 0, 0}},
                                                     {"unreal", {0, 0, -1}}, {"materialx", {0, 0, -1}}};
-    for (const auto& [engine, centre] : centres) {
+    for (const auto& [engine, center] : centers) {
         const EngineExport done = exported(engine, folder / engine);
         std::filesystem::path picture;
         for (const auto& file : done.files)
             if (file.extension() == ".hdr" || file.extension() == ".exr")
                 picture = file;
         const EnvironmentMap map = readProbe(picture.string()).map;
-        const glm::dvec3 aside = glm::normalize(centre + 0.3 * glm::cross(centre, glm::dvec3(0, 1, 0)) + glm::dvec3(0, 0.2, 0));
-        const double turn = std::atan2(centre.x, centre.z);
+        const glm::dvec3 aside = glm::normalize(center + 0.3 * glm::cross(center, glm::dvec3(0, 1, 0)) + glm::dvec3(0, 0.2, 0));
+        const double turn = std::atan2(center.x, center.z);
         EXPECT_LT(glm::distance(map.radiance(yawed(aside, -turn)), ours.radiance(aside)), step) << engine;
     }
 }

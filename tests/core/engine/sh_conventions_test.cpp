@@ -15,7 +15,7 @@
 namespace mirrorball {
 namespace {
 
-RadianceSh axesSh() { return radianceSh(analyse(renderBuiltinProbe("axes", {Parameterization::Latlong, 128, 0}), 2)); }
+RadianceSh axesSh() { return radianceSh(analyze(renderBuiltinProbe("axes", {Parameterization::Latlong, 128, 0}), 2)); }
 
 /// Filament's shader: a polynomial of the normal with the coefficients as they stand.
 glm::dvec3 filamentShader(const std::array<glm::dvec3, 9>& c, const glm::dvec3& n)
@@ -57,7 +57,7 @@ TEST(ShConventions, OfTheAxesProbeAreTheFiguresThatBabylonComputes)
 
 TEST(ShConventions, GltfIsIrradianceInOrthonormalHarmonics)
 {
-    const RadianceSh constant = radianceSh(analyse(test::constantProbe(64), 2));
+    const RadianceSh constant = radianceSh(analyze(test::constantProbe(64), 2));
     EXPECT_NEAR(inConvention(constant, ShConvention::Gltf)[0].r * shNorm(0), pi, 1e-4) << "E of a constant 1 is pi";
 }
 

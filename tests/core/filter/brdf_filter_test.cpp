@@ -115,7 +115,7 @@ TEST(SpinTransform, GathersLightByItsAzimuthAboutEveryDirection)
     probe.image.texel(5, 11)[1] = 1.0f;
     const glm::dvec3 d = texelDirection(probe.layout, 5, 11);
     const double light = texelSolidAngle(probe.layout, 5, 11);
-    const Spectrum spectrum = analyse(probe, bandLimit);
+    const Spectrum spectrum = analyze(probe, bandLimit);
     for (const int m : {0, 1, 2, 3, 4, 7, 12}) {
         std::vector<double> k(bandLimit + 1);
         for (int l = m; l <= bandLimit; ++l)
@@ -129,7 +129,7 @@ TEST(SpinTransform, GathersLightByItsAzimuthAboutEveryDirection)
             rings.azimuth.push_back(azimuth);
             places.push_back(directionFromLonLat(pi - azimuth, pi / 2 - theta));
         }
-        const OrderMap map = synthesiseOrder(spectrum, 1, m, k, rings);
+        const OrderMap map = synthesizeOrder(spectrum, 1, m, k, rings);
         std::vector<double> lambda(bandLimit + 1);
         for (size_t i = 0; i < places.size(); ++i) {
             const Tangents at = tangentsAt(places[i]);

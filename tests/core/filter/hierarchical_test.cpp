@@ -55,7 +55,7 @@ TEST(Hierarchical, ItsNodesHoldWhatTheirTexelsHold)
     EXPECT_NEAR(root.solidAngle, 4.0 * pi, 1e-12);
     for (int c = 0; c < 3; ++c)
         EXPECT_NEAR(root.flux[c] / flux[c], 1.0, 1e-12);
-    EXPECT_NEAR(glm::length(root.centre), 0.0, 1e-12);
+    EXPECT_NEAR(glm::length(root.center), 0.0, 1e-12);
     EXPECT_NEAR(root.spread, 1.0, 1e-12); // of unit vectors about the origin
 }
 

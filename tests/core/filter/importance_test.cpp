@@ -33,7 +33,7 @@ TEST(Importance, SamplesFollowTheLobe)
         }
         EXPECT_NEAR((1.0 - c) / (1.0 - k[1]), 1.0, 2e-3) << describe(lobe);
         EXPECT_NEAR((1.0 - c2) / (1.0 - k[2]), 1.0, 2e-3) << describe(lobe);
-        EXPECT_LE(std::hypot(sum.x, sum.y), 1e-3) << describe(lobe); // no side is favoured
+        EXPECT_LE(std::hypot(sum.x, sum.y), 1e-3) << describe(lobe); // no side is favored
     }
 }
 

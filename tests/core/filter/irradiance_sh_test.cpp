@@ -39,7 +39,7 @@ double largestDifference(const RadianceSh& a, const RadianceSh& b)
 TEST(IrradianceSh, CoefficientsFromTheSpectrumAreTheSumsOverTheTexels)
 {
     const EnvironmentMap probe = test::noiseProbe(32, 4);
-    EXPECT_LT(largestDifference(radianceSh(analyse(probe, 4)), summed(probe)), 1e-9);
+    EXPECT_LT(largestDifference(radianceSh(analyze(probe, 4)), summed(probe)), 1e-9);
 }
 
 TEST(IrradianceSh, TurningThemIsTurningTheProbe)

@@ -135,14 +135,14 @@ TEST(ParaboloidKernel, ACapIsTheCircleItsBoundaryProjectsTo)
                 const double angle = 2.0 * pi * i / 100.0;
                 const glm::dvec3 p = std::cos(t) * r + std::sin(t) * (std::cos(angle) * u + std::sin(angle) * v);
                 const glm::dvec2 q = glm::dvec2(p.x, p.y) / (1.0 + p.z);
-                ASSERT_NEAR(glm::distance(q, circle.centre), circle.radius, 1e-10 * (1.0 + circle.radius));
+                ASSERT_NEAR(glm::distance(q, circle.center), circle.radius, 1e-10 * (1.0 + circle.radius));
             }
-            // The centre of the circle is not the projection of the cap's centre, except in the middle.
+            // The center of the circle is not the projection of the cap's center, except in the middle.
             const glm::dvec2 projected = glm::dvec2(r.x, r.y) / (1.0 + r.z);
             if (glm::length(projected) < 1e-9) {
-                EXPECT_LT(glm::distance(projected, circle.centre), 1e-12);
+                EXPECT_LT(glm::distance(projected, circle.center), 1e-12);
             } else if (t > 0.1) {
-                EXPECT_GT(glm::distance(projected, circle.centre), 0.01 * circle.radius);
+                EXPECT_GT(glm::distance(projected, circle.center), 0.01 * circle.radius);
             }
         }
 }

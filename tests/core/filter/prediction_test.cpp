@@ -167,13 +167,13 @@ TEST(Prediction, AutoNeverTakesWhatMissesTheTolerance)
 
 TEST(Prediction, RingGridReadsInFloatWhatTheRingsHoldInDouble)
 {
-    const Spectrum spectrum = analyse(test::sunProbe(64, 1e5f, 20, 17), 64);
+    const Spectrum spectrum = analyze(test::sunProbe(64, 1e5f, 20, 17), 64);
     const std::vector<double> k = legendreCoefficients(phongLobe(60), 64);
     const MapLayout layout{Parameterization::Latlong, 20, 0};
     std::vector<double> theta;
     for (int y = 0; y < 20; ++y)
         theta.push_back(pi * (y + 0.5) / 20);
-    const FilteredRings rings = synthesise(spectrum, k, theta, 40, pi / 40, std::vector<std::complex<double>>(65, 1.0), {});
+    const FilteredRings rings = synthesize(spectrum, k, theta, 40, pi / 40, std::vector<std::complex<double>>(65, 1.0), {});
     const RingGrid grid(spectrum, k, 512, 0.0);
     const std::vector<SpherePoint> points = spherePoints(layout);
     std::vector<float> values(4 * points.size());

@@ -53,7 +53,7 @@ std::vector<Method> methodsFor(const Lobe& lobe)
 
 double largest(const EnvironmentMap& map) { return *std::max_element(map.image.texels.begin(), map.image.texels.end()); }
 
-TEST(Reference, OfOneTexelIsTheNormalisedKernel)
+TEST(Reference, OfOneTexelIsTheNormalizedKernel)
 {
     // Directions far enough from the lobe's own sampling error: E(r) = L w k(r.d) / N, with N = 1 up to the quadrature of 128 rows.
     const EnvironmentMap probe = sunProbe(128, 1e6f, 40, 50);
@@ -72,7 +72,7 @@ TEST(Reference, OfOneTexelIsTheNormalisedKernel)
 
 TEST(Reference, SurvivesExponentsThatUnderflowEveryTexel)
 {
-    // cos^n of the nearest texel centre is exp(-1e6) here; the sum must still be that texel's neighbourhood, not 0/0.
+    // cos^n of the nearest texel center is exp(-1e6) here; the sum must still be that texel's neighborhood, not 0/0.
     const EnvironmentMap probe = noiseProbe(16, 1);
     const std::vector<glm::dvec3> r{directionFromLonLat(0.3, 0.2), {0, 1, 0}, {0, -1, 0}};
     for (const double n : {1e6, 1e9})
@@ -149,7 +149,7 @@ TEST(Prefilter, ALobeOnAPoleIsNoSpecialCase)
     const auto direct = directSum(probe, phongLobe(100), poles);
     for (size_t i = 0; i < poles.size(); ++i)
         EXPECT_NEAR(direct[i].x / reference[i].x, 1.0, 1e-9);
-    // Odd sizes of these maps have a texel centre exactly on a pole (octahedral: both).
+    // Odd sizes of these maps have a texel center exactly on a pole (octahedral: both).
     const ErrorMetrics e =
         againstReference(probe, {.lobe = phongLobe(100), .target = {Parameterization::Octahedral, 9, 0}, .method = Method::Spectral});
     EXPECT_LE(e.relRms, 1e-5);
@@ -234,14 +234,14 @@ TEST(Prefilter, AStreamedProbeGivesTheSameMap)
     const EnvironmentMap probe = noiseProbe(64, 13);
     const PrefilterOptions options{.lobe = phongLobe(50), .target = {Parameterization::Cube, 12, 0}};
     const PrefilterPlan plan = planPrefilter(options, {.width = 128, .streamed = true});
-    FilterSource streamed(analyse(probe, plan.bandLimit));
+    FilterSource streamed(analyze(probe, plan.bandLimit));
     EXPECT_EQ(streamed.latlong(), nullptr);
     EXPECT_LE(errorMetrics(prefilter(streamed, options).map, filtered(probe, options)).relRms, 1e-6);
 }
 
 TEST(Prefilter, AStreamedProbeRefusesWhatNeedsItsTexels)
 {
-    FilterSource streamed(analyse(noiseProbe(32, 1), 40));
+    FilterSource streamed(analyze(noiseProbe(32, 1), 40));
     PrefilterOptions options{.lobe = phongLobe(1e9), .target = {Parameterization::Cube, 4, 0}};
     EXPECT_THROW(prefilter(streamed, options), InvalidArgument);
     options = {.lobe = phongLobe(20), .target = {Parameterization::Cube, 4, 0}, .method = Method::Direct};

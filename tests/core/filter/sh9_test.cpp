@@ -29,7 +29,7 @@ TEST(Sh9, IsExactForQuadraticsOfTheDirection)
             for (int c = 0; c < 3; ++c)
                 probe.image.texel(x, y)[c] = static_cast<float>(quadratic(texelDirection(probe.layout, x, y), 1.0, 1.0));
     const double yaw = 0.6;
-    const EnvironmentMap map = filterSh9(analyse(probe, 2), cube, yaw);
+    const EnvironmentMap map = filterSh9(analyze(probe, 2), cube, yaw);
     for (int y = 0; y < map.image.height; ++y)
         for (int x = 0; x < map.image.width; ++x)
             ASSERT_NEAR(map.image.texel(x, y)[1], quadratic(yawed(texelDirection(cube, x, y), -yaw), 2.0 / 3.0, 0.25), 2e-5);
@@ -77,7 +77,7 @@ TEST(Sh9, RefusesOtherLobesByName)
 TEST(Sh9, RunsOnAStreamedProbe)
 {
     const EnvironmentMap probe = test::noiseProbe(64, 13);
-    FilterSource streamed(analyse(probe, 24)), whole(probe);
+    FilterSource streamed(analyze(probe, 24)), whole(probe);
     const PrefilterOptions options{.lobe = diffuseLobe(), .target = cube, .method = Method::Sh9};
     EXPECT_LE(errorMetrics(prefilter(streamed, options).map, prefilter(whole, options).map).relRms, 1e-6);
 }

@@ -63,7 +63,7 @@ double largestDifference(const Spectrum& a, const Spectrum& b)
 TEST_F(SpectrumFile, PartsAddUpToTheSpectrumOfTheProbe)
 {
     const SpectrumPart sum = addSpectra({stored(part(40, 64, 0.0)), stored(part(0, 7, 0.0)), stored(part(7, 40, 0.0))});
-    const Spectrum whole = analyse(probe, 60);
+    const Spectrum whole = analyze(probe, 60);
     EXPECT_TRUE(sum.isWhole());
     EXPECT_LT(largestDifference(sum.calm, whole), 1e-9 * whole.peak);
     EXPECT_EQ(sum.calm.unit, whole.unit);
@@ -77,7 +77,7 @@ TEST_F(SpectrumFile, WhatIsTakenOutAndTheRestAreTheProbe)
     EXPECT_EQ(whole.bright.changes.size(), 4u);
     EXPECT_LE(whole.calm.peak, 1000.0);
     FilterSource source = filterSource(std::move(whole));
-    EXPECT_LT(largestDifference(source.spectrum(60), analyse(probe, 60)), 1e-8 * 5000.0);
+    EXPECT_LT(largestDifference(source.spectrum(60), analyze(probe, 60)), 1e-8 * 5000.0);
 }
 
 TEST_F(SpectrumFile, FiltersAsItsProbeDoesWithinTheTolerance)

@@ -13,7 +13,7 @@ using test::noiseProbe;
 
 TEST(Spectrum, OfAConstantIsItsMean)
 {
-    const Spectrum s = analyse(constantProbe(64, 2.0f), 10);
+    const Spectrum s = analyze(constantProbe(64, 2.0f), 10);
     EXPECT_NEAR(s.coefficients[0][s.index(0, 0)].real(), 2.0 * std::sqrt(4.0 * pi), 1e-12);
     for (int l = 1; l <= 10; ++l)
         for (int m = 1; m <= l; ++m)
@@ -27,7 +27,7 @@ TEST(Spectrum, OfOneTexelFollowsTheAdditionTheorem)
     EnvironmentMap probe = constantProbe(32, 0.0f);
     probe.image.texel(5, 9)[0] = 3.0f;
     const double flux = 3.0 * texelSolidAngle(probe.layout, 5, 9);
-    const Spectrum s = analyse(probe, 100); // far beyond what 64 columns resolve
+    const Spectrum s = analyze(probe, 100); // far beyond what 64 columns resolve
     for (int l = 0; l <= 100; ++l) {
         double power = 0.0;
         for (int m = 0; m <= l; ++m)
@@ -38,7 +38,7 @@ TEST(Spectrum, OfOneTexelFollowsTheAdditionTheorem)
 
 TEST(Spectrum, OfAConstantHasNoPowerAboutItsMean)
 {
-    const std::vector<double> power = analyse(constantProbe(16, 3.0f), 80).powerAboutMean();
+    const std::vector<double> power = analyze(constantProbe(16, 3.0f), 80).powerAboutMean();
     EXPECT_NEAR(power[0], 3 * 9.0 * 4.0 * pi, 1e-9);
     for (size_t l = 1; l < power.size(); ++l)
         EXPECT_LT(power[l], 1e-24);
@@ -47,8 +47,8 @@ TEST(Spectrum, OfAConstantHasNoPowerAboutItsMean)
 TEST(Spectrum, TruncatingRowsIsExact)
 {
     const EnvironmentMap probe = noiseProbe(64, 3);
-    const Spectrum truncated = analyse(probe, 12); // keeps rows of 128 texels at 30 samples
-    const Spectrum whole = analyse(probe, 90);     // keeps them whole
+    const Spectrum truncated = analyze(probe, 12); // keeps rows of 128 texels at 30 samples
+    const Spectrum whole = analyze(probe, 90);     // keeps them whole
     for (int m = 0; m <= 12; ++m)
         for (int l = m; l <= 12; ++l)
             EXPECT_NEAR(std::abs(truncated.coefficients[2][truncated.index(l, m)] - whole.coefficients[2][whole.index(l, m)]), 0.0, 1e-12);
@@ -61,26 +61,26 @@ TEST(Spectrum, BuiltBlockByBlockIsTheSame)
     for (int y = 0; y < 50; y += 7)
         builder.addRows(y, std::min(7, 50 - y), probe.image.row(y));
     const Spectrum streamed = builder.finish();
-    EXPECT_EQ(streamed.coefficients, analyse(probe, 20).coefficients);
-    EXPECT_EQ(streamed.peak, analyse(probe, 20).peak);
+    EXPECT_EQ(streamed.coefficients, analyze(probe, 20).coefficients);
+    EXPECT_EQ(streamed.peak, analyze(probe, 20).peak);
 }
 
 TEST(Spectrum, OfAConstantOneIsKnownBelowAndBeyondTheRowsLength)
 {
     // Beyond the length of a row the constant is no longer zonal on the rings: both ways of getting its spectrum must be the transform's.
     for (const int bandLimit : {20, 70}) {
-        const Spectrum s = analyse(constantProbe(32), bandLimit);
+        const Spectrum s = analyze(constantProbe(32), bandLimit);
         for (size_t i = 0; i < s.unit.size(); ++i)
             EXPECT_NEAR(std::abs(s.unit[i] - s.coefficients[0][i]), 0.0, 1e-12);
     }
-    const Spectrum s = analyse(constantProbe(32), 70);
+    const Spectrum s = analyze(constantProbe(32), 70);
     EXPECT_GT(std::abs(s.unit[s.index(70, 64)]), 1e-3);
 }
 
 TEST(Spectrum, DoesNotDependOnThreads)
 {
     const EnvironmentMap probe = noiseProbe(64, 5);
-    EXPECT_EQ(analyse(probe, 40, {.threads = 1}).coefficients, analyse(probe, 40, {.threads = 2}).coefficients);
+    EXPECT_EQ(analyze(probe, 40, {.threads = 1}).coefficients, analyze(probe, 40, {.threads = 2}).coefficients);
 }
 
 TEST(Spectrum, OfTinyProbesIsFinite)
@@ -88,7 +88,7 @@ TEST(Spectrum, OfTinyProbesIsFinite)
     for (const int width : {1, 2}) {
         EnvironmentMap probe(MapLayout{Parameterization::Latlong, 1, 0});
         probe.image = Image(width, 1, 3, 2.5f);
-        const Spectrum s = analyse(probe, 8);
+        const Spectrum s = analyze(probe, 8);
         EXPECT_NEAR(s.coefficients[0][0].real(), 2.5 * std::sqrt(4.0 * pi), 1e-12);
     }
 }

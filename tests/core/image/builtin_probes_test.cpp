@@ -26,19 +26,19 @@ dvec3 texelAt(const EnvironmentMap& map, int x, int y)
     return {t[0], t[1], t[2]};
 }
 
-/// The sum of radiance times solid angle over the texels whose centres lie within `angle` of `centre`.
-dvec3 energyAround(const EnvironmentMap& map, const dvec3& centre, double angle)
+/// The sum of radiance times solid angle over the texels whose centers lie within `angle` of `center`.
+dvec3 energyAround(const EnvironmentMap& map, const dvec3& center, double angle)
 {
     dvec3 sum(0.0);
     for (int y = 0; y < map.image.height; ++y)
         for (int x = 0; x < map.image.width; ++x)
             if (const double w = texelSolidAngle(map.layout, x, y); w > 0.0)
-                if (angle >= pi || glm::dot(texelDirection(map.layout, x, y), centre) > std::cos(angle))
+                if (angle >= pi || glm::dot(texelDirection(map.layout, x, y), center) > std::cos(angle))
                     sum += w * texelAt(map, x, y);
     return sum;
 }
 
-/// What an observer at the centre sees when he looks along `forward` with `up` above: right and up in [-1, 1] to a direction.
+/// What an observer at the center sees when he looks along `forward` with `up` above: right and up in [-1, 1] to a direction.
 struct View {
     dvec3 forward, up;
     dvec3 at(double right, double above) const { return forward + right * glm::cross(forward, up) + above * up; }
@@ -246,13 +246,13 @@ TEST(Sky, KeepsTheSunsDiscAtItsOwnRadianceInALargeMap)
 {
     const EnvironmentMap map = renderBuiltinProbe("sky", {Parameterization::Octahedral, 1536, 0});
     const glm::dvec2 p = coordinate(map.layout, skySunDirection());
-    const dvec3 centre = texelAt(map, static_cast<int>(p.x), static_cast<int>(p.y));
-    EXPECT_NEAR(centre.g / skySunRadiance().g, 1.0, 0.02);
+    const dvec3 center = texelAt(map, static_cast<int>(p.x), static_cast<int>(p.y));
+    EXPECT_NEAR(center.g / skySunRadiance().g, 1.0, 0.02);
 }
 
 TEST(CubeRoom, HasSixWallsOfRisingLuminance)
 {
-    // Two squares of the checker together, beside the centre of each wall.
+    // Two squares of the checker together, beside the center of each wall.
     const auto wall = [](const View& v) {
         return 0.5 * luminance(builtinProbe("cube-room").radiance(glm::normalize(v.at(0.1, 0.1)))) +
                0.5 * luminance(builtinProbe("cube-room").radiance(glm::normalize(v.at(-0.1, 0.1))));
@@ -270,17 +270,17 @@ TEST(CubeRoom, HasDarkEdges)
         EXPECT_LT(brightness("cube-room", edge), 0.02);
 }
 
-TEST(Axes, HasSixColours)
+TEST(Axes, HasSixColors)
 {
-    std::vector<dvec3> colours;
+    std::vector<dvec3> colors;
     for (const View& v : views)
-        colours.push_back(builtinProbe("axes").radiance(glm::normalize(v.at(-0.7, 0.7))));
+        colors.push_back(builtinProbe("axes").radiance(glm::normalize(v.at(-0.7, 0.7))));
     for (size_t i = 0; i < 6; ++i)
         for (size_t j = 0; j < i; ++j)
-            EXPECT_GT(glm::distance(colours[i], colours[j]), 0.3) << i << " " << j;
-    EXPECT_GT(colours[0].r, 4 * colours[0].g); // +X red, +Y green, +Z blue
-    EXPECT_GT(colours[2].g, 3 * colours[2].r);
-    EXPECT_GT(colours[4].b, 4 * colours[4].r);
+            EXPECT_GT(glm::distance(colors[i], colors[j]), 0.3) << i << " " << j;
+    EXPECT_GT(colors[0].r, 4 * colors[0].g); // +X red, +Y green, +Z blue
+    EXPECT_GT(colors[2].g, 3 * colors[2].r);
+    EXPECT_GT(colors[4].b, 4 * colors[4].r);
 }
 
 // The sign stands left of the letter; the letter's place at the right holds no horizontal bar at mid-height for X and Y.
@@ -327,7 +327,7 @@ TEST(Axes, MarksTheUpperRightCornerAndTheWayUp)
     }
 }
 
-TEST(Axes, NamesItsNeighboursInsideTheEdges)
+TEST(Axes, NamesItsNeighborsInsideTheEdges)
 {
     // On +Z the right edge adjoins -X and the left one +X: the vertical bar of the plus tells them apart.
     const View& plusZ = views[4];
@@ -348,10 +348,10 @@ TEST(Axes, ReadsCorrectlyInALatlongPicture)
         return std::min({c.r, c.g, c.b}) > 0.85;
     };
     EXPECT_EQ(map.image.width, 1024);
-    const auto columnAt = [](int centre, double right) { return centre + static_cast<int>(std::lround(std::atan(right) / pi * 512)); };
-    for (const int centre : {256, 512, 768}) { // +X, +Z, -X
-        EXPECT_TRUE(white(columnAt(centre, -0.50), 256));
-        EXPECT_FALSE(white(columnAt(centre, 0.52), 256));
-        EXPECT_EQ(white(columnAt(centre, -0.385), 256 - 22), centre != 768); // the plus
+    const auto columnAt = [](int center, double right) { return center + static_cast<int>(std::lround(std::atan(right) / pi * 512)); };
+    for (const int center : {256, 512, 768}) { // +X, +Z, -X
+        EXPECT_TRUE(white(columnAt(center, -0.50), 256));
+        EXPECT_FALSE(white(columnAt(center, 0.52), 256));
+        EXPECT_EQ(white(columnAt(center, -0.385), 256 - 22), center != 768); // the plus
     }
 }

@@ -119,7 +119,7 @@ TEST(Color, WhiteGoesToWhiteWhateverThePrimaries)
         expectNear(toRec709(c) * glm::dvec3(1.0), glm::dvec3(1.0), 1e-12);
 }
 
-// The matrix that OpenColorIO's ACES configurations and the colour-science package publish for AP0 to linear Rec.709 with Bradford.
+// The matrix that OpenColorIO's ACES configurations and the color-science package publish for AP0 to linear Rec.709 with Bradford.
 TEST(Color, AcesMatrixIsThePublishedOne)
 {
     const Chromaticities ap0{{0.73470, 0.26530}, {0.0, 1.0}, {0.00010, -0.07700}, {0.32168, 0.33767}};

@@ -113,7 +113,7 @@ TEST(EnvironmentMap, LookupsAreContinuousAcrossSeams)
 
 TEST(EnvironmentMap, MeanOfAKnownRadianceIsItsIntegral)
 {
-    // The mean over the sphere of d_i^2 is 1/3; texel centres stand for their texels to second order.
+    // The mean over the sphere of d_i^2 is 1/3; texel centers stand for their texels to second order.
     for (const MapLayout& layout : layoutsOfSize(128)) {
         const EnvironmentMap map = fill(layout, [](const glm::dvec3& d) { return d * d; });
         EXPECT_LT(glm::distance(meanRadiance(map), glm::dvec3(1.0 / 3.0)), 1e-3) << describe(layout);

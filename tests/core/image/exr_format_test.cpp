@@ -143,9 +143,9 @@ TEST_F(ExrFormat, StreamsRowsInBlocksOfAnySize)
     }
 }
 
-TEST_F(ExrFormat, CopiesGreyToThreeChannels)
+TEST_F(ExrFormat, CopiesGrayToThreeChannels)
 {
-    for (const std::string name : {"Y", "R", "grey"}) {
+    for (const std::string name : {"Y", "R", "gray"}) {
         writeNamed({name});
         EXPECT_EQ(readImage(path).texels, (std::vector<float>{1, 1, 1, 2, 2, 2})) << name;
     }
@@ -161,13 +161,13 @@ TEST_F(ExrFormat, DropsAlphaAndOtherChannels)
     EXPECT_EQ(openImage(path)->info().channels, 5);
 }
 
-TEST_F(ExrFormat, TakesAMissingColourForBlack)
+TEST_F(ExrFormat, TakesAMissingColorForBlack)
 {
     writeNamed({"R", "G"});
     EXPECT_EQ(readImage(path).texels, (std::vector<float>{1, 2, 0, 2, 4, 0}));
 }
 
-TEST_F(ExrFormat, PrefersPlainColourThenBlendersCombinedPassThenTheFirstLayer)
+TEST_F(ExrFormat, PrefersPlainColorThenBlendersCombinedPassThenTheFirstLayer)
 {
     writeNamed({"AO.R", "AO.G", "AO.B", "R", "G", "B"});
     EXPECT_EQ(readImage(path).texel(0, 0)[0], 4.0f);
@@ -184,7 +184,7 @@ TEST_F(ExrFormat, ReadsWholeNumbersAsTheyAre)
     EXPECT_EQ(openImage(path)->info().sampleType, "uint");
 }
 
-TEST_F(ExrFormat, RefusesAFileWithoutColour)
+TEST_F(ExrFormat, RefusesAFileWithoutColor)
 {
     writeNamed({"N.X", "N.Z"});
     EXPECT_THAT(readError(), HasSubstr("R, G, B or Y"));
@@ -221,12 +221,11 @@ TEST_F(ExrFormat, ReadsRowsStoredFromTheBottom)
     EXPECT_EQ(readImage(path), image);
 }
 
-TEST_F(ExrFormat, ReadsTheFirstPartThatHoldsColour)
+TEST_F(ExrFormat, ReadsTheFirstPartThatHoldsColor)
 {
     const std::vector<ExrChannel> normals{{"N.X", {9, 9}}, {"N.Y", {9, 9}}, {"N.Z", {9, 9}}};
-    const std::vector<ExrChannel> colour{{"R", {1, 2}}, {"G", {3, 4}}, {"B", {5, 6}}};
-    std::vector<Imf::Header> headers{test::exrHeader(2, 1, {normals[0], normals[2]}, Imf::FLOAT),
-                                     test::exrHeader(2, 1, colour, Imf::FLOAT)};
+    const std::vector<ExrChannel> color{{"R", {1, 2}}, {"G", {3, 4}}, {"B", {5, 6}}};
+    std::vector<Imf::Header> headers{test::exrHeader(2, 1, {normals[0], normals[2]}, Imf::FLOAT), test::exrHeader(2, 1, color, Imf::FLOAT)};
     for (size_t i = 0; i < headers.size(); ++i) {
         headers[i].setName("part" + std::to_string(i));
         headers[i].setType(Imf::SCANLINEIMAGE);
@@ -238,7 +237,7 @@ TEST_F(ExrFormat, ReadsTheFirstPartThatHoldsColour)
         first.setFrameBuffer(test::exrFrameBuffer(headers[0], {normals[0], normals[2]}, storage));
         first.writePixels(1);
         Imf::OutputPart second(file, 1);
-        second.setFrameBuffer(test::exrFrameBuffer(headers[1], colour, storage));
+        second.setFrameBuffer(test::exrFrameBuffer(headers[1], color, storage));
         second.writePixels(1);
     }
     EXPECT_EQ(readImage(path).texels, (std::vector<float>{1, 3, 5, 2, 4, 6}));
@@ -267,7 +266,7 @@ TEST_F(ExrFormat, RefusesDeepImages)
     EXPECT_THAT(readError(), HasSubstr("flatten"));
 }
 
-TEST_F(ExrFormat, RefusesSubsampledColour)
+TEST_F(ExrFormat, RefusesSubsampledColor)
 {
     std::vector<float> samples(8, 1.0f);
     {
@@ -312,9 +311,9 @@ TEST_F(ExrFormat, ReadsLuminanceAndChroma)
 {
     constexpr int width = 40;
     constexpr int height = 30;
-    const Imf::Rgba colour(0.75f, 0.5f, 0.25f, 1.0f);
+    const Imf::Rgba color(0.75f, 0.5f, 0.25f, 1.0f);
     {
-        const std::vector<Imf::Rgba> texels(width * height, colour);
+        const std::vector<Imf::Rgba> texels(width * height, color);
         Imf::RgbaOutputFile file(path.c_str(), width, height, Imf::WRITE_YC);
         file.setFrameBuffer(texels.data(), 1, width);
         file.writePixels(height);

@@ -207,8 +207,8 @@ TEST_F(ForeignShapes, FindsTheBallInAPhotograph)
             }
         const auto found = findBall(photo);
         ASSERT_TRUE(found);
-        EXPECT_NEAR(found->centre.x, cx, 1.0);
-        EXPECT_NEAR(found->centre.y, cy, 1.0);
+        EXPECT_NEAR(found->center.x, cx, 1.0);
+        EXPECT_NEAR(found->center.y, cy, 1.0);
         EXPECT_NEAR(found->radius, r, 1.0);
     }
     EXPECT_FALSE(findBall(Image(300, 200, 3, 0.5f))) << "nothing stands out";

@@ -76,7 +76,7 @@ TEST_F(HdrFormat, AcceptsTheHeadersThatAreMetInTheWild)
     EXPECT_EQ(read("#?RADIANCE\r\nFORMAT=32-bit_rle_rgbe\r\n\r\n-Y 1 +X 1\r\n" + warm).texels, expected);
 }
 
-TEST_F(HdrFormat, DividesByTheProductOfAllExposuresAndColourCorrections)
+TEST_F(HdrFormat, DividesByTheProductOfAllExposuresAndColorCorrections)
 {
     const Image image = read("#?RADIANCE\nEXPOSURE=2\nexposure= 4.0e+00\nCOLORCORR=1 2 0.5\nEXPOSURE=0.5\n\n-Y 1 +X 1\n" + warm);
     EXPECT_EQ(image.texels, (std::vector<float>{1.0f / 4, 0.5f / 8, 0.25f / 2}));
@@ -106,12 +106,12 @@ TEST_F(HdrFormat, ConvertsOtherPrimariesAndKeepsWhite)
     EXPECT_GT(image.texel(1, 0)[1], 1.0f);
 }
 
-TEST_F(HdrFormat, ConvertsXyzAndKeepsGrey)
+TEST_F(HdrFormat, ConvertsXyzAndKeepsGray)
 {
     const Image image = read("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 2\n" + std::string("\x80\x80\x80\x81\x80\0\0\x81", 8));
     for (int c = 0; c < 3; ++c)
         EXPECT_NEAR(image.texel(0, 0)[c], 1.0f, 1e-5f);
-    EXPECT_GT(image.texel(1, 0)[0], 1.0f); // pure X is redder than any colour
+    EXPECT_GT(image.texel(1, 0)[0], 1.0f); // pure X is redder than any color
     EXPECT_LT(image.texel(1, 0)[1], 0.0f);
 }
 

@@ -57,7 +57,7 @@ TEST(ImageFormats, WhatARowClaimsIsInTheFile)
 TEST(ImageFormats, WithoutAnAlphaChannelShowWhatIsTransparentOverBlack)
 {
     const test::TemporaryFolder folder;
-    Image rgba(8, 4, 4, 0.25f); // white, a quarter opaque: colours come multiplied
+    Image rgba(8, 4, 4, 0.25f); // white, a quarter opaque: colors come multiplied
     for (const ImageFormat& format : imageFormats()) {
         if (!format.write || format.alpha)
             continue;

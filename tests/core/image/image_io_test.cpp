@@ -91,7 +91,7 @@ TEST_F(ImageIo, WritesPngAsTheDisplayShowsIt)
     EXPECT_EQ(openImage(folder / "a.png")->info().sampleType, "uint8");
 }
 
-TEST_F(ImageIo, LinearisesAn8BitPicture)
+TEST_F(ImageIo, LinearizesAn8BitPicture)
 {
     SHARED_DATA_OR_SKIP(png, "matcaps/jade_srgb8.png");
     const Image image = readImage(png);
@@ -105,11 +105,11 @@ TEST_F(ImageIo, LinearisesAn8BitPicture)
     EXPECT_NEAR(brightest, 0.83904f, 1e-5f);
 }
 
-TEST_F(ImageIo, CopiesGreyAndDropsAlphaInAllFormats)
+TEST_F(ImageIo, CopiesGrayAndDropsAlphaInAllFormats)
 {
     for (const std::string extension : {".exr", ".tif"}) {
-        writeImage(folder / ("grey" + extension), Image(4, 3, 1, 0.5f));
-        EXPECT_EQ(readImage(folder / ("grey" + extension)), Image(4, 3, 3, 0.5f)) << extension;
+        writeImage(folder / ("gray" + extension), Image(4, 3, 1, 0.5f));
+        EXPECT_EQ(readImage(folder / ("gray" + extension)), Image(4, 3, 3, 0.5f)) << extension;
         Image rgba(4, 3, 4, 1.0f);
         rgba.texel(1, 1)[2] = 0.25f;
         Image rgb(4, 3, 3, 1.0f);

@@ -141,7 +141,7 @@ TEST(LayoutDetection, StripsAndGridsHoldTheStackedFacesInReadingOrder)
 
 TEST(LayoutDetection, ACrossIsAPictureFromInsideWithPlusZInFront)
 {
-    // Each cell's centre and a texel to the right of it and one below it, in the directions of walking around: front +Z, right -X.
+    // Each cell's center and a texel to the right of it and one below it, in the directions of walking around: front +Z, right -X.
     constexpr int n = 9;
     struct Look {
         int column, row;
@@ -169,7 +169,7 @@ TEST(LayoutDetection, ACrossIsAPictureFromInsideWithPlusZInFront)
 
 TEST(LayoutDetection, CellsOfACrossMeetWithoutASeam)
 {
-    // Neighbouring cells of the cross are neighbouring faces: over each edge inside the picture the step in the cube finds the texel
+    // Neighboring cells of the cross are neighboring faces: over each edge inside the picture the step in the cube finds the texel
     // across the edge in the picture.
     constexpr int n = 4;
     for (const auto& [columns, rows] : {std::pair{4, 3}, {3, 4}}) {

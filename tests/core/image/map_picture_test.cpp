@@ -79,7 +79,7 @@ TEST(MapPicture, IsTransparentBesideTheMap)
     EXPECT_THAT(beside.texels, testing::Each(0.0f));
 }
 
-TEST(MapPicture, ColoursLuminanceOnItsScaleAndClampsBeyondIt)
+TEST(MapPicture, ColorsLuminanceOnItsScaleAndClampsBeyondIt)
 {
     Image window(4, 1, 4, 1.0f);
     for (int x = 0; x < 4; ++x)

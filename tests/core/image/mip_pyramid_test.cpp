@@ -91,7 +91,7 @@ TEST(MipPyramid, ASunBesideASeamShinesOnBothSides)
 
 TEST(MipPyramid, SeamsAreNoStrongerThanWhatIsInside)
 {
-    // The seam test of stride3d/stride#3328: mean square difference of neighbours over a seam against that of neighbours inside, for noise
+    // The seam test of stride3d/stride#3328: mean square difference of neighbors over a seam against that of neighbors inside, for noise
     // that knows nothing of charts. The texels of the two kinds of pairs lie equally far apart near a cube's edge.
     const MapLayout layout{Parameterization::Cube, 64, 0};
     double ratioSum = 0.0;

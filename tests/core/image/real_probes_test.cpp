@@ -34,7 +34,7 @@ double logDifference(const EnvironmentMap& a, const EnvironmentMap& b, Look look
     return sum / (3.0 * static_cast<double>(directions.size()));
 }
 
-/// The same direction shows the same colour in both maps, and in no mirrored or turned one. Resampling blurs fine texture: below 0.08.
+/// The same direction shows the same color in both maps, and in no mirrored or turned one. Resampling blurs fine texture: below 0.08.
 void expectSameWorld(const EnvironmentMap& a, const EnvironmentMap& b)
 {
     const double same = logDifference(a, b);

@@ -66,7 +66,7 @@ TEST(Repair, LeavesASoundImageAlone)
     EXPECT_EQ(image, before);
 }
 
-TEST(Repair, InterpolatesARunOfNanBetweenItsNeighbours) { EXPECT_EQ(repaired({1, nan, nan, nan, 5}), (std::vector<float>{1, 2, 3, 4, 5})); }
+TEST(Repair, InterpolatesARunOfNanBetweenItsNeighbors) { EXPECT_EQ(repaired({1, nan, nan, nan, 5}), (std::vector<float>{1, 2, 3, 4, 5})); }
 
 TEST(Repair, InterpolatesAroundTheEndsOfTheRow)
 {
@@ -140,7 +140,7 @@ TEST(Repair, OfBlocksOfRowsEqualsRepairOfTheWhole)
     }
 }
 
-TEST(Repair, FillsRowsWithoutAValueBetweenTheirNeighbours)
+TEST(Repair, FillsRowsWithoutAValueBetweenTheirNeighbors)
 {
     Image image(2, 6, 3, nan);
     for (int x = 0; x < 2; ++x)

@@ -27,7 +27,7 @@ EnvironmentMap fill(const MapLayout& layout, const Radiance& radiance)
     return map;
 }
 
-EnvironmentMap colouredByDirection(const MapLayout& layout)
+EnvironmentMap coloredByDirection(const MapLayout& layout)
 {
     return fill(layout, [](const glm::dvec3& d) { return 0.5 * d + 0.5; });
 }
@@ -41,7 +41,7 @@ glm::dvec3 texel(const Image& image, int x, int y)
 TEST(Reproject, TheSameLayoutWithoutYawIsTheSameMap)
 {
     for (const MapLayout& layout : layoutsOfSize(8)) {
-        const EnvironmentMap map = colouredByDirection(layout);
+        const EnvironmentMap map = coloredByDirection(layout);
         EXPECT_EQ(reproject(map, {layout, 0.0}).image, map.image) << describe(layout);
     }
 }
@@ -64,7 +64,7 @@ TEST(Reproject, EveryTexelShowsWhatLiesInItsDirectionFromAnyToAny)
     // theta = 2 sqrt(2 * 2/N) either side of -Z; everywhere else a texel or two of the coarser map, squared or as a kink at a fold.
     for (const int to : {24, 64, 150})
         for (const MapLayout& source : layoutsOfSize(64)) {
-            const EnvironmentMap map = colouredByDirection(source);
+            const EnvironmentMap map = coloredByDirection(source);
             for (const MapLayout& target : layoutsOfSize(to)) {
                 const EnvironmentMap result = reproject(map, {target, 0.0});
                 const double angle = 2.0 * pi / std::min(to, 64);
@@ -102,7 +102,7 @@ TEST(Reproject, AQuarterTurnOfALatlongMovesItsColumnsUnchanged)
         map.image.texels[i] = static_cast<float>(i % 97);
     const EnvironmentMap turned = reproject(map, {layout, pi / 2});
     for (int y = 0; y < 16; ++y)
-        for (int x = 0; x < 32; ++x) // what was at the centre (+Z, column 16) is now at the left quarter (+X, column 8)
+        for (int x = 0; x < 32; ++x) // what was at the center (+Z, column 16) is now at the left quarter (+X, column 8)
             EXPECT_LT(glm::distance(texel(turned.image, x, y), texel(map.image, (x + 8) % 32, y)), 1e-4);
 }
 
@@ -155,7 +155,7 @@ bool hasDisc(Parameterization kind)
     return kind == Parameterization::Sphere || kind == Parameterization::Angular || kind == Parameterization::Paraboloid;
 }
 
-/// At a disc's rim only texels whose centres it holds are read: the others get their values, so that both agree about the mean.
+/// At a disc's rim only texels whose centers it holds are read: the others get their values, so that both agree about the mean.
 void agreeAtTheRim(EnvironmentMap& map)
 {
     if (!hasDisc(map.layout.kind))
@@ -256,7 +256,7 @@ TEST(Reproject, RowsThatAreReadOnceMakeTheSameMap)
 {
     // Large enough for several bands; rows are refused when asked for twice or out of order.
     for (const MapLayout& source : {MapLayout{Parameterization::Latlong, 700, 0}, {Parameterization::Cube, 450, 0}}) {
-        const EnvironmentMap map = colouredByDirection(source);
+        const EnvironmentMap map = coloredByDirection(source);
         for (const MapLayout& target :
              {MapLayout{Parameterization::Cube, 40, 0}, {Parameterization::Sphere, 30, 0}, {Parameterization::Latlong, 90, 0}}) {
             int next = 0;
@@ -302,7 +302,7 @@ TEST(Reproject, CubicLookupsFollowACurveCloserThanLinearOnesAndDoNotRing)
 
 TEST(Reproject, CornersOfADiscContinueTheMap)
 {
-    const EnvironmentMap map = colouredByDirection({Parameterization::Latlong, 64, 0});
+    const EnvironmentMap map = coloredByDirection({Parameterization::Latlong, 64, 0});
     for (const auto kind : {Parameterization::Sphere, Parameterization::Angular, Parameterization::Paraboloid}) {
         const MapLayout target{kind, 32, 0};
         const EnvironmentMap result = reproject(map, {target, 0.0});
@@ -315,14 +315,14 @@ TEST(Reproject, CornersOfADiscContinueTheMap)
 
 TEST(Reproject, ResultsDoNotDependOnTheNumberOfThreads)
 {
-    const EnvironmentMap map = colouredByDirection({Parameterization::Latlong, 64, 0});
+    const EnvironmentMap map = coloredByDirection({Parameterization::Latlong, 64, 0});
     for (const MapLayout& target : layoutsOfSize(12))
         EXPECT_EQ(reproject(map, {target, 0.1}, {.threads = 1}).image, reproject(map, {target, 0.1}, {.threads = 3}).image);
 }
 
 TEST(Reproject, RefusesALayoutOutOfRangeAndStopsWhenAsked)
 {
-    const EnvironmentMap map = colouredByDirection({Parameterization::Latlong, 16, 0});
+    const EnvironmentMap map = coloredByDirection({Parameterization::Latlong, 16, 0});
     EXPECT_THROW(reproject(map, {{Parameterization::Cube, 0, 0}, 0.0}), InvalidArgument);
     std::stop_source source;
     source.request_stop();

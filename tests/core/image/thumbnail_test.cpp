@@ -67,7 +67,7 @@ TEST(Thumbnail, ReadsAMipLevelWhereTheFileHasOne)
         EXPECT_NEAR(reduced.image.texels[i], survey.image.texels[i], 0.2f);
 }
 
-// What is +X in the file is +X in its thumbnail: left of the centre of a latlong.
+// What is +X in the file is +X in its thumbnail: left of the center of a latlong.
 TEST(Thumbnail, ShowsForeignArrangementsTheRightWayRound)
 {
     const test::TemporaryFolder folder;
@@ -77,7 +77,7 @@ TEST(Thumbnail, ShowsForeignArrangementsTheRightWayRound)
         const std::filesystem::path file = folder / (std::string(name(kind)) + ".exr");
         writeMap(file, {renderBuiltinProbe("axes", {kind, 256, 0})});
         const EnvironmentMap thumbnail = thumbnailOf(reduceProbe(file.string(), {.height = 64}), 64);
-        // Beside the names, on each face's own colour: a stroke of a letter is a texel wide here.
+        // Beside the names, on each face's own color: a stroke of a letter is a texel wide here.
         for (const glm::dvec3& d : {glm::dvec3(1, 0.8, 0.4), {-1, 0.8, 0.4}, {0.4, 1, 0.8}, {0.4, -1, 0.8}, {0.4, 0.8, 1}, {0.4, 0.8, -1}})
             EXPECT_LT(glm::length(thumbnail.radiance(d) - latlong.radiance(d)), 0.25f) << name(kind);
     }

@@ -42,8 +42,8 @@ TEST(ErrorMetrics, TheNinetyNinthPercentileShowsWhatTheDarkHides)
 
 TEST(ErrorMetrics, AreInfiniteWhereTheReferenceIsBlackAndTheMapIsNot)
 {
-    const std::vector<glm::dvec3> black(4, glm::dvec3(0.0)), grey(4, glm::dvec3(0.1));
-    EXPECT_EQ(errorMetrics(grey, black).relRms, HUGE_VAL);
+    const std::vector<glm::dvec3> black(4, glm::dvec3(0.0)), gray(4, glm::dvec3(0.1));
+    EXPECT_EQ(errorMetrics(gray, black).relRms, HUGE_VAL);
     EXPECT_EQ(errorMetrics(black, black).relRms, 0.0);
 }
 

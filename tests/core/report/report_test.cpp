@@ -118,7 +118,7 @@ TEST(ParameterizationStudy, FindsNoErrorInAConstantAndTheKnownDensities)
     // 000 section 3.1: outer pixels of a paraboloid cover a quarter of a central one's solid angle.
     const auto& paraboloid = row(Parameterization::Paraboloid).solidAngle;
     EXPECT_NEAR(paraboloid[0] / paraboloid[90], 4.0, 0.01);
-    // A cube face's d omega / dA goes with cos^3 of the angle: 2 sqrt 2 from its centre to the middle of an edge.
+    // A cube face's d omega / dA goes with cos^3 of the angle: 2 sqrt 2 from its center to the middle of an edge.
     const auto& cube = row(Parameterization::Cube).solidAngle;
     EXPECT_NEAR(cube[0] / cube[45], 2.0 * std::sqrt(2.0), 0.05);
 }

@@ -9,7 +9,7 @@ namespace mirrorball {
 namespace {
 
 /// Beside the poles and the seam too, in a wider map, a narrower one and one of the same width.
-TEST(ResizedRows, AreTheBilinearLookupsAtTheTexelsCentres)
+TEST(ResizedRows, AreTheBilinearLookupsAtTheTexelsCenters)
 {
     const EnvironmentMap probe = test::noiseProbe(16, 3);
     for (const int width : {128, 20, 32}) {

@@ -145,18 +145,18 @@ struct NamedPlace {
 // What a side-car says of its axes is held against the map: the words must be there, and the texel must look that way.
 TEST_F(Export, SaysWhereTheAxesLieInEachKindOfMap)
 {
-    const std::vector<NamedPlace> places{{Parameterization::Latlong, "the centre is +Z", {0.5, 0.5}, {0, 0, 1}},
+    const std::vector<NamedPlace> places{{Parameterization::Latlong, "the center is +Z", {0.5, 0.5}, {0, 0, 1}},
                                          {Parameterization::Latlong, "the left quarter +X", {0.25, 0.5}, {1, 0, 0}},
                                          {Parameterization::Latlong, "the top +Y", {0.5, 0.0}, {0, 1, 0}},
                                          {Parameterization::Cube, "faces +X -X +Y -Y +Z -Z", {0.5, 0.5 / 6}, {1, 0, 0}},
                                          {Parameterization::Cube, "faces +X -X +Y -Y +Z -Z", {0.5, 4.5 / 6}, {0, 0, 1}},
-                                         {Parameterization::Sphere, "the centre is +Z", {0.5, 0.5}, {0, 0, 1}},
+                                         {Parameterization::Sphere, "the center is +Z", {0.5, 0.5}, {0, 0, 1}},
                                          {Parameterization::Sphere, "right +X, top +Y", {0.5 + 0.5 / std::sqrt(2.0), 0.5}, {1, 0, 0}},
                                          {Parameterization::Angular, "the angle from +Z over pi", {0.5, 0.5}, {0, 0, 1}},
                                          {Parameterization::Angular, "left is +X, top +Y", {0.25, 0.5}, {1, 0, 0}},
                                          {Parameterization::Paraboloid, "front half (z >= 0) on the left", {0.25, 0.5}, {0, 0, 1}},
                                          {Parameterization::Paraboloid, "back half on the right", {0.75, 0.5}, {0, 0, -1}},
-                                         {Parameterization::Octahedral, "+Y at the centre", {0.5, 0.5}, {0, 1, 0}},
+                                         {Parameterization::Octahedral, "+Y at the center", {0.5, 0.5}, {0, 1, 0}},
                                          {Parameterization::Octahedral, "right is +X and down +Z", {1.0, 0.5}, {1, 0, 0}},
                                          {Parameterization::Octahedral, "right is +X and down +Z", {0.5, 1.0}, {0, 0, 1}}};
     Scene scene;
@@ -235,7 +235,7 @@ TEST_F(Export, ReadsBackAnExportedMapAsTheProbeItIs)
 EmbeddedSphereMap mapWithLevels()
 {
     SphereMapDocument map;
-    map.title = "Two colours";
+    map.title = "Two colors";
     map.index = SphereMapIndex::Reflection;
     map.layers = {{.name = "Fine", .content = FillLayer{.color = {1, 0, 0}}},
                   {.name = "Coarse", .content = FillLayer{.color = {0, 1, 0}}, .firstLevel = 1}};
@@ -255,7 +255,7 @@ TEST_F(Export, WritesTheLevelsOfAPaintedMapAsTheSceneShowsThem)
     EXPECT_EQ(readLevel(m_folder / "map.exr", 1).texel(2, 2)[1], 1.0f);
     EXPECT_EQ(sidecar("map")["indexed_by"], "reflection");
     EXPECT_EQ(sidecar("map")["levels"].size(), 4u);
-    EXPECT_EQ(sidecar("map")["sphere_map"]["title"], "Two colours");
+    EXPECT_EQ(sidecar("map")["sphere_map"]["title"], "Two colors");
     EXPECT_THAT(sidecar("map")["level_rule"].get<std::string>(), testing::StartsWith("authored"));
 
     scene.material.sphereMap.levels = SphereMapLevels::Plain;

@@ -186,7 +186,7 @@ TEST(Plan, ReadsAMeshOnlyWhereOneIsNamed)
     expectNeeded(makePlan(scene, probe), "read mesh", "bunny.ply");
 }
 
-TEST(Plan, ConstantFresnelTermsAreFoldedIntoTheColours)
+TEST(Plan, ConstantFresnelTermsAreFoldedIntoTheColors)
 {
     Scene scene;
     scene.material.diffuse.weight = 1.0;
@@ -232,7 +232,7 @@ TEST(Plan, ABlackMaterialOnAPlainBackgroundDoesNotOpenTheProbe)
     scene.view.background.kind = Backdrop::Color;
     const Plan plan = makePlan(scene, probe);
     expectLeftOut(plan, "read probe", "no map is needed");
-    expectLeftOut(plan, "background", "one colour");
+    expectLeftOut(plan, "background", "one color");
     EXPECT_FALSE(plan.needsProbe());
 }
 

@@ -109,10 +109,10 @@ TEST(BrdfFile, OfATableTakesColorsAndWavelengths)
     EXPECT_EQ(rgb.gaps().holes, 1u);
     const double c = std::cos(pi / 6);
     EXPECT_LT(glm::distance(rgb.value(c, c, 0.5), glm::dvec3(0.6, 0.4, 0.2)), 1e-6);
-    write(folder / "grey.txt", "wavelength theta_i theta_r phi_r value\n0.45 10 10 180 0.5\n0.55 10 10 180 0.5\n650 10 10 180 0.5\n");
+    write(folder / "gray.txt", "wavelength theta_i theta_r phi_r value\n0.45 10 10 180 0.5\n0.55 10 10 180 0.5\n650 10 10 180 0.5\n");
     const double d = std::cos(pi / 18);
-    EXPECT_LT(glm::distance(readBrdf(folder / "grey.txt").value(d, d, std::cos(pi / 9)), glm::dvec3(0.5)), 1e-6)
-        << "the same at every wavelength is grey, in micrometers and nanometers";
+    EXPECT_LT(glm::distance(readBrdf(folder / "gray.txt").value(d, d, std::cos(pi / 9)), glm::dvec3(0.5)), 1e-6)
+        << "the same at every wavelength is gray, in micrometers and nanometers";
 }
 
 TEST(BrdfFile, SaysWhereABadFileIsBad)

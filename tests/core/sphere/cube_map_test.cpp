@@ -43,7 +43,7 @@ TEST(CubeMap, SolidAngleAgreesWithTheFourCornerFormula)
         }
 }
 
-TEST(CubeMap, DensityAtTheCentreIsThreeRootThreeTimesThatAtACorner)
+TEST(CubeMap, DensityAtTheCenterIsThreeRootThreeTimesThatAtACorner)
 {
     EXPECT_NEAR(cube_map::density(16, {8, 8}) / cube_map::density(16, {0, 0}), 3.0 * std::sqrt(3.0), 1e-14);
     const MapLayout large{Parameterization::Cube, 2048, 0};
@@ -52,7 +52,7 @@ TEST(CubeMap, DensityAtTheCentreIsThreeRootThreeTimesThatAtACorner)
 
 TEST(CubeMap, AStepOverAnEdgeMeetsTheTexelThatMeetsIt)
 {
-    // For every border texel of every face: the neighbour shares the middle of the edge, and stepping back returns.
+    // For every border texel of every face: the neighbor shares the middle of the edge, and stepping back returns.
     constexpr int n = 16;
     for (int face = 0; face < 6; ++face)
         for (int i = 0; i < n; ++i) {

@@ -78,7 +78,7 @@ TEST(AngularMap, IsAPictureFromInsideLikeTheLatlong)
 
 TEST(AngularMap, TheCapInsideARadiusHasItsSolidAngle)
 {
-    // A square around the centre, against Gauss-like refinement of the same square: closed under subdivision.
+    // A square around the center, against Gauss-like refinement of the same square: closed under subdivision.
     for (const int n : {1, 2, 3}) {
         const double whole = angular_map::solidAngle(n, {0, 0}, {n, n});
         double parts = 0.0;
@@ -97,8 +97,8 @@ TEST(DualParaboloid, IsTheFormulaOfHeidrichAndSeidel)
     constexpr double radius = 0.5 * n - border;
     for (const glm::dvec3& r : test::randomDirections(1000)) {
         const glm::dvec2 p = dual_paraboloid::coordinate(n, border, r);
-        const double centre = r.z >= 0.0 ? 0.5 * n : 1.5 * n, w = r.z >= 0.0 ? 1.0 + r.z : 1.0 - r.z;
-        EXPECT_LT(glm::distance(p, {centre + radius * r.x / w, 0.5 * n - radius * r.y / w}), 1e-12);
+        const double center = r.z >= 0.0 ? 0.5 * n : 1.5 * n, w = r.z >= 0.0 ? 1.0 + r.z : 1.0 - r.z;
+        EXPECT_LT(glm::distance(p, {center + radius * r.x / w, 0.5 * n - radius * r.y / w}), 1e-12);
     }
 }
 
@@ -124,7 +124,7 @@ TEST(DualParaboloid, TheBorderContinuesIntoTheOtherHalf)
 
 TEST(DualParaboloid, CirclesOnTheSphereAreCirclesInTheMap)
 {
-    // The rim of a cone about an arbitrary axis: the images of its points have one centre and one radius.
+    // The rim of a cone about an arbitrary axis: the images of its points have one center and one radius.
     const glm::dvec3 axis = glm::normalize(glm::dvec3(0.3, 0.5, 0.8)), u = glm::normalize(glm::cross(axis, glm::dvec3(0, 1, 0)));
     const glm::dvec3 v = glm::cross(axis, u);
     const auto at = [&](double phi) {
@@ -133,10 +133,10 @@ TEST(DualParaboloid, CirclesOnTheSphereAreCirclesInTheMap)
     // Circle through three of the points.
     const glm::dvec2 a = at(0.0), b = at(2.0), c = at(4.0);
     const double d = 2.0 * (a.x * (b.y - c.y) + b.x * (c.y - a.y) + c.x * (a.y - b.y));
-    const glm::dvec2 centre{(glm::dot(a, a) * (b.y - c.y) + glm::dot(b, b) * (c.y - a.y) + glm::dot(c, c) * (a.y - b.y)) / d,
+    const glm::dvec2 center{(glm::dot(a, a) * (b.y - c.y) + glm::dot(b, b) * (c.y - a.y) + glm::dot(c, c) * (a.y - b.y)) / d,
                             (glm::dot(a, a) * (c.x - b.x) + glm::dot(b, b) * (a.x - c.x) + glm::dot(c, c) * (b.x - a.x)) / d};
     for (double phi = 0.0; phi < 6.28; phi += 0.1)
-        EXPECT_NEAR(glm::distance(at(phi), centre), glm::distance(a, centre), 1e-12);
+        EXPECT_NEAR(glm::distance(at(phi), center), glm::distance(a, center), 1e-12);
 }
 
 } // namespace

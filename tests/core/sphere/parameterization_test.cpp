@@ -74,14 +74,14 @@ TEST(Parameterization, EveryImagePositionHasAUnitDirection)
     }
 }
 
-TEST(Parameterization, TexelCentresOfTheMapRoundTrip)
+TEST(Parameterization, TexelCentersOfTheMapRoundTrip)
 {
     for (const int size : {1, 2, 7, 64}) {
         for (const MapLayout& layout : layoutsOfSize(size)) {
             for (int y = 0; y < layout.height(); ++y)
                 for (int x = 0; x < layout.width(); ++x) {
                     const Texel t = acrossSeam(layout, {x, y}, x, y);
-                    if (t != Texel{x, y}) // in a disc: the centre is outside
+                    if (t != Texel{x, y}) // in a disc: the center is outside
                         continue;
                     const glm::dvec2 p = coordinate(layout, texelDirection(layout, x, y));
                     EXPECT_LT(glm::distance(p, glm::dvec2(x + 0.5, y + 0.5)), 1e-9) << describe(layout) << " " << x << " " << y;
@@ -155,7 +155,7 @@ TEST(Parameterization, SolidAngleTableRepeatsTheTexels)
 
 TEST(Parameterization, OneStepOverAnEdgeIsANearTexel)
 {
-    // Wherever a step leads, the texel found lies as near in direction as neighbours inside do (within two texels of
+    // Wherever a step leads, the texel found lies as near in direction as neighbors inside do (within two texels of
     // the map; at the sphere map's rim theta = pi - 2 sqrt(2 (1 - rho)), and two texels may lie on opposite sides of -Z).
     for (const MapLayout& layout : layoutsOfSize(32)) {
         const double widest = layout.kind == Parameterization::Sphere ? 6.0 * std::sqrt(2.0 / 32) : 2.0 * pi / 32 * 2.0;

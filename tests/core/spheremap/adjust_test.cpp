@@ -31,7 +31,7 @@ void expectNear(const std::vector<float>& found, const glm::dvec3& expected, dou
 
 const Layer ramp{.content = GradientLayer{.shape = GradientShape::Linear, .stops = {{0.0, {0.1, 0.0, 0.4}}, {1.0, {2.0, 1.0, 0.3}}}}};
 
-TEST(HueSaturation, TurnsScalesAndGreys)
+TEST(HueSaturation, TurnsScalesAndGrays)
 {
     expectNear(adjusted({2.0, 0.5, 0.5}, HueSaturationLayer{.hueDeg = 120.0}), {0.5, 2.0, 0.5});
     expectNear(adjusted({2.0, 0.5, 0.5}, HueSaturationLayer{.hueDeg = -120.0}), {0.5, 0.5, 2.0});
@@ -100,7 +100,7 @@ TEST(Adjustments, MixWithWhatLiesBelowByTheirOpacity)
         }
 }
 
-TEST(Rotate, MovesWhatLayAtTheCentre)
+TEST(Rotate, MovesWhatLayAtTheCenter)
 {
     const Layer spot{.content = PhongLightsLayer{.lights = {{.polarDeg = 0.0, .exponent = 60.0}}}};
     const auto brightest = [](const Image& map) {
@@ -118,11 +118,11 @@ TEST(Rotate, MovesWhatLayAtTheCentre)
     EXPECT_EQ(brightest(picture({aside, {.content = RotateLayer{.angleDeg = 90.0}}}, 201)), glm::ivec2(100, 50));
 }
 
-TEST(Twist, TurnsTheCentreAndLeavesTheRim)
+TEST(Twist, TurnsTheCenterAndLeavesTheRim)
 {
     const Image plain = picture({ramp}, 201), twisted = picture({ramp, {.content = TwistLayer{.angleDeg = 180.0}}}, 201);
     EXPECT_NEAR(twisted.texel(100, 1)[0], plain.texel(100, 1)[0], 1e-3f);
-    EXPECT_NEAR(twisted.texel(100, 98)[0], plain.texel(100, 102)[0], 2e-2f); // near the centre upside down
+    EXPECT_NEAR(twisted.texel(100, 98)[0], plain.texel(100, 102)[0], 2e-2f); // near the center upside down
     const Image none = picture({ramp, {.content = TwistLayer{.angleDeg = 0.0}}}, 201);
     for (int y = 0; y < 201; ++y)
         for (int x = 0; x < 201; ++x) // outside the disc the nearest point of the rim is read, between texels
@@ -193,7 +193,7 @@ TEST(Blur, IsTheGaussianOnTheSphereEvenAtTheRim)
         std::vector<Layer> layers = scene;
         layers.push_back({.content = BlurLayer{.sigmaDeg = sigmaDeg}});
         const Image sharp = picture(scene, size, index), blurred = picture(layers, size, index);
-        // In 240ths of the map: the centre, half way, where mirror directions turn backwards, the rim.
+        // In 240ths of the map: the center, half way, where mirror directions turn backwards, the rim.
         for (const auto& [u, v] :
              {std::pair{120, 120}, {72, 54}, {180, 156}, {36, 120}, {120, 12}, {198, 192}, {205, 120}, {60, 180}, {120, 2}, {236, 122}}) {
             const int x = u * size / 240, y = v * size / 240;

@@ -43,7 +43,7 @@ TEST(Blend, StaysFiniteRisesAndLeavesNoGapForLightOfAnySize)
     EXPECT_GE(blended(BlendMode::Screen, 5.0f, 0.5f), 5.0f); // light never takes light away
 }
 
-TEST(Blend, NegativeColoursCountAsBlackWhereAProductWouldTurnTheirSign)
+TEST(Blend, NegativeColorsCountAsBlackWhereAProductWouldTurnTheirSign)
 {
     for (const BlendMode mode : {BlendMode::Multiply, BlendMode::Screen, BlendMode::Overlay, BlendMode::SoftLight})
         EXPECT_EQ(blended(mode, -0.5f, 0.7f), blended(mode, 0.0f, 0.7f));

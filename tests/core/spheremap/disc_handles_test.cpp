@@ -121,7 +121,7 @@ TEST(DiscHandles, LieOnAToonsHighlight)
               1.5 * texel); // the middle of a small flat spot
 }
 
-TEST(DiscHandles, LieWhereRotateTakesTheCentre)
+TEST(DiscHandles, LieWhereRotateTakesTheCenter)
 {
     const Layer spot{.content = PhongLightsLayer{.lights = {{.polarDeg = 0.0, .exponent = 200.0}}}};
     for (const RotateLayer& turn :
@@ -129,7 +129,7 @@ TEST(DiscHandles, LieWhereRotateTakesTheCentre)
         EXPECT_LT(glm::distance(brightest(picture({spot, {.content = turn}})), discHandles(turn)[0].place), texel);
 }
 
-/// The probe's middle, +Z, is what an unturned probe shows at the centre.
+/// The probe's middle, +Z, is what an unturned probe shows at the center.
 TEST(DiscHandles, LieWhereAProbesMiddleIsMirrored)
 {
     const ProbeLayer plain{.source = "builtin:sky", .lobe = ProbeLobe::Phong, .exponent = 20.0};

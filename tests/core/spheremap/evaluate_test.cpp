@@ -75,8 +75,8 @@ std::vector<std::string_view> drawableKinds()
     return kinds;
 }
 
-/// At an odd size a texel's centre is the disc's, where x, y and rho are 0.
-TEST(EvaluateSphereMap, EveryKindIsFiniteEvenAtTheVeryCentre)
+/// At an odd size a texel's center is the disc's, where x, y and rho are 0.
+TEST(EvaluateSphereMap, EveryKindIsFiniteEvenAtTheVeryCenter)
 {
     std::mt19937 random(7);
     const auto assets = std::make_shared<SphereMapAssets>();
@@ -140,13 +140,13 @@ TEST(EvaluateSphereMap, AMaskShowsALayerWhereItIsBright)
     EXPECT_EQ(left.texel(6, 4)[0], 1.0f);
 }
 
-TEST(EvaluateSphereMap, TheRimsColourGoesOnOutsideTheDisc)
+TEST(EvaluateSphereMap, TheRimsColorGoesOnOutsideTheDisc)
 {
     const Image map = evaluate(stack({{.content = GradientLayer{.shape = GradientShape::Angular,
                                                                 .stops = {{0.0, glm::dvec3(0.0)}, {1.0, glm::dvec3(1.0)}},
                                                                 .mixing = ColorMixing::Linear}}}),
                                {.size = 256});
-    // Along a ray from the centre the angular gradient is constant: inside, at the rim and in the corner.
+    // Along a ray from the center the angular gradient is constant: inside, at the rim and in the corner.
     EXPECT_NEAR(map.texel(255, 0)[0], map.texel(192, 63)[0], 1e-5f);
     const Image ring = evaluate(stack({white, {.content = SilhouetteLayer{.width = 0.1}}}), {.size = 64});
     EXPECT_EQ(ring.texel(0, 0)[0], 0.0f);
@@ -245,7 +245,7 @@ TEST(SphereMapLevels, KeepAWidthInPixels)
     const std::vector<Image> levels = evaluateLevels(document, 256);
     ASSERT_EQ(levels.size(), 9u);
     for (const Image& level : levels) {
-        double dark = 0.0; // texels along the row through the middle, from the left edge to the centre
+        double dark = 0.0; // texels along the row through the middle, from the left edge to the center
         for (int x = 0; x < level.width / 2; ++x)
             dark += 1.0 - level.texel(x, level.height / 2)[0];
         if (level.width >= 32) { // 3 pixels, and at most the sagitta of a texel on a circle of 13: 1/26

@@ -29,7 +29,7 @@ Image picture(std::vector<Layer> layers, int size, SphereMapIndex index = Sphere
     return evaluate(document, {.size = size});
 }
 
-/// The normal of a texel's centre.
+/// The normal of a texel's center.
 glm::dvec3 normalAt(int size, int x, int y)
 {
     const glm::dvec2 q((x + 0.5) * 2.0 / size - 1.0, 1.0 - (y + 0.5) * 2.0 / size);
@@ -192,7 +192,7 @@ TEST(ToonLayer, HasAsManyTonesAsCountedWithTheirEdgesByTheLight)
     const ToonLayer toon{.count = 4, .shadeEnd = 0.4, .azimuthDeg = 0.0, .polarDeg = 90.0, .highlightDeg = 0.0};
     const Image map = picture({{.content = toon}}, 500);
     std::set<float> tones;
-    for (int x = 1; x < 499; ++x) // the flat parts only: where neighbours agree
+    for (int x = 1; x < 499; ++x) // the flat parts only: where neighbors agree
         if (map.texel(x, 250)[0] == map.texel(x - 1, 250)[0] && map.texel(x, 250)[0] == map.texel(x + 1, 250)[0])
             tones.insert(map.texel(x, 250)[0]);
     EXPECT_EQ(tones.size(), 4u);
@@ -201,7 +201,7 @@ TEST(ToonLayer, HasAsManyTonesAsCountedWithTheirEdgesByTheLight)
     EXPECT_NE(map.texel(205, 250)[0], map.texel(2, 250)[0]);
 }
 
-TEST(ColorgramLayer, IsWhiteInTheCentreAndTwistTellsLeftFromRight)
+TEST(ColorgramLayer, IsWhiteInTheCenterAndTwistTellsLeftFromRight)
 {
     ColorgramLayer layer{.arcs = 0, .twistDeg = 0.0, .center = 0.3, .centerSoftness = 0.1};
     const Image rings = picture({{.content = layer}}, 101);
@@ -254,7 +254,7 @@ TEST(PhongLights, MatchedExponentsMakeBothModelsAlike)
     const Image rv = picture({{.content = layer}}, 128);
     layer.model = PhongModel::NH;
     const Image nh = picture({{.content = layer}}, 128);
-    for (size_t i = 0; i < rv.texels.size(); i += 4) // equal at the centre and at one half; between and beyond they part a little
+    for (size_t i = 0; i < rv.texels.size(); i += 4) // equal at the center and at one half; between and beyond they part a little
         ASSERT_NEAR(rv.texels[i], nh.texels[i], 0.01f);
 }
 
@@ -413,7 +413,7 @@ TEST(ProbeLayer, UnknownMetalsAndProbesAreRefusedByName)
     EXPECT_THROW(picture({{.content = ProbeLayer{.source = "builtin:nowhere"}}}, 8), InvalidArgument);
 }
 
-/// 2048 averaged down to 512 against 512, rms over the rms of the map, where the map of 512 has no hard edge: neighbours differ by less
+/// 2048 averaged down to 512 against 512, rms over the rms of the map, where the map of 512 has no hard edge: neighbors differ by less
 /// than a twentieth of its peak.
 double resolutionDependence(const SphereMapDocument& document)
 {

@@ -182,7 +182,7 @@ TEST(SphereMapCache, AStrokeEvaluatesOnlyItsTilesAndWhatContinuesThemPastTheRim)
     EXPECT_EQ(inside, (TexelRect{512, 448, 576, 512})); // 0.1 is texel 563 and, upwards, 461
     std::get<PaintLayer>(document.layers[1].content).strokes.push_back(dab({0.7, 0.7}, {.radius = 0.02}));
     const TexelRect rim = cache.update(document);
-    EXPECT_EQ(rim.x1, 1024); // the corner outside takes the rim's colour
+    EXPECT_EQ(rim.x1, 1024); // the corner outside takes the rim's color
     EXPECT_EQ(rim.y0, 0);
     EXPECT_LE(rim.width(), 256);
 }
@@ -263,7 +263,7 @@ TEST(SphereMapCache, IsUnchangedByNamesAndStartsAfreshAfterItWasStopped)
     EXPECT_THROW(SphereMapCache({.size = 0}), InvalidArgument);
 }
 
-TEST(PaintLayer, ContinuesTheRimsColourOutsideTheDiscWhateverWasPaintedThere)
+TEST(PaintLayer, ContinuesTheRimsColorOutsideTheDiscWhateverWasPaintedThere)
 {
     const Brush hard{.color = {1, 0, 0}, .radius = 0.5, .hardness = 1.0, .flow = 1.0};
     Brush other = hard;

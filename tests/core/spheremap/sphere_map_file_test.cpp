@@ -159,7 +159,7 @@ TEST(SphereMapFile, ErrorsNameTheFile)
         }
 }
 
-// Highlights add light and rainbows colour it; files, which may leave the blend mode out, keep theirs.
+// Highlights add light and rainbows color it; files, which may leave the blend mode out, keep theirs.
 TEST(SphereMapLayers, AreAddedWithTheBlendModeOfTheirKind)
 {
     EXPECT_EQ(makeLayer("phong-lights").blend, BlendMode::Add);

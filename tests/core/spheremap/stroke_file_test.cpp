@@ -128,7 +128,7 @@ TEST_F(StrokeFile, WhatIsWrongIsNamedInOneLine)
     EXPECT_EQ(refusalOfStroke("{\"points\": \"0 zero\"}"),
               "strokes[0].points[0]: must be \"x y pressure\", points apart by commas; it goes on \"zero\"");
     EXPECT_EQ(refusalOfStroke("{\"points\": \"nan 0\"}"),
-              "strokes[0].points[0]: must lie within 4 disc radii of the centre, as finite numbers");
+              "strokes[0].points[0]: must lie within 4 disc radii of the center, as finite numbers");
     EXPECT_EQ(refusalOfStroke("{\"points\": \"1e999 0\"}"),
               "strokes[0].points[0]: must be \"x y pressure\", points apart by commas; it goes on \"1e999 0\"");
     EXPECT_EQ(refusalOfStroke("{\"points\": \"0 0 2\"}"),

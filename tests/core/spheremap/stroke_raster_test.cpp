@@ -175,7 +175,7 @@ TEST(StrokeRaster, RadialStrokesLookTheSameAfterATurn)
     EXPECT_LT(farthest(image, turned), 1e-4);
 }
 
-TEST(Smudge, CarriesColourFromWhereItBeganToWhereItEnds)
+TEST(Smudge, CarriesColorFromWhereItBeganToWhereItEnds)
 {
     // In the tip's hard core every step moves all of it: q_n came from q_(n-1), and so on to the first dab.
     std::vector<Stroke> strokes{dab({-0.4, 0.0}, hard)};
@@ -187,7 +187,7 @@ TEST(Smudge, CarriesColourFromWhereItBeganToWhereItEnds)
     EXPECT_EQ(at(image, {0.4, 0.25}), glm::vec4(0.0f)); // beside the tip nothing moves
 }
 
-TEST(Smudge, LeavesAnEvenColourEven)
+TEST(Smudge, LeavesAnEvenColorEven)
 {
     std::vector<Stroke> strokes{dab({0, 0}, {.color = {0.25, 0.5, 0.75}, .radius = 2.0, .hardness = 1.0, .flow = 1.0})};
     const Image even = paintStrokes(strokes, 128);

@@ -119,7 +119,7 @@ TEST(Stroke, NumbersThatAreNotFiniteOrOutOfRangeAreNamed)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     Stroke bad = dab({0.0, nan});
-    EXPECT_EQ(refusal({Stroke{}, bad}), "strokes[1].points[0]: must lie within 4 disc radii of the centre, as finite numbers");
+    EXPECT_EQ(refusal({Stroke{}, bad}), "strokes[1].points[0]: must lie within 4 disc radii of the center, as finite numbers");
     bad = dab({0.0, 0.0});
     bad.points[0].pressure = 1.5;
     EXPECT_EQ(refusal({bad}), "strokes[0].points[0]: has a pressure outside [0, 1]; pressure is the third number of a point");

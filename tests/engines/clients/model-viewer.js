@@ -47,7 +47,7 @@ export async function open({ folder, name, size }) {
       ball.updateWorldMatrix(true, false);
       const { background } = scene;
       scene.background = null;
-      // The ball's centre, seen from +Z; model-viewer moves and scales models.
+      // The ball's center, seen from +Z; model-viewer moves and scales models.
       const at = ball.matrixWorld.elements;
       const scale = Math.hypot(at[0], at[1], at[2]);
       camera.matrixWorld.makeTranslation(at[12], at[13], at[14] + 5 * scale);
