@@ -13,7 +13,7 @@ namespace mirrorball {
 
 namespace {
 
-constexpr size_t polynomialTerms = 16;
+constexpr size_t polynomialTerms = KernelSplit::mostPolynomialTerms, shortPolynomialTerms = KernelSplit::fewPolynomialTerms;
 
 /// The two terms of G when acosh y at the pole is `rise`.
 struct Terms {
@@ -135,14 +135,19 @@ std::vector<double> KernelSplit::sharePolynomial() const
         for (size_t j = 0; j < n; ++j)
             series[j] += (j == 0 ? 1.0 : 2.0) / n * value * std::cos(static_cast<double>(j) * angle);
     }
-    std::vector<double> powers(n, 0.0), before(n, 0.0), now(n, 0.0);
+    // A short series where what it leaves out is far below what the split itself leaves out.
+    double rest = 0.0;
+    for (size_t j = shortPolynomialTerms; j < n; ++j)
+        rest += std::abs(series[j]);
+    const size_t terms = rest <= polynomialShare * m_leftOut ? shortPolynomialTerms : n;
+    std::vector<double> powers(terms, 0.0), before(terms, 0.0), now(terms, 0.0);
     now[0] = 1.0; // T_0, and T_(-1) = T_1 = x
     before[1] = 1.0;
-    for (size_t j = 0; j < n; ++j) {
-        for (size_t i = 0; i < n; ++i)
+    for (size_t j = 0; j < terms; ++j) {
+        for (size_t i = 0; i < terms; ++i)
             powers[i] += series[j] * now[i];
-        std::vector<double> next(n, 0.0);
-        for (size_t i = 0; i < n; ++i)
+        std::vector<double> next(terms, 0.0);
+        for (size_t i = 0; i < terms; ++i)
             next[i] = (i > 0 ? 2.0 * now[i - 1] : 0.0) - before[i];
         before = std::exchange(now, next);
     }

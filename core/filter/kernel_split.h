@@ -39,7 +39,10 @@ public:
     double share(double u) const;
     /// The far kernel's Legendre coefficients, 0 .. last. Those beyond the band limit are the horizon's kink.
     std::vector<double> farCoefficients(int last) const;
-    /// G over [0, reach] as a polynomial of degree 15 in 1 - 2 u/reach, lowest power first; to about 1e-8.
+    static constexpr size_t mostPolynomialTerms = 16, fewPolynomialTerms = 10;
+    static constexpr double polynomialShare = 0.02; ///< of leftOut(), which the polynomial may be off by
+    /// G over [0, reach] as a polynomial in 1 - 2 u/reach, lowest power first: of 10 terms where that is within its share of leftOut(),
+    /// else of 16, to about 1e-8.
     std::vector<double> sharePolynomial() const;
 
 private:

@@ -111,7 +111,7 @@ SettledNearFar settleNearFar(FilterSource& source, const PrefilterOptions& optio
         far.split = brightSplit;
         far.spectrum = &source.calmSpectrum(brightSplit, bandLimit, job);
         far.seconds = plan.seconds;
-        far.relative = 2.0 * miss + nearRounding;
+        far.relative = 2.0 * (1.0 + KernelSplit::polynomialShare) * miss + nearRounding;
         far.calmMean = meanOf(*far.spectrum);
 
         const ValueDistribution values = coarseValues(settled, BrightLobe(bright, options.lobe), job);

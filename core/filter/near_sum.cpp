@@ -26,7 +26,7 @@ struct Row {
 
 /// What is the same for all rows, in all lanes.
 struct Constants {
-    Lanes share[16], toUnit, steepness, reach;
+    Lanes share[KernelSplit::mostPolynomialTerms], toUnit, steepness, reach;
 };
 
 struct Sums {
@@ -34,6 +34,7 @@ struct Sums {
 };
 
 /// Columns [x, x + count), which lie at `table` and after in the tables of sines.
+template <size_t terms>
 [[gnu::always_inline]] inline void addColumns(const Tables& t, const Constants& constants, const Row& row, int x, int table, int count,
                                               Sums& sums)
 {
@@ -48,8 +49,11 @@ struct Sums {
         const Lanes v = s * row.offsetCosine - c * row.offsetSine;
         const Lanes u = row.least + row.slope * (v * v);
         const Lanes y = 1.0f + constants.toUnit * u, y2 = y * y; // even and odd powers apart: neither waits for the other
-        const Lanes even = g[0] + y2 * (g[2] + y2 * (g[4] + y2 * (g[6] + y2 * (g[8] + y2 * (g[10] + y2 * (g[12] + y2 * g[14]))))));
-        const Lanes odd = g[1] + y2 * (g[3] + y2 * (g[5] + y2 * (g[7] + y2 * (g[9] + y2 * (g[11] + y2 * (g[13] + y2 * g[15]))))));
+        Lanes even = g[terms - 2], odd = g[terms - 1];
+        for (size_t k = terms - 2; k > 0; k -= 2) {
+            even = g[k - 2] + y2 * even;
+            odd = g[k - 1] + y2 * odd;
+        }
         const Lanes under = 1.0f + constants.steepness * u;
         const Lanes all = (1.0f - u) * (even + y * odd) / (under * under);
         const Lanes n = (u < constants.reach) & (lane < count - i) ? all : none;
@@ -72,6 +76,7 @@ struct Sums {
     return sum;
 }
 
+template <size_t terms>
 [[gnu::always_inline]] inline glm::dvec4 sumAt(const Tables& t, const Constants& constants, double azimuth, double colatitude)
 {
     const double rowHeight = pi / t.height, columnWidth = 2.0 * pi / t.width, turns = azimuth / (2.0 * pi);
@@ -104,15 +109,15 @@ struct Sums {
         int x = nearest - left, table = t.width / 2 - left, count = left + right + 1;
         if (x < 0) {
             const int before = std::min(-x, count);
-            addColumns(t, constants, row, x + t.width, table, before, sums);
+            addColumns<terms>(t, constants, row, x + t.width, table, before, sums);
             x = 0;
             table += before;
             count -= before;
         }
         const int here = std::min(count, t.width - x);
-        addColumns(t, constants, row, x, table, here, sums);
+        addColumns<terms>(t, constants, row, x, table, here, sums);
         if (here < count)
-            addColumns(t, constants, row, 0, table + here, count - here, sums);
+            addColumns<terms>(t, constants, row, 0, table + here, count - here, sums);
     }
     return glm::dvec4(total(sums.red), total(sums.green), total(sums.blue), total(sums.one) * t.scale) * (t.peakOfLobe / t.scale);
 }
@@ -131,7 +136,9 @@ MIRRORBALL_CLONES // hot: some hundred texels for each place
     constants.steepness = one * static_cast<float>(tables.steepness);
     constants.reach = one * static_cast<float>(tables.reach);
     for (size_t i = 0; i < count; ++i)
-        sums[i] = sumAt(tables, constants, places[i].azimuth + yaw, places[i].colatitude);
+        sums[i] = tables.terms > KernelSplit::fewPolynomialTerms
+                      ? sumAt<KernelSplit::mostPolynomialTerms>(tables, constants, places[i].azimuth + yaw, places[i].colatitude)
+                      : sumAt<KernelSplit::fewPolynomialTerms>(tables, constants, places[i].azimuth + yaw, places[i].colatitude);
 }
 
 NearSum::NearSum(const EnvironmentMap& latlong, std::span<const BrightTexels::Change> changes, const KernelSplit& split,
@@ -183,7 +190,8 @@ NearSum::NearSum(const EnvironmentMap& latlong, std::span<const BrightTexels::Ch
     t.reachAngle = split.reachAngle();
     t.steepness = 0.5 * (1.0 - alpha2) / alpha2;
     const std::vector<double> powers = split.sharePolynomial();
-    for (size_t i = 0; i < std::size(t.share); ++i)
+    t.terms = powers.size();
+    for (size_t i = 0; i < t.terms; ++i)
         t.share[i] = static_cast<float>(powers[i]);
 }
 

@@ -45,7 +45,8 @@ public:
         double scale = 1.0;                                      ///< of the planes, a power of two
         double reach = 0.0, reachAngle = 0.0;                    ///< of u, and of t
         double steepness = 0.0;                                  ///< k/k(1) = (1 - u)/(1 + steepness u)^2
-        float share[16]{};                                       ///< G in powers of 1 - 2 u/reach
+        size_t terms = 0;                                        ///< of G: KernelSplit::fewPolynomialTerms or mostPolynomialTerms
+        float share[KernelSplit::mostPolynomialTerms]{};         ///< G in powers of 1 - 2 u/reach
     };
 
 private:

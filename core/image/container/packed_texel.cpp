@@ -60,15 +60,51 @@ Rgba8 packRgbe(const glm::vec3& rgb)
     return {roundedByte(v.r * scale), roundedByte(v.g * scale), roundedByte(v.b * scale), static_cast<std::uint8_t>(exponent + 128)};
 }
 
+/// roundedByte(255 v^(1/2.2)) of v in [0, 1], to the bit: the function goes up, so where each byte begins tells it. A power for each
+/// channel of each texel would be most of what an environment costs to write.
+class GammaBytes {
+public:
+    GammaBytes()
+    {
+        m_begins[0] = 0.0f;
+        for (unsigned byte = 1; byte < m_begins.size() - 1; ++byte) { // bisected over the bits of floats
+            std::uint32_t below = 0, at = std::bit_cast<std::uint32_t>(1.0f);
+            while (at - below > 1) {
+                const std::uint32_t middle = below + (at - below) / 2;
+                (byPower(std::bit_cast<float>(middle)) < byte ? below : at) = middle;
+            }
+            m_begins[byte] = std::bit_cast<float>(at);
+        }
+        m_begins.back() = HUGE_VALF;
+        for (std::uint32_t cell = 0; cell < m_first.size(); ++cell)
+            m_first[cell] = byPower(std::bit_cast<float>(cell << cellBits));
+    }
+    std::uint8_t operator()(float v) const
+    {
+        std::uint8_t byte = m_first[std::bit_cast<std::uint32_t>(v) >> cellBits];
+        while (v >= m_begins[byte + 1u])
+            ++byte;
+        return byte;
+    }
+
+private:
+    static constexpr int cellBits = 16; ///< of the mantissa that a cell spans: at most two bytes begin within it
+    static std::uint8_t byPower(float v) { return roundedByte(255.0f * std::pow(v, 1.0f / 2.2f)); }
+
+    std::array<float, 257> m_begins{};                                 ///< the least v of each byte
+    std::array<std::uint8_t, (0x3f800000u >> cellBits) + 1> m_first{}; ///< of the least v of each cell
+};
+
 /// Babylon's own encoder chooses the multiplier down to a whole number over 255, so that the brightest channel stays below 1.
 Rgba8 packRgbd(const glm::vec3& rgb)
 {
+    static const GammaBytes gammaByte;
     const glm::vec3 v = clamped(rgb, 255.0f);
     const float brightest = std::max({v.r, v.g, v.b});
     const float d = brightest > 0.0f ? std::clamp(std::floor(255.0f / brightest), 1.0f, 255.0f) : 255.0f;
     Rgba8 texel{0, 0, 0, static_cast<std::uint8_t>(d)};
     for (int c = 0; c < 3; ++c)
-        texel[static_cast<size_t>(c)] = roundedByte(255.0f * std::pow(v[c] * d / 255.0f, 1.0f / 2.2f));
+        texel[static_cast<size_t>(c)] = gammaByte(std::min(v[c] * d / 255.0f, 1.0f));
     return texel;
 }
 

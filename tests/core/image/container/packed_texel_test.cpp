@@ -84,6 +84,20 @@ TEST_P(PackedColors, ClampToTheirRangeAndTakeAnyNumber)
     EXPECT_EQ(unpackColor(form, packColor(form, {nan, -1.0f, -infinity})), glm::vec3(0.0f));
 }
 
+// Babylon.js' shader decodes byte^2.2: the byte is the power's, rounded, whatever finds it.
+TEST(PackedColor, RgbdRoundsThePowerItself)
+{
+    for (float value = 1e-9f; value < 260.0f; value *= 1.00037f) {
+        const float v = std::min(value, 255.0f), multiplier = std::clamp(std::floor(255.0f / v), 1.0f, 255.0f);
+        const float half = 0.5f * v * multiplier / 255.0f, whole = std::min(v * multiplier / 255.0f, 1.0f);
+        const Rgba8 texel = packColor(PackedColor::Rgbd, {value, 0.5f * value, 0.0f});
+        EXPECT_EQ(texel, (Rgba8{static_cast<std::uint8_t>(std::lround(255.0f * std::pow(whole, 1.0f / 2.2f))),
+                                static_cast<std::uint8_t>(std::lround(255.0f * std::pow(half, 1.0f / 2.2f))), 0,
+                                static_cast<std::uint8_t>(multiplier)}))
+            << value;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Forms, PackedColors,
                          testing::Values(ColorCase{PackedColor::Rgbe, 1e-6f, 1e6f, 0x1p-8f * 1.001f},
                                          ColorCase{PackedColor::Rgbm, 1e-2f, 64.0f, 0.012f},
