@@ -40,7 +40,8 @@ struct ImageFormat {
     bool attributes = false; ///< strings are kept beside the texels, see WriteOptions::attributes
     CompressionRatios ratios{};
     CompressionRatios halfRatios{};
-    double writingSeconds = 5e-8; ///< CPU time of encoding a texel, compressing it and handing it to the system, about
+    double writingSeconds = 5e-8;  ///< CPU time of encoding a texel, compressing it and handing it to the system, about
+    bool needsOpenImageIo = false; ///< to be written; loading it costs more than most pictures, see openimageio::loadingSeconds()
 
     /// Whether a file that begins with these bytes is of this format. Null: left to OpenImageIO, which knows the signatures of its formats.
     bool (*recognizes)(std::string_view firstBytes) = nullptr;

@@ -5,12 +5,15 @@
 #include "core/base/code_folder.h"
 #include "core/base/error.h"
 
+#include <atomic>
 #include <vector>
 
 #include <dlfcn.h>
 
 namespace mirrorball::openimageio {
 namespace {
+
+std::atomic<bool> isLoaded = false;
 
 constexpr const char* moduleFile = "libmirrorball_openimageio.so";
 
@@ -53,7 +56,10 @@ const Module& loadModule()
 const Module& module()
 {
     static const Module& loaded = loadModule(); // a failure is tried again on the next use
+    isLoaded = true;
     return loaded;
 }
+
+double loadingSeconds() { return isLoaded ? 0.0 : 0.25; }
 
 } // namespace mirrorball::openimageio

@@ -16,6 +16,17 @@ bool isAskedFor(const ExportTarget& target, const std::vector<std::string>& only
     return only.empty() || std::find(only.begin(), only.end(), target.name) != only.end();
 }
 
+StageCost Planner::savingStage(const std::filesystem::path& file, const ExportPlan& planned)
+{
+    StageCost cost = savingCost(file, levelLayouts(planned));
+    if (!m_isWriterLoaded) {
+        const double loading = loadingCost(file).seconds;
+        cost.seconds += loading;
+        m_isWriterLoaded = loading > 0.0;
+    }
+    return cost;
+}
+
 Plan Planner::makeFilters(const std::vector<PrefilterOptions>& levels, const std::string& file)
 {
     MapPlan map{.name = levels.size() == 1 ? describe(levels.front().lobe) : "map"};
@@ -24,7 +35,7 @@ Plan Planner::makeFilters(const std::vector<PrefilterOptions>& levels, const std
     if (levels.size() == 1)
         leaveOut("mip levels of " + map.name, "not asked for");
     m_plan.exports.push_back({.map = std::move(map)});
-    need("save map", file, savingCost(file, levelLayouts(m_plan.exports.back())));
+    need("save map", file, savingStage(file, m_plan.exports.back()));
     planReading();
     return std::move(m_plan);
 }
@@ -48,7 +59,7 @@ void Planner::planExports(const std::vector<std::string>& only)
             else
                 planExport(target);
             ExportPlan& planned = m_plan.exports.back();
-            need("save " + target.name, target.fileName(), savingCost(target.fileName(), levelLayouts(planned)));
+            need("save " + target.name, target.fileName(), savingStage(target.fileName(), planned));
             for (size_t i = firstStage; i < m_later.size(); ++i)
                 planned.seconds += m_later[i].expected.seconds;
         }

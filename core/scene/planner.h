@@ -66,6 +66,8 @@ private:
     void planDiffuse();
     void planBackground();
     void planExports(const std::vector<std::string>& only);
+    /// What is loaded for a file is loaded once.
+    StageCost savingStage(const std::filesystem::path& file, const ExportPlan& planned);
     void planPainted(const ExportTarget& target);
     void planExport(const ExportTarget& target);
     /// The stages before all others follow from what the maps need.
@@ -76,6 +78,7 @@ private:
     MapDetail m_detail{};
     Plan m_plan{};
     std::vector<Stage> m_later{};
+    bool m_isWriterLoaded = false;
 };
 
 } // namespace mirrorball

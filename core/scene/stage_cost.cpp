@@ -1,6 +1,7 @@
 #include "stage_cost.h"
 
 #include "core/image/image_format.h"
+#include "core/image/openimageio_library.h"
 #include "core/spheremap/evaluation/evaluate.h"
 
 #include <algorithm>
@@ -59,6 +60,12 @@ StageCost savingCost(const std::filesystem::path& file, std::span<const MapLayou
     for (const MapLayout& level : levels)
         sum += texel * texels(level);
     return {sum, 0};
+}
+
+StageCost loadingCost(const std::filesystem::path& file)
+{
+    const ImageFormat* format = findFormat(file);
+    return {format && format->needsOpenImageIo ? openimageio::loadingSeconds() : 0.0, 0};
 }
 
 // Of the renderer without a GPU; its shaders take a fifth of a second to compile.
