@@ -3,6 +3,7 @@
 #include "core/base/multiversion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace mirrorball {
@@ -88,36 +89,44 @@ template <size_t terms>
               bottom = std::min(t.height - 1, static_cast<int>(std::floor((colatitude + t.reachAngle) / rowHeight - 0.5)));
     Row row{.offsetSine = static_cast<float>(std::sin(offset)), .offsetCosine = static_cast<float>(std::cos(offset))};
     Sums sums;
-    for (int y = top; y <= bottom; ++y) {
-        const auto i = static_cast<size_t>(y);
-        const double between = sine * t.halfCosine[i] - cosine * t.halfSine[i], least = 2.0 * between * between,
-                     slope = 2.0 * across * t.rowSine[i], square = (t.reach - least) / std::max(slope, 1e-30);
-        if (square < 0.0)
-            continue;
-        row.least = static_cast<float>(least);
-        row.slope = static_cast<float>(slope);
-        row.start = y * t.stride;
-        row.weight = static_cast<float>(t.weight[i]);
-        // Columns from nearest - left to nearest + right: those within the reach, and perhaps one more, which the comparison with it drops.
-        int left = t.width / 2, right = (t.width - 1) / 2;
-        if (square < 1.0) {
-            const double s = std::sqrt(square), half = 2.0 * (s + (0.5 * pi - 1.0) * s * s * s); // asin s is less
+    // What roots and quotients tell of the rows is found for some at once: vectors of the compiler's, and loops that do not wait for them.
+    constexpr int some = 16;
+    std::array<float, some> leasts, slopes;
+    std::array<int, some> reaches; // columns to either side within the reach, and perhaps one more, which the comparison with it drops
+    for (int first = top; first <= bottom; first += some) {
+        const int rows = std::min(some, bottom + 1 - first);
+        for (int i = 0; i < rows; ++i) {
+            const auto y = static_cast<size_t>(first + i);
+            const double between = sine * t.halfCosine[y] - cosine * t.halfSine[y], least = 2.0 * between * between,
+                         slope = 2.0 * across * t.rowSine[y], square = (t.reach - least) / std::max(slope, 1e-30);
+            const double s = std::sqrt(std::clamp(square, 0.0, 1.0)), half = 2.0 * (s + (0.5 * pi - 1.0) * s * s * s); // asin s is less
+            leasts[static_cast<size_t>(i)] = static_cast<float>(least);
+            slopes[static_cast<size_t>(i)] = static_cast<float>(slope);
             const int columns = static_cast<int>(half / columnWidth + 1.5);
-            left = std::min(left, columns);
-            right = std::min(right, columns);
+            reaches[static_cast<size_t>(i)] = square < 0.0 ? -1 : columns;
         }
-        int x = nearest - left, table = t.width / 2 - left, count = left + right + 1;
-        if (x < 0) {
-            const int before = std::min(-x, count);
-            addColumns<terms>(t, constants, row, x + t.width, table, before, sums);
-            x = 0;
-            table += before;
-            count -= before;
+        for (int i = 0; i < rows; ++i) {
+            const int y = first + i, columns = reaches[static_cast<size_t>(i)];
+            if (columns < 0)
+                continue;
+            row.least = leasts[static_cast<size_t>(i)];
+            row.slope = slopes[static_cast<size_t>(i)];
+            row.start = y * t.stride;
+            row.weight = static_cast<float>(t.weight[static_cast<size_t>(y)]);
+            const int left = std::min(t.width / 2, columns), right = std::min((t.width - 1) / 2, columns);
+            int x = nearest - left, table = t.width / 2 - left, count = left + right + 1;
+            if (x < 0) {
+                const int before = std::min(-x, count);
+                addColumns<terms>(t, constants, row, x + t.width, table, before, sums);
+                x = 0;
+                table += before;
+                count -= before;
+            }
+            const int here = std::min(count, t.width - x);
+            addColumns<terms>(t, constants, row, x, table, here, sums);
+            if (here < count)
+                addColumns<terms>(t, constants, row, 0, table + here, count - here, sums);
         }
-        const int here = std::min(count, t.width - x);
-        addColumns<terms>(t, constants, row, x, table, here, sums);
-        if (here < count)
-            addColumns<terms>(t, constants, row, 0, table + here, count - here, sums);
     }
     return glm::dvec4(total(sums.red), total(sums.green), total(sums.blue), total(sums.one) * t.scale) * (t.peakOfLobe / t.scale);
 }

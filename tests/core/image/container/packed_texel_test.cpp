@@ -87,14 +87,14 @@ TEST_P(PackedColors, ClampToTheirRangeAndTakeAnyNumber)
 // Babylon.js' shader decodes byte^2.2: the byte is the power's, rounded, whatever finds it.
 TEST(PackedColor, RgbdRoundsThePowerItself)
 {
-    for (float value = 1e-9f; value < 260.0f; value *= 1.00037f) {
-        const float v = std::min(value, 255.0f), multiplier = std::clamp(std::floor(255.0f / v), 1.0f, 255.0f);
+    for (float v = 1e-9f; v <= 255.0f; v *= 1.00037f) {
+        const float multiplier = std::clamp(std::floor(255.0f / v), 1.0f, 255.0f);
         const float half = 0.5f * v * multiplier / 255.0f, whole = std::min(v * multiplier / 255.0f, 1.0f);
-        const Rgba8 texel = packColor(PackedColor::Rgbd, {value, 0.5f * value, 0.0f});
+        const Rgba8 texel = packColor(PackedColor::Rgbd, {v, 0.5f * v, 0.0f});
         EXPECT_EQ(texel, (Rgba8{static_cast<std::uint8_t>(std::lround(255.0f * std::pow(whole, 1.0f / 2.2f))),
                                 static_cast<std::uint8_t>(std::lround(255.0f * std::pow(half, 1.0f / 2.2f))), 0,
                                 static_cast<std::uint8_t>(multiplier)}))
-            << value;
+            << v;
     }
 }
 
