@@ -2,7 +2,7 @@
 //   node prove.mjs --mirrorball PROGRAM --proof PROGRAM [--engines three,babylon] [--probes P,...] [--short] [--own] [--plant FAULT] [--size N]
 // Exits with 1 where a figure is beyond its limit.
 import { execFileSync, spawnSync } from 'node:child_process';
-import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { copyFileSync, mkdirSync, mkdtempSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
@@ -21,7 +21,7 @@ const playCanvasRoughnesses = o.short ? [0, 0.5] : [0, 0.2, 0.4, 0.6, 0.8, 1];
 // What differs between clients: module, settings, where the eye stands, kinds of pictures.
 const clients = {
   three: { client: 'three', kinds: ['diffuse', 'sh'], own: {} },
-  filament: { client: 'filament', kinds: ['diffuse'] },
+  filament: { client: 'filament', kinds: ['diffuse'], own: { cmgen: true } },
   babylon: { client: 'babylon', kinds: ['diffuse'], eye: -1, leftHanded: true, own: { own: 'source.hdr' } },
   'babylon-rh': { client: 'babylon', kinds: ['diffuse'], settings: { rightHanded: true } },
   'model-viewer': { client: 'model-viewer', kinds: ['diffuse'] },
@@ -55,10 +55,20 @@ async function prove(word, probe, index) {
     await page.close();
   };
   await take({}, false);
-  if (o.own && own && !o.plant) {
-    if (own.own)
+  if (o.own && own && !o.plant && !(own.cmgen && spawnSync('cmgen', ['--version']).error)) {
+    const extra = { own: true, ...own };
+    if (own.cmgen) { // Filament's own tool, whose pair stands beside a copy of our script
+      const theirs = join(path, 'own');
+      execFileSync(o.mirrorball, ['convert', probe, '-o', join(path, 'source.hdr'), '--to', 'latlong', '--size', '512']);
+      execFileSync('cmgen', ['-q', '-x', theirs, '-f', 'ktx', '--size=256', join(path, 'source.hdr')], { stdio: 'ignore' });
+      for (const part of ['ibl', 'skybox'])
+        renameSync(join(theirs, `own_${part}.ktx`), join(theirs, `${client}_${part}.ktx`));
+      copyFileSync(join(path, `${client}_filament.js`), join(theirs, `${client}_filament.js`));
+      extra.folder = `/out/${folder}/own`;
+    } else if (own.own) {
       execFileSync(o.mirrorball, ['convert', probe, '-o', join(path, own.own), '--to', 'latlong', '--size', '512']);
-    await take({ own: true, ...own }, true);
+    }
+    await take(extra, true);
   }
   const manifest = join(path, 'manifest.json');
   writeFileSync(manifest, JSON.stringify({ engine: client, probe, size, eye, left_handed: leftHanded, pictures }));
