@@ -116,6 +116,17 @@ std::vector<double> poleToPole(const Spectrum& spectrum, const std::vector<doubl
     return line;
 }
 
+constexpr double negligibleZonal = 1e-9; ///< beside 1, in a float
+
+/// Root mean square of what the rings get wrong of the zonal norm.
+double zonalInterpolationError(const Spectrum& spectrum, const std::vector<double>& k, int rings)
+{
+    double lost = 0.0;
+    for (size_t l = 1; l < std::min(k.size(), spectrum.zonalUnit.size()); ++l)
+        lost += RingGrid::leakage(static_cast<int>(l), rings) * std::pow(k[l] * spectrum.zonalUnit[l], 2) / (4.0 * pi);
+    return std::sqrt(lost);
+}
+
 } // namespace
 
 int RingGrid::ringsFor(const std::vector<double>& share, double tolerance)
@@ -161,27 +172,29 @@ RingGrid::RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int r
     }
     FilteredRings filtered = synthesize(spectrum, k, theta, samples, 0.0, azimuth, job);
     m_mean = filtered.mean;
-    // The zonal norm has its own line of samples: it repeats with the probe's rows, which may be finer than the rings.
+    // The zonal norm repeats with the probe's rows, which may be finer than the rings: then it has a line of samples of its own.
     const std::vector<double>& factors = longer.empty() ? k : longer;
-    const std::vector<double> zonal = zonalNorm(spectrum, k, theta);
+    const int normLimit = zonalNormLimit(spectrum, factors);
+    const bool hasLine = normLimit >= static_cast<int>(k.size()) || zonalInterpolationError(spectrum, k, rings) > negligibleZonal;
+    const std::vector<double> zonal = hasLine ? zonalNorm(spectrum, k, theta) : std::vector<double>(theta.size(), 1.0);
     for (size_t i = 0; i < filtered.norm.size(); ++i) {
         // In doubles: beside a sun the mean times this is many times what is left in the dark.
         for (int c = 0; c < 3; ++c)
             filtered.rgb[static_cast<size_t>(c)][i] += m_mean[c] * (filtered.norm[i] - 1.0);
         filtered.norm[i] -= zonal[i / static_cast<size_t>(samples)];
     }
-    const int normLimit = zonalNormLimit(spectrum, factors);
-    m_zonal = poleToPole(spectrum, factors, normLimit);
-    if (normLimit >= static_cast<int>(k.size())) { // most norms end within the band limit
-        const std::vector<double> within = poleToPole(spectrum, k, normLimit);
-        for (size_t i = 0; i < within.size(); ++i)
-            m_zonalBeyond.push_back(m_zonal[i] - within[i]);
+    if (hasLine) {
+        m_zonal = poleToPole(spectrum, factors, normLimit);
+        if (normLimit >= static_cast<int>(k.size())) { // most norms end within the band limit
+            const std::vector<double> within = poleToPole(spectrum, k, normLimit);
+            for (size_t i = 0; i < within.size(); ++i)
+                m_zonalBeyond.push_back(m_zonal[i] - within[i]);
+        }
+        for (double& value : m_zonal)
+            value -= 1.0;
     }
-    for (double& value : m_zonal)
-        value -= 1.0;
-    constexpr double lost = 1e-9; // beside 1, in a float
-    m_isNormFlat =
-        m_zonalBeyond.empty() && std::all_of(m_zonal.begin(), m_zonal.end(), [](double value) { return std::abs(value) < lost; });
+    m_isNormFlat = m_zonalBeyond.empty() &&
+                   std::all_of(m_zonal.begin(), m_zonal.end(), [](double value) { return std::abs(value) < negligibleZonal; });
 
     m_texels.resize(4 * static_cast<size_t>(rings + haloBefore + haloAfter) * static_cast<size_t>(m_stride));
     const auto at = [&](int row, int x) {

@@ -47,11 +47,11 @@ private:
     int m_rings;
     int m_stride; ///< samples a row of m_texels, halo included
     std::vector<float>
-        m_texels; ///< spline coefficients of RGB and what of the norm is not zonal, with a halo so that no tap needs wrapping
-    /// From pole to pole and one place beyond either: the zonal norm less 1, and that part of it that lies beyond the rings' band limit,
-    /// which the numerators of RGB have times the mean; empty where none does.
+        m_texels; ///< spline coefficients of RGB and the norm less 1, or what of it is not zonal, with a halo so that no tap needs wrapping
+    /// From pole to pole and one place beyond either: the zonal norm less 1, empty where the rings hold it as well; and that part of it
+    /// that lies beyond their band limit, which the numerators of RGB have times the mean, empty where none does.
     std::vector<double> m_zonal, m_zonalBeyond;
-    bool m_isNormFlat = false; ///< the zonal norm is 1 as far as floats tell
+    bool m_isNormFlat = false; ///< what of the norm is not in the rings is 1 as far as floats tell
     glm::dvec3 m_mean{0.0};
 };
 
