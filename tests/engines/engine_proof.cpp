@@ -225,9 +225,9 @@ public:
     }
     /// A figure that our files do not decide: the engine's own filter.
     void tell(const std::string& name, double value) { m_figures[name + " (its own filter)"] = {{"value", value}, {"passed", true}}; }
-    void orientation(const std::string& seen, const std::string& expected)
+    void orientation(const std::string& name, const std::string& seen, const std::string& expected)
     {
-        m_figures["orientation"] = {{"value", seen}, {"expected", expected}, {"passed", seen == expected}};
+        m_figures[name] = {{"value", seen}, {"expected", expected}, {"passed", seen == expected}};
         m_passed = m_passed && seen == expected;
     }
     bool passed() const { return m_passed; }
@@ -281,6 +281,8 @@ Verdict judge(const json& manifest)
         const std::string name = kind == "metal" ? figureName(kind, roughness) : kind;
         const Difference againstExact = difference(picture, ball, kind == "metal" ? shadedBy(*exact, roughness) : mattBy(*exact), axes);
         if (entry.value("own", false)) {
+            if (kind == "metal" && roughness == 0.0) // else it could excuse anything
+                verdict.orientation("orientation of its own", orientation(picture, ball, *probe.latlong()), words(axes));
             verdict.add("worse than its own, " + name, errors.at(name) - againstExact.relRms, ownMargin);
             if (kind == "metal" && roughness > 0.0)
                 ownSeams = std::max(ownSeams, againstExact.seams);
@@ -292,7 +294,7 @@ Verdict judge(const json& manifest)
         if (kind == "metal") {
             const Difference d = difference(picture, ball, shadedBy(*ours, roughness), axes);
             if (roughness == 0.0) {
-                verdict.orientation(orientation(picture, ball, *probe.latlong()), words(axes));
+                verdict.orientation("orientation", orientation(picture, ball, *probe.latlong()), words(axes));
                 if (engine == "godot") {
                     verdict.tell("mirror", d.mean);
                     verdict.add("scale of mirrored light", std::abs(d.scale - 1.0), godotScaleLimit);

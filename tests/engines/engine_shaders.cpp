@@ -92,7 +92,7 @@ public:
         for (size_t i = 0; i < atlas.texels.size(); i += 3) {
             const glm::dvec3 roots = glm::sqrt(glm::max(glm::dvec3(atlas.texels[i], atlas.texels[i + 1], atlas.texels[i + 2]), 0.0));
             const double scale = std::clamp(std::max({roots.r, roots.g, roots.b}), 1.0, 8.0);
-            m_encoded.emplace_back(roots / scale, 1.0 - (scale - 1.0) / 7.0);
+            m_encoded.emplace_back(glm::min(roots / scale, 1.0), 1.0 - (scale - 1.0) / 7.0); // bytes end at 8 times 1, radiance at 64
         }
     }
 

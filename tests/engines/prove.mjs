@@ -23,7 +23,7 @@ const clients = {
   three: { client: 'three', kinds: ['diffuse', 'sh'], own: {} },
   filament: { client: 'filament', kinds: ['diffuse'], own: { cmgen: true } },
   babylon: { client: 'babylon', kinds: ['diffuse'], eye: -1, leftHanded: true, own: { own: 'source.hdr' } },
-  'babylon-rh': { client: 'babylon', kinds: ['diffuse'], settings: { rightHanded: true } },
+  'babylon-rh': { client: 'babylon', kinds: ['diffuse'], settings: { rightHanded: true }, own: { own: 'source.hdr', yaw: 180 } },
   'model-viewer': { client: 'model-viewer', kinds: ['diffuse'] },
   playcanvas: { client: 'playcanvas', kinds: ['diffuse'], roughnesses: playCanvasRoughnesses, own: { own: 'source.hdr' } },
 };
@@ -66,7 +66,7 @@ async function prove(word, probe, index) {
       copyFileSync(join(path, `${client}_filament.js`), join(theirs, `${client}_filament.js`));
       extra.folder = `/out/${folder}/own`;
     } else if (own.own) {
-      execFileSync(o.mirrorball, ['convert', probe, '-o', join(path, own.own), '--to', 'latlong', '--size', '512']);
+      execFileSync(o.mirrorball, ['convert', probe, '-o', join(path, own.own), '--to', 'latlong', '--size', '512', '--yaw', own.yaw ?? 0]);
     }
     await take(extra, true);
   }
