@@ -184,7 +184,14 @@ private:
                 best = {split, std::max(calmer.bandLimit, 32)};
             }
         }
-        return best;
+        if (best || choice.feasible())
+            return best;
+        // Bright texels hold more of the high degrees than of the power that this was judged by, and what is left to try costs a sum over
+        // all texels: look.
+        for (size_t split = choice.split + 1; split < brightSplits.size(); ++split)
+            if (m_source.brightTexels(split, m_job).directions.size() > now.directions.size())
+                return Deeper{split, 128};
+        return std::nullopt;
     }
 
     /// What a deeper split leaves of the power about the mean: exactly over all degrees, and of the high ones hardly more.
