@@ -100,6 +100,8 @@ ImportedMesh importMesh(const std::filesystem::path& path, const MeshLimits& lim
                               " can be shown; reduce it in a modeller");
     for (unsigned i = 0; i < scene->mNumMeshes; ++i)
         append(imported.mesh, *scene->mMeshes[i]);
+    if (std::none_of(scene->mMeshes, scene->mMeshes + scene->mNumMeshes, [](const aiMesh* part) { return part->HasTextureCoords(0); }))
+        imported.mesh.texCoords.clear();
     if (imported.mesh.indices.empty())
         throw InvalidArgument("the file holds no triangle; export the surfaces, not curves or points");
     return imported;

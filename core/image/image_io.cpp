@@ -6,6 +6,7 @@
 #include "input_checks.h"
 #include "opacity.h"
 #include "openimageio_loader.h"
+#include "picture_levels.h"
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
@@ -69,27 +70,6 @@ std::unique_ptr<ImageReader> openLevel(const std::filesystem::path& path, int le
     return reading.colorSpace.empty() ? std::move(reader) : inColorSpace(std::move(reader), reading.colorSpace, channels);
 }
 
-/// Averages over the area that each texel of the smaller level covers; texels cut by its edge count in part.
-Image boxHalved(const Image& image)
-{
-    Image half(std::max(1, image.width / 2), std::max(1, image.height / 2), image.channels);
-    const double scaleX = static_cast<double>(image.width) / half.width;
-    const double scaleY = static_cast<double>(image.height) / half.height;
-    for (int y = 0; y < half.height; ++y)
-        for (int x = 0; x < half.width; ++x)
-            for (int c = 0; c < image.channels; ++c) {
-                double sum = 0.0;
-                for (int sy = static_cast<int>(y * scaleY); sy < image.height && sy < (y + 1) * scaleY; ++sy)
-                    for (int sx = static_cast<int>(x * scaleX); sx < image.width && sx < (x + 1) * scaleX; ++sx) {
-                        const double coverY = std::min(sy + 1.0, (y + 1) * scaleY) - std::max<double>(sy, y * scaleY);
-                        const double coverX = std::min(sx + 1.0, (x + 1) * scaleX) - std::max<double>(sx, x * scaleX);
-                        sum += coverX * coverY * image.texel(sx, sy)[c];
-                    }
-                half.texel(x, y)[c] = static_cast<float>(sum / (scaleX * scaleY));
-            }
-    return half;
-}
-
 /// The chain down to 1 x 1; of a cube's faces those that are given. @throws InvalidArgument for a level of the wrong size
 std::vector<Image> fullChain(const std::filesystem::path& path, const std::vector<Image>& levels, int faces)
 {
@@ -102,7 +82,7 @@ std::vector<Image> fullChain(const std::filesystem::path& path, const std::vecto
                                   std::to_string(levels[i].height) + "; it must be half of the level before, rounded down");
     }
     while (faces == 1 && (chain.back().width > 1 || chain.back().height > 1))
-        chain.push_back(boxHalved(chain.back()));
+        chain.push_back(boxHalved(chain.back(), {.threads = 1}));
     return chain;
 }
 

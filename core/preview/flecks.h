@@ -10,7 +10,7 @@
 namespace mirrorball::preview {
 
 struct Flecks {
-    float density = 0.0f; ///< share of the cells that are flecks, [0, 1]; 0: no shader code is built
+    float density = 0.0f; ///< share of the cells that are flecks, [0, 1], times that of a pattern; 0: no shader code is built
     float size = 0.02f;   ///< edge of a cell
     float spread = 0.4f;  ///< radius of the disc that offsets are spread over evenly, in radii of the sphere map's disc
     int seed = 0;
@@ -33,7 +33,7 @@ struct FleckPlace {
 /// Three dependable random numbers from three. Source: Jarzynski and Olano, Hash Functions for GPU Rendering, JCGT 9(3), 2020 (pcg3d)
 glm::uvec3 pcg3d(glm::uvec3 v);
 
-/// @param position on the object, its radius 1
+/// @param position on the object, its radius 1 @param flecks their density as it is there, times a pattern's share
 FleckPlace fleckPlace(const glm::vec3& position, const Flecks& flecks);
 
 } // namespace mirrorball::preview

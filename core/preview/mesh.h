@@ -13,7 +13,7 @@ namespace mirrorball::preview {
 struct Mesh {
     std::vector<glm::vec3> positions{};
     std::vector<glm::vec3> normals{};     ///< unit, outward; one per position
-    std::vector<glm::vec2> texCoords{};   ///< one per position
+    std::vector<glm::vec2> texCoords{};   ///< one per position, (0, 0) at a picture's lower left; none: its file has none
     std::vector<std::uint32_t> indices{}; ///< three per triangle
     std::size_t openFrom = 0;             ///< triangles from this index on can be seen from behind, through a hole
 

@@ -7,6 +7,8 @@ namespace {
 template <class Element>
 GlObject upload(const std::vector<Element>& elements)
 {
+    if (elements.empty())
+        return {};
     GlObject buffer = makeBuffer();
     glNamedBufferStorage(buffer, static_cast<GLsizeiptr>(elements.size() * sizeof(Element)), elements.data(), 0);
     return buffer;
@@ -20,7 +22,7 @@ MeshBuffer::MeshBuffer(const Mesh& mesh)
       m_vertexCount(static_cast<GLsizei>(mesh.positions.size())), m_bounds(boundingBox(mesh))
 {
     const GLint components[3] = {3, 3, 2};
-    for (GLuint i = 0; i < 3; ++i) {
+    for (GLuint i = 0; i < (mesh.texCoords.empty() ? 2u : 3u); ++i) { // without one, shaders read 0
         glVertexArrayVertexBuffer(m_vertexArray, i, m_attributes[i], 0, static_cast<GLsizei>(components[i] * sizeof(float)));
         glVertexArrayAttribFormat(m_vertexArray, i, components[i], GL_FLOAT, GL_FALSE, 0);
         glEnableVertexArrayAttrib(m_vertexArray, i);

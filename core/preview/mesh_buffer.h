@@ -5,7 +5,7 @@
 
 namespace mirrorball::preview {
 
-/// A mesh on the GPU: attribute 0 position, 1 normal, 2 texture coordinate.
+/// A mesh on the GPU: attribute 0 position, 1 normal, 2 texture coordinate, (0, 0) where the mesh has none.
 class MeshBuffer {
 public:
     explicit MeshBuffer(const Mesh& mesh);

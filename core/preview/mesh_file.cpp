@@ -35,12 +35,14 @@ void dropUnused(Mesh& mesh)
     Mesh kept;
     kept.positions.resize(count);
     kept.normals.resize(count);
-    kept.texCoords.resize(count);
+    if (!mesh.texCoords.empty())
+        kept.texCoords.resize(count);
     for (size_t i = 0; i < moved.size(); ++i)
         if (moved[i] != ~0u) {
             kept.positions[moved[i]] = mesh.positions[i];
             kept.normals[moved[i]] = mesh.normals[i];
-            kept.texCoords[moved[i]] = mesh.texCoords[i];
+            if (!mesh.texCoords.empty())
+                kept.texCoords[moved[i]] = mesh.texCoords[i];
         }
     kept.indices = std::move(mesh.indices);
     mesh = std::move(kept);

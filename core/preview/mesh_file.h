@@ -41,7 +41,7 @@ struct MeshFile {
 /// Reads a mesh file through assimp: all its bodies in one, where the file puts them, centered and scaled so that its bounding sphere is
 /// the unit sphere about the origin. Faces are cut into triangles. Normals that are missing are made, smooth across edges of less than 80
 /// degrees; triangles wind counterclockwise seen from the side that their normals are on. A closed body hides its inside (openFrom).
-/// Texture coordinates that are missing are 0.
+/// Texture coordinates that are missing are 0; of a file that has none at all, the mesh has none.
 ///
 /// Faces with vertices that do not exist or are not finite are left out and counted; faces without area are left out.
 ///

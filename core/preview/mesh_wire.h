@@ -31,8 +31,8 @@ inline bool fromWire(std::string_view bytes, ImportedMesh& imported)
     WireReader reader(bytes);
     Mesh& mesh = imported.mesh;
     reader >> imported.dropped >> imported.files >> mesh.positions >> mesh.normals >> mesh.texCoords >> mesh.indices;
-    return reader.isDone() && mesh.normals.size() == mesh.positions.size() && mesh.texCoords.size() == mesh.positions.size() &&
-           mesh.indices.size() % 3 == 0 &&
+    return reader.isDone() && mesh.normals.size() == mesh.positions.size() &&
+           (mesh.texCoords.empty() || mesh.texCoords.size() == mesh.positions.size()) && mesh.indices.size() % 3 == 0 &&
            std::all_of(mesh.indices.begin(), mesh.indices.end(), [&](std::uint32_t i) { return i < mesh.positions.size(); });
 }
 

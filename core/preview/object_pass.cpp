@@ -112,7 +112,9 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
                                          {"COAT", material.combine == Combine::Coat ? "1" : "0"},
                                          {"LAMBDA_BY_ANGLE", material.lambda > 0.0f && material.lambdaGrazing > 0.0f ? "1" : "0"},
                                          {"MARKER", hasMarker ? "1" : "0"},
-                                         {"HAS_TEXCOORD", "0"}};
+                                         {"HAS_TEXCOORD", needed.diffusePicture || needed.fleckPattern ? "1" : "0"},
+                                         {"DIFFUSE_PICTURE", needed.diffusePicture ? "1" : "0"},
+                                         {"FLECK_PATTERN", needed.fleckPattern ? "1" : "0"}};
     const PaintSettings& paint = material.paint;
     const bool hasFlecks = needed.sphereMap && paint.flecks.density > 0.0f;
     defines.emplace_back("SPHERE_USE", number(static_cast<int>(paint.use)));
@@ -152,6 +154,16 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
     if (needed.diffuse) {
         bindMap(shader, "diffuse", 1, *diffuse.texture(), mapRotation(settings));
         shader.set("diffuseColor", material.diffuse);
+    }
+    if (needed.diffusePicture) {
+        diffusePicture.update(maps.diffusePicture, "diffuse picture");
+        diffusePicture.bind(5);
+        shader.set("diffusePicture", 5);
+    }
+    if (needed.fleckPattern) {
+        fleckPattern.update(maps.fleckPattern, "fleck pattern");
+        fleckPattern.bind(6);
+        shader.set("fleckPattern", 6);
     }
     if (needed.sphereMap) {
         const bool isShifted = hasFlecks || sphereMaps[0].source()->hasAuthoredLevels;

@@ -66,10 +66,14 @@ NeededMaps neededMaps(const RenderSettings& settings)
     const bool isMaterial = isShown && !isWindow && paint != PaintUse::Replace && paint != PaintUse::Multiply;
     const bool isLevels = settings.shading == Shading::Mips;
     const bool hidden = material.combine == Combine::Coat && material.fresnel.kind == FresnelKind::None && !material.hasBrdf;
+    const bool hasDiffuse = isMaterial && material.diffuse != glm::vec3(0.0f) && !hidden;
+    const bool hasFlecks = isShown && !isWindow && paint != PaintUse::None && material.paint.flecks.density > 0.0f;
     return {.specular = (isMaterial || isLevels) && material.specular != glm::vec3(0.0f),
-            .diffuse = isMaterial && material.diffuse != glm::vec3(0.0f) && !hidden,
+            .diffuse = hasDiffuse,
             .background = settings.background.kind == BackgroundKind::Environment,
-            .sphereMap = isShown && (isWindow || paint != PaintUse::None)};
+            .sphereMap = isShown && (isWindow || paint != PaintUse::None),
+            .diffusePicture = hasDiffuse && material.hasDiffusePicture,
+            .fleckPattern = hasFlecks && material.paint.hasFleckPattern};
 }
 
 } // namespace mirrorball::preview

@@ -8,6 +8,7 @@
 
 #include "core/image/color.h"
 #include "core/image/environment_map.h"
+#include "core/image/picture_levels.h"
 #include "core/shading/fresnel.h"
 #include "core/spheremap/evaluation/sphere_map_texels.h"
 
@@ -57,6 +58,7 @@ struct PaintSettings {
     PlaceAt place = PlaceAt::Pixel;
     int anisotropy = 16; ///< most lookups along the longer side of a pixel's footprint, where the map's levels are averages; 1 to 16
     Flecks flecks{};
+    bool hasFleckPattern = false;   ///< whether the flecks' density is times the maps' pattern, by the mesh's texture coordinates
     std::optional<int> onlyLevel{}; ///< of the map's levels this one alone is read, wherever; beyond the last: the last
 
     bool operator==(const PaintSettings&) const = default;
@@ -70,6 +72,7 @@ enum class FaceEdges { Seamless, Clamped };
 struct MaterialSettings {
     glm::vec3 specular{1.0f};
     glm::vec3 diffuse{0.0f};
+    bool hasDiffusePicture = false; ///< whether L_d is times the maps' picture, too, by the mesh's texture coordinates
     /// Whether the specular map is a ggx chain (chainRoughness()), read at each pixel by the lookups that the maps' table has: they stand
     /// for F L_m, and their weights' sum for F. Otherwise one lookup by the mirror direction.
     bool hasBrdf = false;
@@ -148,6 +151,8 @@ struct RenderMaps {
     std::shared_ptr<const Image> brdfLookups{}; ///< core/filter/lookup_table.h
     /// The painted sphere map; for a window the layers outside, one to three, nearest first.
     std::vector<SphereMapChain> sphereMaps{};
+    PictureLevels diffusePicture{}; ///< linear RGB
+    PictureLevels fleckPattern{};   ///< shares in the first channel, [0, 1]
 };
 
 /// @throws InvalidArgument naming the field that is out of range
@@ -157,6 +162,7 @@ void validate(const RenderSettings& settings);
 struct NeededMaps {
     bool specular, diffuse, background;
     bool sphereMap = false;
+    bool diffusePicture = false, fleckPattern = false;
     bool operator==(const NeededMaps&) const = default;
 };
 NeededMaps neededMaps(const RenderSettings& settings);

@@ -78,6 +78,10 @@ void Renderer::Resources::drawScene(const RenderSettings& settings, const Render
         diffuse.release();
     if (!needed.background)
         background.release();
+    if (!needed.diffusePicture)
+        diffusePicture.release();
+    if (!needed.fleckPattern)
+        fleckPattern.release();
 
     displayTables.update(output == Output::Display ? settings.display : nullptr);
     if (!needed.sphereMap)

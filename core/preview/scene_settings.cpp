@@ -1,6 +1,7 @@
 #include "scene_settings.h"
 
 #include "core/base/error.h"
+#include "core/base/field_checks.h"
 #include "core/scene/display_curves.h"
 
 #include <algorithm>
@@ -58,6 +59,15 @@ std::optional<DisplayChoice> displayChoice(const Scene& scene)
     return DisplayChoice{display.config == "env" ? display.config : resolved(scene, display.config), display.display, display.view};
 }
 
+std::string texCoordProblem(const Plan& plan, const Mesh& mesh, const std::string& geometry)
+{
+    const std::optional<SurfacePicturePlan>& picture = plan.diffusePicture ? plan.diffusePicture : plan.fleckPattern;
+    if (!picture || !mesh.texCoords.empty())
+        return {};
+    return picture->field + ": " + inQuotes(picture->source) + " lies on the mesh by its texture coordinates, and " + inQuotes(geometry) +
+           " has none; unwrap the mesh in a modeller, or leave the picture out";
+}
+
 RenderSettings renderSettings(const Scene& scene, const Plan& plan, std::shared_ptr<const Mesh> mesh,
                               std::shared_ptr<const DisplayTransform> display)
 {
@@ -68,6 +78,8 @@ RenderSettings renderSettings(const Scene& scene, const Plan& plan, std::shared_
     if (!isBuiltinGeometry(view.geometry)) {
         if (!mesh)
             throw InvalidArgument("view.geometry: the mesh of '" + view.geometry + "' must be read first");
+        if (const std::string problem = texCoordProblem(plan, *mesh, view.geometry); !problem.empty())
+            throw InvalidArgument(problem);
         settings.geometry.mesh = std::move(mesh);
     }
     settings.shading = static_cast<Shading>(view.shading);
@@ -91,7 +103,9 @@ RenderSettings renderSettings(const Scene& scene, const Plan& plan, std::shared_
                          .lodBias = static_cast<float>(scene.material.lodBias),
                          .anisotropy = scene.map.anisotropy,
                          .space = scene.map.space == MapSpace::Eye ? LookupSpace::Eye : LookupSpace::World};
+    settings.material.hasDiffusePicture = plan.diffusePicture.has_value();
     settings.material.paint = paintSettings(scene.material.sphereMap);
+    settings.material.paint.hasFleckPattern = plan.fleckPattern.has_value();
     settings.windowDepths = {view.window.depth, view.window.middle.empty() ? view.window.farDepth : view.window.middleDepth,
                              view.window.farDepth};
     const BackdropSettings& background = view.background;
@@ -116,7 +130,9 @@ RenderMaps renderMaps(const SceneMaps& maps)
             .diffuse = maps.diffuse,
             .background = maps.background,
             .brdfLookups = maps.brdfLookups,
-            .sphereMaps = maps.sphereMaps};
+            .sphereMaps = maps.sphereMaps,
+            .diffusePicture = maps.diffusePicture,
+            .fleckPattern = maps.fleckPattern};
 }
 
 } // namespace mirrorball::preview

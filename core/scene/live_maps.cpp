@@ -244,6 +244,8 @@ MadeScene LiveMaps::update(const Scene& scene, const MapDetail& detail, const Jo
     made.maps.brdfLookups = brdfLookups(scene, made.plan, job, made.record);
     made.maps.diffuse = make(m_now.diffuse, made.plan.diffuse);
     made.maps.sphereMaps = sphereMaps(scene, made.plan, job, made.record);
+    made.maps.diffusePicture = m_diffusePicture.update(scene, made.plan.diffusePicture, job, made.record);
+    made.maps.fleckPattern = m_fleckPattern.update(scene, made.plan.fleckPattern, job, made.record);
     made.probeLayout = m_now.layout;
     made.environment = m_now.isStreamed ? m_now.probe.environment : m_now.environment;
     made.repaired = m_now.probe.repaired;
@@ -262,6 +264,11 @@ MadeScene LiveMaps::update(const Scene& scene, const MapDetail& detail, const Jo
         addProblem(map.problem);
         if (map.isKept)
             made.keptFiles.push_back(map.path);
+    }
+    for (const LivePicture* picture : {&m_diffusePicture, &m_fleckPattern}) {
+        addProblem(picture->problem());
+        if (!picture->keptFile().empty())
+            made.keptFiles.push_back(picture->keptFile());
     }
     return made;
 }

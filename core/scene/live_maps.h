@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene_maps.h"
+#include "live_picture.h"
 
 #include <filesystem>
 #include <memory>
@@ -20,9 +20,10 @@ struct MadeScene {
     MapLayout probeLayout{};
     std::shared_ptr<const EnvironmentMap> environment{}; ///< the probe as it is; null when nothing needs it or it was streamed
     RepairReport repaired{};
-    std::string origin{};  ///< how its parameterization was found, in words
-    bool certain = true;   ///< false: a guess by the shape alone
-    std::string problem{}; ///< why the probe or a sphere map could not be read: the maps then show what it held before, or a placeholder
+    std::string origin{}; ///< how its parameterization was found, in words
+    bool certain = true;  ///< false: a guess by the shape alone
+    std::string
+        problem{}; ///< why the probe, a sphere map or a picture could not be read: the maps then show what it held before, or a placeholder
     /// Files that could be read before and cannot be any more: what they held then is shown.
     std::vector<std::string> keptFiles{};
 };
@@ -105,6 +106,7 @@ private:
     bool m_isKept = false;            ///< what is open now is that: the file cannot be read any more
     std::optional<KeptBrdf> m_brdf{};
     std::vector<KeptSphereMap> m_sphereMaps{};
+    LivePicture m_diffusePicture{}, m_fleckPattern{};
 };
 
 /// What stands in for a probe that is missing: a checkerboard of magenta and dark gray, that nobody takes for light.

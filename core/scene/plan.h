@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scene.h"
+#include "surface_picture.h"
 
 #include "core/base/stage.h"
 #include "core/filter/planned_filter.h"
@@ -103,7 +104,8 @@ struct Plan {
     std::optional<MapPlan> diffuse{};
     std::optional<MapPlan> background{};
     std::vector<SphereMapPlan> sphereMaps{}; ///< the material's, and behind it the layers of a window
-    std::vector<MapPlan> others{};           ///< PlanExtent::Everything: the specular map in every other parameterization; not shown
+    std::optional<SurfacePicturePlan> diffusePicture{}, fleckPattern{};
+    std::vector<MapPlan> others{}; ///< PlanExtent::Everything: the specular map in every other parameterization; not shown
     std::vector<ExportPlan> exports{};
     double sharedSeconds = 0.0; ///< of reading the probe and of its spectrum, CPU time, about
 

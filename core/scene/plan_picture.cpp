@@ -140,6 +140,7 @@ void Planner::planPicture()
                                      ? "the index is 1: F is 0 at every angle"
                                      : whyNoSpecular());
     planSphereMaps();
+    planSurfacePictures();
     planLambda();
     if (makesAll()) {
         planOthers();
@@ -211,11 +212,42 @@ void Planner::planSphereMaps()
     if (isWindow()) {
         planSphereMap("sphere map, middle", "view.window.middle", window.middle, SphereMapLevels::Plain);
         planSphereMap("sphere map, far", "view.window.far", window.far, SphereMapLevels::Plain);
-    } else if (map.flecks.density > 0.0) {
+    } else if (const std::string why = whyNoFlecks(); why.empty()) {
         need("flecks", text("density ", map.flecks.density, ", cells of ", map.flecks.size));
     } else {
-        leaveOut("flecks", "density is 0");
+        leaveOut("flecks", why);
     }
+}
+
+std::string Planner::whyNoFlecks() const
+{
+    const SphereMapSettings& map = m_scene.material.sphereMap;
+    if (!showsMaterial() || isWindow())
+        return whyNoMaterial();
+    return map.isNone() ? "there is no sphere map that they look up" : map.flecks.density == 0.0 ? "density is 0" : "";
+}
+
+// Where none is named nothing is said: most scenes have none.
+void Planner::planSurfacePictures()
+{
+    const Material& material = m_scene.material;
+    const auto plan = [&](std::optional<SurfacePicturePlan>& picture, const SurfacePicturePlan& named, const std::string& whyNot) {
+        if (named.source.empty())
+            return;
+        if (!whyNot.empty()) {
+            leaveOut("read " + named.name, whyNot);
+            return;
+        }
+        picture = named;
+        need("read " + named.name, named.source + ", by the mesh's texture coordinates");
+    };
+    plan(m_plan.diffusePicture, {"diffuse picture", "material.diffuse.picture", material.diffuse.picture, SurfacePictureUse::Color},
+         m_plan.diffuse    ? ""
+         : readsMaterial() ? whyNoDiffuse()
+                           : whyNoMaterial());
+    plan(m_plan.fleckPattern,
+         {"fleck pattern", "material.sphere_map.flecks.pattern", material.sphereMap.flecks.pattern, SurfacePictureUse::Share},
+         whyNoFlecks());
 }
 
 void Planner::applyTolerance(PrefilterOptions& filter) const

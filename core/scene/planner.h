@@ -54,6 +54,9 @@ private:
     void planSphereMap(const std::string& name, const std::string& field, const std::string& source, SphereMapLevels levels,
                        const EmbeddedSphereMap& document = {});
     void planSphereMaps();
+    /// Why no flecks are shown; empty where they are.
+    std::string whyNoFlecks() const;
+    void planSurfacePictures();
     /// The environment's yaw belongs to the picture's lookups, so that turning it makes no map anew; a map in eye space has no such turn.
     double bakedYaw() const { return m_scene.map.space == MapSpace::Eye ? m_scene.probe.yawDeg * pi / 180.0 : 0.0; }
     void applyTolerance(PrefilterOptions& filter) const;

@@ -148,6 +148,7 @@ struct FresnelSettings {
 struct DiffuseSettings {
     double weight = 0.0;
     glm::dvec3 color{0.8};
+    std::string picture{}; ///< an image file, whose path starts at the scene's folder
     UnknownKeys unknown{};
 
     bool operator==(const DiffuseSettings&) const = default;
@@ -156,6 +157,8 @@ struct DiffuseSettings {
     {
         visit(Field{"weight", "strength of the diffuse part", 0, 1000}, self.weight);
         visit(Field{"color", "color of the diffuse part, linear RGB", 0, 1000}, self.color);
+        visit(Field{"picture", "picture by the mesh's texture coordinates, times the color; it repeats beyond 0 to 1; empty: none"},
+              self.picture);
     }
 };
 
@@ -194,6 +197,7 @@ struct FleckSettings {
     double size = 0.02;
     double spread = 0.4;
     int seed = 0;
+    std::string pattern{}; ///< an image file, whose path starts at the scene's folder
     UnknownKeys unknown{};
 
     bool operator==(const FleckSettings&) const = default;
@@ -204,6 +208,10 @@ struct FleckSettings {
         visit(Field{"size", "of a cell; the object's radius is 1", 1e-3, 1}, self.size);
         visit(Field{"spread", "how far a fleck's lookup may lie from the surface's own, in radii of the disc", 0, 2}, self.spread);
         visit(Field{"seed", "another number, another arrangement", 0, 1000000}, self.seed);
+        visit(Field{"pattern",
+                    "picture by the mesh's texture coordinates: where it is white, flecks are as dense as said above, where it is "
+                    "black there are none; empty: as dense everywhere"},
+              self.pattern);
     }
 };
 

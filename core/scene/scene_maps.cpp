@@ -170,6 +170,12 @@ SceneMaps buildMaps(const Scene& scene, const Plan& plan, SceneProbe& probe, con
         maps.record += std::move(built.record);
         return std::make_shared<const std::vector<EnvironmentMap>>(std::move(built.levels));
     };
+    const auto read = [&](const std::optional<SurfacePicturePlan>& picture) {
+        return picture ? timedStage(maps.record.stages, "read " + picture->name, [&] { return readSurfacePicture(scene, *picture, job); })
+                       : nullptr;
+    };
+    maps.diffusePicture = read(plan.diffusePicture); // first: a name that is mistyped is told before anything is filtered
+    maps.fleckPattern = read(plan.fleckPattern);
     if (plan.specular)
         maps.specular = build(*plan.specular);
     if (plan.brdf)

@@ -79,8 +79,9 @@ struct SceneMaps {
     MapLevels diffuse{};
     MapLevels background{};
     std::vector<SphereMapChain> sphereMaps{}; ///< those of the plan
-    std::vector<MapLevels> others{};          ///< of PlanExtent::Everything
-    WorkRecord record{};                      ///< what making them took
+    PictureLevels diffusePicture{}, fleckPattern{};
+    std::vector<MapLevels> others{}; ///< of PlanExtent::Everything
+    WorkRecord record{};             ///< what making them took
 };
 
 /// The document of a planned sphere map. @throws as readSphereMap()

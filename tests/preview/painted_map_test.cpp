@@ -334,9 +334,10 @@ TEST_F(PaintedMap, FlecksOfTheShaderAreThoseOfCore)
         inputs.emplace_back(coordinate(random), coordinate(random), coordinate(random), 0.0f);
     const Flecks flecks{.density = 0.4f, .size = 0.03f, .spread = 0.5f, .seed = 77};
     const auto evaluate = [&](const char* expression) {
-        return evaluateGlsl(std::string("#include \"lib/flecks.glsl\"\nvec4 twin(vec4 x) { FleckPlace f = fleckPlace(x.xyz); return ") +
-                                expression + "; }",
-                            inputs, {}, [&](const ShaderProgram& program) { program.set("flecks", glm::vec4(0.4f, 0.03f, 0.5f, 77.0f)); });
+        return evaluateGlsl(
+            std::string("#include \"lib/flecks.glsl\"\nvec4 twin(vec4 x) { FleckPlace f = fleckPlace(x.xyz, flecks.x); return ") +
+                expression + "; }",
+            inputs, {}, [&](const ShaderProgram& program) { program.set("flecks", glm::vec4(0.4f, 0.03f, 0.5f, 77.0f)); });
     };
     const auto own = evaluate("vec4(f.own, f.border)"), neighbor = evaluate("vec4(f.neighbor, 0.0)");
     int differ = 0, count = 0;

@@ -1,5 +1,8 @@
 #include "material_panel_test.h"
 
+#include "file_dialog_answer.h"
+
+#include "core/image/image_io.h"
 #include "core/scene/material_presets.h"
 #include "core/scene/scene_file.h"
 #include "support/temporary_folder.h"
@@ -8,6 +11,7 @@
 #include "widgets/panels/material_panel.h"
 #include "widgets/panels/view_panel.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QLineEdit>
 #include <QSpinBox>
@@ -46,7 +50,7 @@ static bool operate(QWidget* control)
         emit color->finished();
         return true;
     }
-    if (auto* line = qobject_cast<QLineEdit*>(control)) { // the only text of these panels is a BRDF
+    if (auto* line = qobject_cast<QLineEdit*>(control)) { // a BRDF, a picture
         line->setText(QStringLiteral("ggx:alpha=0.25"));
         emit line->editingFinished();
         return true;
@@ -258,6 +262,42 @@ void MaterialPanelTest::theCurveFollowsTheMaterial()
     workspace.document.edit(QStringLiteral("gold"), {}, [](Scene& scene) { scene.material.fresnel.kind = FresnelKind::Conductor; });
     const QImage gold = curve.grab().toImage();
     QVERIFY(none != glass && glass != gold);
+}
+
+void MaterialPanelTest::aPictureIsAFileAndNeedsTextureCoordinates()
+{
+    const TemporaryFolder folder;
+    writeImage(folder / "grey.exr", Image(2, 2, 3, 0.5f));
+    writeBytes(folder / "bare.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const auto write = [](const std::string& geometry) {
+        return [geometry](Scene& scene) {
+            scene.material.diffuse.weight = 1.0;
+            scene.view.geometry = geometry;
+        };
+    };
+    Workspace workspace;
+    MaterialPanel panel(workspace);
+    workspace.document.edit(QStringLiteral("diffuse"), {}, write("torus"));
+    auto* picture = qobject_cast<QLineEdit*>(panel.form().control(QStringLiteral("material.diffuse.picture")));
+    QVERIFY(picture);
+    const int steps = workspace.document.undoStack().index();
+    const FileDialogAnswer answer(fromPath(folder / "grey.exr"));
+    picture->findChild<QAction*>(QStringLiteral("chooseFile"))->trigger();
+    QTRY_COMPARE(workspace.document.scene().material.diffuse.picture, (folder / "grey.exr").string());
+    QCOMPARE(workspace.document.undoStack().index(), steps + 1);
+    QCOMPARE(picture->text(), fromPath(folder / "grey.exr"));
+    const auto made = [&] { return workspace.live.made(); };
+    QTRY_VERIFY_WITH_TIMEOUT(workspace.live.isUpToDate(), 30000);
+    QVERIFY(made()->plan.diffusePicture);
+    QCOMPARE(made()->maps.diffusePicture->front().texels.front(), 0.5f);
+    QVERIFY(made()->meshProblem.empty());
+    workspace.document.edit(QStringLiteral("mesh"), {}, write((folder / "bare.obj").string()));
+    QTRY_VERIFY_WITH_TIMEOUT(workspace.live.isUpToDate(), 30000);
+    QVERIFY2(made()->meshProblem.find("material.diffuse.picture") != std::string::npos, made()->meshProblem.c_str());
+    QVERIFY(!made()->plan.diffusePicture); // it is shown without
+    workspace.document.undoStack().undo();
+    workspace.document.undoStack().undo();
+    QVERIFY(picture->text().isEmpty());
 }
 
 } // namespace mirrorball::test

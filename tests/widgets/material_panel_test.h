@@ -17,6 +17,7 @@ private slots:
     void indexPresetsAndMetals();
     void materialFilesRoundTrip();
     void theCurveFollowsTheMaterial();
+    void aPictureIsAFileAndNeedsTextureCoordinates();
 };
 
 } // namespace mirrorball::test

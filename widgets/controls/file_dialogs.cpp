@@ -1,10 +1,15 @@
 #include "file_dialogs.h"
 
+#include <QAction>
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QIcon>
 #include <QSettings>
 #include <QStandardPaths>
+
+#include <utility>
 
 namespace mirrorball::studio {
 
@@ -52,6 +57,19 @@ QString rememberedFolder(const QString& purpose)
 QString askForFile(QWidget* parent, const FileQuestion& question)
 {
     return ended(question.purpose, QFileDialog::getOpenFileName(parent, question.title, beginning(question), question.filter));
+}
+
+void addFileButton(QLineEdit& text, const FileQuestion& question, std::function<void(const QString& path)> chosen)
+{
+    QAction* button = text.addAction(QIcon(QStringLiteral(":/icons/open.svg")), QLineEdit::TrailingPosition);
+    button->setObjectName(QStringLiteral("chooseFile"));
+    button->setToolTip(QCoreApplication::translate("FileDialogs", "Choose a file"));
+    QObject::connect(button, &QAction::triggered, &text, [&text, question, chosen = std::move(chosen)] {
+        FileQuestion now = question;
+        now.start = text.text();
+        if (const QString path = askForFile(&text, now); !path.isEmpty())
+            chosen(path);
+    });
 }
 
 QStringList askForFiles(QWidget* parent, const FileQuestion& question)

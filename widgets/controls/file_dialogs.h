@@ -1,8 +1,11 @@
 #pragma once
 
+#include <QLineEdit>
 #include <QString>
 #include <QStringList>
 #include <QWidget>
+
+#include <functional>
 
 /// File dialogs that remember: each purpose begins in the folder where it last ended, in the next run too.
 namespace mirrorball::studio {
@@ -17,6 +20,8 @@ struct FileQuestion {
 
 /// A file to read; empty: the user thought better of it.
 QString askForFile(QWidget* parent, const FileQuestion& question);
+/// A button inside of a text that names a file: asks for one, beginning at the one that is named, and hands its path over.
+void addFileButton(QLineEdit& text, const FileQuestion& question, std::function<void(const QString& path)> chosen);
 /// One or more of them; empty: none.
 QStringList askForFiles(QWidget* parent, const FileQuestion& question);
 /// A folder; empty: none. Its own content is what the next question begins with.

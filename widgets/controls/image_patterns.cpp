@@ -2,6 +2,8 @@
 
 #include "text.h"
 
+#include <QCoreApplication>
+
 namespace mirrorball::studio {
 
 namespace {
@@ -30,5 +32,7 @@ QStringList imagePatterns(Holding holding)
             append(patterns, format);
     return patterns;
 }
+
+QString imageFilter() { return QCoreApplication::translate("ImagePatterns", "Images (%1);;All files (*)").arg(imagePatterns().join(u' ')); }
 
 } // namespace mirrorball::studio

@@ -2,6 +2,7 @@
 
 #include "core/image/image_format.h"
 
+#include <QString>
 #include <QStringList>
 
 /// What file dialogs are told of core's table of image formats.
@@ -12,5 +13,7 @@ QStringList imagePatterns();
 /// The same of the formats that hold light, or a display picture.
 enum class Holding { Light, Display };
 QStringList imagePatterns(Holding holding);
+/// A dialog's filter that shows them all.
+QString imageFilter();
 
 } // namespace mirrorball::studio

@@ -1,6 +1,7 @@
 #include "options_form.h"
 
 #include "field_label.h"
+#include "file_dialogs.h"
 #include "text.h"
 
 #include <QCheckBox>
@@ -77,6 +78,13 @@ void OptionsForm::addText(const QString& path, const Field& field, const FieldSt
         if (text != access.get(m_document.scene()))
             m_document.edit(label, {}, [&](Scene& scene) { access.set(scene, text); });
     });
+    if (!style.fileFilter.isEmpty()) {
+        control->setPlaceholderText(tr("none"));
+        addFileButton(*control, {.purpose = QStringLiteral("layer"), .title = tr("Choose a file"), .filter = style.fileFilter},
+                      [this, access, label](const QString& file) {
+                          m_document.edit(label, {}, [&](Scene& scene) { access.set(scene, file.toStdString()); });
+                      });
+    }
     addControl(path, field, style, control, [control, access](const Scene& scene) {
         const QString text = QString::fromStdString(access.get(scene));
         if (control->text() != text)

@@ -208,17 +208,11 @@ void SettingsForm::addText(const Field& field, const FieldStyle& style, const st
     }
     if (style.fileFilter.isEmpty())
         return;
-    QAction* browse = control->addAction(QIcon(QStringLiteral(":/icons/open.svg")), QLineEdit::TrailingPosition);
-    browse->setObjectName(QStringLiteral("chooseFile"));
-    browse->setToolTip(tr("Choose a file"));
-    connect(browse, &QAction::triggered, this, [this, control, set, filter = style.fileFilter] {
-        const QString path = askForFile(
-            this, {.purpose = QStringLiteral("layer"), .title = tr("Choose a file"), .filter = filter, .start = control->text()});
-        if (path.isEmpty())
-            return;
-        set(path.toStdString());
-        emit finished();
-    });
+    addFileButton(*control, {.purpose = QStringLiteral("layer"), .title = tr("Choose a file"), .filter = style.fileFilter},
+                  [this, set](const QString& path) {
+                      set(path.toStdString());
+                      emit finished();
+                  });
 }
 
 void SettingsForm::addName(const Field& field, const FieldStyle& style, const std::function<void(const std::string&)>& set,

@@ -2,6 +2,7 @@
 
 #include "fresnel_curve.h"
 #include "widgets/controls/file_dialogs.h"
+#include "widgets/controls/image_patterns.h"
 #include "widgets/controls/text.h"
 #include "widgets/files/recent_files.h"
 #include "widgets/files/use_file.h"
@@ -290,7 +291,8 @@ void MaterialPanel::addFresnel()
 void MaterialPanel::addDiffuse()
 {
     m_form->addHeading(tr("Diffuse"));
-    m_form->addFields("material.diffuse", diffuseOf, {{"weight", weightStyle()}});
+    m_form->addFields("material.diffuse", diffuseOf,
+                      {{"weight", weightStyle()}, {"picture", {.isText = true, .fileFilter = imageFilter()}}});
     m_form->addFields("material", materialOf,
                       {{"combine", {.label = tr("Combine")}},
                        {"lambda", {.isHidden = true}},

@@ -12,8 +12,6 @@ namespace mirrorball::studio {
 
 namespace {
 
-QString imageFilter() { return ContentForm::tr("Images (%1);;All files (*)").arg(imagePatterns().join(u' ')); }
-
 const FieldStyles& layerStyles()
 {
     static const FieldStyles styles = [] {

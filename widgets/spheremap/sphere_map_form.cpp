@@ -2,6 +2,7 @@
 
 #include "sphere_map_source_field.h"
 #include "widgets/controls/form_labels.h"
+#include "widgets/controls/image_patterns.h"
 #include "widgets/controls/text.h"
 
 #include "core/scene/sphere_map_source.h"
@@ -103,7 +104,8 @@ SphereMapForm::SphereMapForm(Workspace& workspace, QWidget* parent)
                       {{"density", {.digits = 3, .isShown = isOnModel}},
                        {"size", {.sliderLow = 2e-3, .sliderHigh = 0.2, .scale = Scale::Logarithmic, .isShown = isOnModel}},
                        {"spread", {.digits = 3, .isShown = isOnModel}},
-                       {"seed", {.isShown = isOnModel}}});
+                       {"seed", {.isShown = isOnModel}},
+                       {"pattern", {.isShown = isOnModel, .isText = true, .fileFilter = imageFilter()}}});
     addWords();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 4, 8, 8);

@@ -36,16 +36,7 @@ SphereMapSourceField::SphereMapSourceField(PresetLibrary& library, QWidget* pare
         if (source != m_source)
             emit edited(source);
     };
-    QAction* file = m_text->addAction(QIcon(QStringLiteral(":/icons/open.svg")), QLineEdit::TrailingPosition);
-    file->setObjectName(QStringLiteral("chooseFile"));
-    file->setToolTip(tr("Choose a file"));
-    connect(file, &QAction::triggered, this, [this, set] {
-        const QString path = askForFile(
-            this,
-            {.purpose = QStringLiteral("open"), .title = tr("Choose a sphere map"), .filter = sphereMapFileFilter(), .start = m_source});
-        if (!path.isEmpty())
-            set(path);
-    });
+    addFileButton(*m_text, {.purpose = QStringLiteral("open"), .title = tr("Choose a sphere map"), .filter = sphereMapFileFilter()}, set);
     QAction* preset = m_text->addAction(QIcon(QStringLiteral(":/icons/sphere-map.svg")), QLineEdit::TrailingPosition);
     preset->setObjectName(QStringLiteral("choosePreset"));
     preset->setToolTip(tr("Choose a preset"));

@@ -30,6 +30,7 @@ struct LiveScene::Maker {
             prepared.meshProblem = meshProblem;
             if (isMeshKept)
                 prepared.keptFiles.push_back(path->string());
+            leaveOutPictures(prepared);
         }
         if (const auto choice = preview::displayChoice(scene)) {
             readDisplay(*choice, prepared.record);
@@ -40,6 +41,17 @@ struct LiveScene::Maker {
     }
 
 private:
+    /// A mesh without texture coordinates is shown without the pictures that need them.
+    static void leaveOutPictures(PreparedScene& prepared)
+    {
+        const std::string problem = preview::texCoordProblem(prepared.plan, *prepared.mesh, prepared.scene.view.geometry);
+        if (problem.empty())
+            return;
+        prepared.meshProblem += (prepared.meshProblem.empty() ? "" : "; ") + problem;
+        prepared.plan.diffusePicture.reset();
+        prepared.plan.fleckPattern.reset();
+    }
+
     void readDisplay(const preview::DisplayChoice& choice, WorkRecord& record)
     {
         if (choice == displayChoice)

@@ -22,15 +22,16 @@ struct FleckPlace {
     vec3 neighbor; // of the nearest other cell
     float border;   // to that one, in cells
 };
-vec3 fleckCell(uvec3 hash)
+vec3 fleckCell(uvec3 hash, float density)
 {
     vec3 u = unitFloats(pcg3d(hash));
-    if (u.x >= flecks.x)
+    if (u.x >= density)
         return vec3(0.0);
     float angle = 2.0 * 3.14159265358979 * u.y, radius = flecks.z * sqrt(u.z);
     return vec3(radius * cos(angle), radius * sin(angle), 1.0);
 }
-FleckPlace fleckPlace(vec3 position)
+// density: as it is there, flecks.x times a pattern's share.
+FleckPlace fleckPlace(vec3 position, float density)
 {
     vec3 q = position / flecks.y;
     ivec3 corner = ivec3(floor(q - 0.5));
@@ -57,5 +58,6 @@ FleckPlace fleckPlace(vec3 position)
             secondHash = hash;
         }
     }
-    return FleckPlace(fleckCell(nearestHash), fleckCell(secondHash), (second - nearest) / (2.0 * distance(nearestPoint, secondPoint)));
+    return FleckPlace(fleckCell(nearestHash, density), fleckCell(secondHash, density),
+                      (second - nearest) / (2.0 * distance(nearestPoint, secondPoint)));
 }

@@ -1,6 +1,7 @@
 // The material: a map looked up by reflection, a map looked up by normal, the Fresnel term between them. What a material lacks is
 // not compiled: HAS_SPECULAR, HAS_DIFFUSE (0 or 1), FRESNEL (0 none, 1 dielectric, 2 conductor), COAT (0 add, 1 coat), LAMBDA_BY_ANGLE,
-// MARKER (0 or 1), BRDF_LOOKUPS (how many stand for specular map and Fresnel term; 0: none), SPHERE_USE (a painted sphere map: 0 none, 1 replace, 2 multiply, 3 over, 4 tint, 5 add), FLECKS (0 or 1).
+// MARKER (0 or 1), BRDF_LOOKUPS (how many stand for specular map and Fresnel term; 0: none), SPHERE_USE (a painted sphere map: 0 none, 1 replace, 2 multiply, 3 over, 4 tint, 5 add), FLECKS (0 or 1),
+// DIFFUSE_PICTURE and FLECK_PATTERN (0 or 1: a picture on the mesh).
 #include "lib/fresnel.glsl"
 #include "lib/output.glsl"
 #include "lib/surface_point.glsl"
@@ -36,6 +37,12 @@ uniform float lambdaGrazing;
 #include "lib/environment_map.glsl"
 uniform mat3 diffuseRotation;
 uniform vec3 diffuseColor;
+#endif
+#if DIFFUSE_PICTURE || FLECK_PATTERN
+#include "lib/surface_picture.glsl"
+in vec2 texCoord;
+uniform sampler2D diffusePicture;
+uniform sampler2D fleckPattern;
 #endif
 
 #if SPHERE_USE
@@ -92,14 +99,19 @@ vec4 paintedColor(vec2 place)
     vec3 qx = dFdx(worldPosition) / flecks.y, qy = dFdy(worldPosition) / flecks.y;
     float pixel = sqrt(max(dot(qx, qx), dot(qy, qy))); // in cells
     float far = smoothstep(0.4, 1.2, pixel);
+#if FLECK_PATTERN
+    float density = flecks.x * onSurface(fleckPattern, texCoord).r;
+#else
+    float density = flecks.x;
+#endif
     vec4 near = vec4(0.0), mean = vec4(0.0);
     if (far < 1.0) {
-        FleckPlace cells = fleckPlace(worldPosition);
+        FleckPlace cells = fleckPlace(worldPosition, density);
         vec4 own = painted(place + cells.own.xy, dx, dy), neighbor = painted(place + cells.neighbor.xy, dx, dy);
         near = mix(neighbor, own, clamp(0.5 + cells.border / pixel, 0.5, 1.0));
     }
     if (far > 0.0)
-        mean = mix(painted(place, dx, dy), meanOfFlecks(place, dx, dy), flecks.x);
+        mean = mix(painted(place, dx, dy), meanOfFlecks(place, dx, dy), density);
     return mix(near, mean, far);
 #else
     return painted(place);
@@ -134,6 +146,9 @@ void main()
 #endif
 #if HAS_DIFFUSE
     diffuse = diffuseColor * diffuseRadiance(diffuseRotation * p.n, 0.0);
+#if DIFFUSE_PICTURE
+    diffuse *= onSurface(diffusePicture, texCoord).rgb;
+#endif
 #endif
 #if HAS_SPECULAR && BRDF_LOOKUPS
 #elif FRESNEL == 1

@@ -160,6 +160,8 @@ TEST_F(SceneFile, PathsIntoItsFolderAreRelativeEvenWhereTheyReadLikeNames)
     scene.material.sphereMap.source = (m_folder / "jade").string();
     scene.view.window.far = (m_folder.parent_path() / "hills.spheremap").string();
     scene.view.display.config = (m_folder / "env").string();
+    scene.material.diffuse.picture = (m_folder / "sub" / "checker.png").string();
+    scene.material.sphereMap.flecks.pattern = (m_folder / "stripes.png").string();
     saveScene(scene, m_folder / "a.mirrorball");
     const Scene read = loadScene(m_folder / "a.mirrorball");
     EXPECT_EQ(read.probe.source, "sub/a.hdr");
@@ -167,6 +169,8 @@ TEST_F(SceneFile, PathsIntoItsFolderAreRelativeEvenWhereTheyReadLikeNames)
     EXPECT_EQ(read.material.sphereMap.source, "./jade");
     EXPECT_EQ(read.view.window.far, scene.view.window.far) << "outside: as it was";
     EXPECT_EQ(read.view.display.config, "./env");
+    EXPECT_EQ(read.material.diffuse.picture, "sub/checker.png");
+    EXPECT_EQ(read.material.sphereMap.flecks.pattern, "stripes.png");
     saveScene(read, m_folder / "a.mirrorball");
     EXPECT_EQ(loadScene(m_folder / "a.mirrorball"), read);
 }
@@ -320,6 +324,9 @@ TEST_F(SceneFile, MaterialFilesHoldTheMaterialAlone)
     saveScene(scene, m_folder / "s.mirrorball");
     EXPECT_EQ(loadMaterial(m_folder / "s.mirrorball"), material) << "a scene file stands for its material";
     EXPECT_THROW(loadMaterial(write(R"({"specular": {"exponent": -3}})")), FileError);
+    const Material textured = loadMaterial(write(R"({"diffuse": {"picture": "a.png"}, "sphere_map": {"flecks": {"pattern": "b.png"}}})"));
+    EXPECT_EQ(textured.diffuse.picture, (m_folder / "a.png").string()) << "for a scene elsewhere";
+    EXPECT_EQ(textured.sphereMap.flecks.pattern, (m_folder / "b.png").string());
 }
 
 TEST(SceneFiles, ThatComeWithTheProgramLoad)

@@ -1,0 +1,147 @@
+#include "core/scene/surface_picture.h"
+
+#include "core/base/error.h"
+#include "core/image/image_io.h"
+#include "core/scene/live_picture.h"
+#include "core/scene/plan.h"
+#include "support/picture_builders.h"
+#include "support/temporary_folder.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace mirrorball {
+namespace {
+
+using testing::HasSubstr;
+
+struct SurfacePicture : testing::Test {
+    test::TemporaryFolder folder{};
+    Scene scene{.folder = folder.path()};
+
+    PictureLevels read(const std::string& source, SurfacePictureUse use = SurfacePictureUse::Color) const
+    {
+        return readSurfacePicture(scene, {"diffuse picture", "material.diffuse.picture", source, use});
+    }
+    std::string problem(const std::string& source) const
+    {
+        try {
+            read(source);
+        } catch (const InvalidArgument& error) {
+            return error.what();
+        }
+        return "";
+    }
+};
+
+// IEC 61966-2-1: ((0.5 + 0.055) / 1.055)^2.4; PNG: light = stored^(1 / gAMA).
+TEST_F(SurfacePicture, IsLinearAsItsFileSays)
+{
+    const Image stored(4, 2, 3, 0.5f);
+    test::writePng(folder / "plain.png", stored, 16);
+    test::writePng(folder / "linear.png", stored, 16, test::gammaChunk(1.0));
+    test::writePng(folder / "square.png", stored, 16, test::gammaChunk(0.5));
+    EXPECT_NEAR(read("plain.png")->front().texels[0], std::pow(0.555 / 1.055, 2.4), 1e-4);
+    EXPECT_NEAR(read("linear.png")->front().texels[0], 0.5, 1e-4);
+    EXPECT_NEAR(read("square.png")->front().texels[0], 0.25, 1e-4);
+}
+
+// ITU-R BT.709: red weighs 0.2126; no part of a surface has more than all flecks.
+TEST_F(SurfacePicture, OfSharesIsItsLuminanceAtMostOne)
+{
+    Image colors(3, 1);
+    colors.texels = {1.0f, 0.0f, 0.0f, 8.0f, 8.0f, 8.0f, -1.0f, 0.0f, 0.0f};
+    writeImage(folder / "colors.exr", colors);
+    const Image shares = read("colors.exr", SurfacePictureUse::Share)->front();
+    ASSERT_EQ(shares.channels, 1);
+    EXPECT_NEAR(shares.texels[0], 0.2126f, 1e-6f);
+    EXPECT_EQ(shares.texels[1], 1.0f);
+    EXPECT_EQ(shares.texels[2], 0.0f);
+}
+
+TEST_F(SurfacePicture, ThatCannotBeReadIsToldInOneLineWithFieldAndFile)
+{
+    test::writeBytes(folder / "broken.png", "no picture");
+    writeImage(folder / "wide.exr", Image(largestSurfacePicture + 1, 1));
+    for (const char* file : {"missing.png", "broken.png", "wide.exr"}) {
+        const std::string told = problem(file);
+        EXPECT_THAT(told, HasSubstr("material.diffuse.picture: " + (folder / file).string())) << file;
+        EXPECT_EQ(told.find('\n'), std::string::npos) << told;
+    }
+}
+
+const Stage* stage(const Plan& plan, const std::string& name)
+{
+    const auto found = std::find_if(plan.stages.begin(), plan.stages.end(), [&](const Stage& s) { return s.name == name; });
+    return found == plan.stages.end() ? nullptr : &*found;
+}
+
+TEST_F(SurfacePicture, IsReadOnlyWhereTheMaterialShowsIt)
+{
+    const MapLayout probe{Parameterization::Latlong, 64, 0};
+    EXPECT_EQ(stage(makePlan(scene, probe), "read diffuse picture"), nullptr) << "none is named";
+    scene.material.diffuse.picture = "checker.png";
+    scene.material.sphereMap.flecks.pattern = "stripes.png";
+    const auto leftOut = [&](const std::string& name, const std::string& why) {
+        const Plan plan = makePlan(scene, probe);
+        const Stage* found = stage(plan, name);
+        ASSERT_TRUE(found) << name;
+        EXPECT_TRUE(found->leftOut);
+        EXPECT_THAT(found->why, HasSubstr(why));
+        EXPECT_FALSE(name == "read diffuse picture" ? plan.diffusePicture : plan.fleckPattern);
+    };
+    leftOut("read diffuse picture", "diffuse weight is 0");
+    leftOut("read fleck pattern", "there is no sphere map");
+    scene.material.diffuse.weight = 1.0;
+    scene.material.sphereMap.source = "jade";
+    leftOut("read diffuse picture", "the sphere map stands in for the reflection");
+    leftOut("read fleck pattern", "density is 0");
+    scene.material.sphereMap.use = SphereMapUse::Add;
+    scene.material.sphereMap.flecks.density = 0.5;
+    const Plan plan = makePlan(scene, probe);
+    ASSERT_TRUE(plan.diffusePicture && plan.fleckPattern);
+    EXPECT_FALSE(stage(plan, "read diffuse picture")->leftOut);
+    EXPECT_EQ(plan.fleckPattern->source, "stripes.png");
+    scene.view.shading = Shading::Normals;
+    leftOut("read diffuse picture", "the view shows normals");
+    leftOut("read fleck pattern", "the view shows normals");
+    scene.view.shading = Shading::Material;
+    scene.view.geometry = "window";
+    leftOut("read diffuse picture", "a room with a window has no material");
+    leftOut("read fleck pattern", "a room with a window has no material");
+}
+
+TEST_F(SurfacePicture, IsReadAgainOnceItsFileIsAnotherAndStaysWhenThatBreaks)
+{
+    const std::string file = (folder / "a.exr").string();
+    const SurfacePicturePlan plan{"diffuse picture", "material.diffuse.picture", "a.exr", SurfacePictureUse::Color};
+    LivePicture live;
+    WorkRecord record;
+    const auto update = [&] { return live.update(scene, plan, {}, record); };
+    EXPECT_EQ(update()->front().texels[0], 1.0f) << "white: the object is shown without it";
+    EXPECT_THAT(live.problem(), HasSubstr(file));
+    EXPECT_EQ(live.keptFile(), "");
+
+    writeImage(file, Image(2, 2, 3, 0.5f));
+    const PictureLevels first = update();
+    EXPECT_EQ(first->front().texels[0], 0.5f);
+    EXPECT_EQ(live.problem(), "");
+    EXPECT_EQ(update(), first) << "nothing has changed";
+
+    writeImage(file, Image(2, 2, 3, 0.25f));
+    std::filesystem::last_write_time(file, std::filesystem::last_write_time(file) + std::chrono::seconds(2));
+    EXPECT_EQ(update()->front().texels[0], 0.25f);
+
+    std::filesystem::remove(file);
+    EXPECT_EQ(update()->front().texels[0], 0.25f);
+    EXPECT_EQ(live.keptFile(), file);
+    EXPECT_THAT(live.problem(), HasSubstr(file));
+    EXPECT_EQ(live.update(scene, {}, {}, record), nullptr);
+    EXPECT_EQ(live.problem(), "");
+}
+
+} // namespace
+} // namespace mirrorball
