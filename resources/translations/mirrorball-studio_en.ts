@@ -2797,6 +2797,29 @@
         <source>three</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>pattern</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>picture by the mesh&apos;s texture coordinates, times the color; it repeats beyond 0 to 1; empty: none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>picture by the mesh&apos;s texture coordinates: where it is white, flecks are as dense as said above, where it is black there are none; empty: as dense everywhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FileDialogs</name>
+    <message>
+        <source>Choose a file</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FileKind</name>
@@ -2862,6 +2885,13 @@
     </message>
     <message>
         <source>Everything that can be opened (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ImagePatterns</name>
+    <message>
+        <source>Images (%1);;All files (*)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3128,10 +3158,6 @@
     </message>
     <message>
         <source>Open a picture of a ball</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Images (%1);;All files (*)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5085,6 +5111,14 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <source>automatic</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>mirrorball::studio::PaintedExport</name>
@@ -6402,10 +6436,6 @@ The picture shows what was read before. It follows when the file is there again;
     <name>mirrorball::studio::SphereMapSourceField</name>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Choose a file</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -10,7 +10,8 @@
 #include <vector>
 
 /// The time that an export is told to take (export_estimate.h) beside the CPU time that it takes in memory and on disk, kind by kind: the
-/// median of five runs, each in a folder of its own and in a process of its own, as a command is: what is loaded first counts. export_table [PROBE]
+/// median of five runs, each in a folder of its own and in a process of its own, as a command is: what is loaded first counts. export_table
+/// [PROBE]
 namespace mirrorball {
 namespace {
 
