@@ -318,6 +318,8 @@ TEST_F(SceneFile, MaterialFilesHoldTheMaterialAlone)
 {
     Scene scene;
     scene.material = changedScene().material;
+    scene.material.diffuse.picture = (m_folder / "a.png").string(); // as files hold them, for a scene that may lie elsewhere
+    scene.material.sphereMap.flecks.pattern = (m_folder / "b.png").string();
     const Material material = scene.material;
     saveMaterial(scene, m_folder / "m.json");
     EXPECT_EQ(loadMaterial(m_folder / "m.json"), material);
