@@ -79,6 +79,9 @@ std::vector<std::string_view> partsOf(const std::filesystem::path& out, Paramete
 {
     if (!namesFaces(out))
         return {std::string_view()};
+    if (kind == Parameterization::Cube && writableFormat(out).faces)
+        throw InvalidArgument("output: '%s' stands for six files of a face each, but " + out.extension().string() +
+                              " holds the six faces in one; give a name without it");
     if (kind == Parameterization::Cube)
         return {faceNames.begin(), faceNames.end()};
     if (kind == Parameterization::Paraboloid)

@@ -50,7 +50,9 @@ TEST(EngineExportCommand, RefusesInOneLineBeforeAnyWork)
     EXPECT_FAILS(mirrorballRuns("export --probe missing.hdr --for three" + out), 2, "missing.hdr");
     EXPECT_FAILS(mirrorballRuns("export --probe builtin:axes --for three --encode rgbm" + out), 2, "--encode");
     EXPECT_FAILS(mirrorballRuns("export --for three" + out), 2, "SCENE");
-    EXPECT_FAILS(mirrorballRuns("convert builtin:axes --to cube --size 16 -o '" + in(folder, "m_%s.ktx2") + "' --for godot"), 2, "Godot");
+    EXPECT_FAILS(mirrorballRuns("convert builtin:axes --to cube --size 16 -o '" + in(folder, "m_%s.exr") + "' --for godot"), 2, "Godot");
+    EXPECT_FAILS(mirrorballRuns("filter builtin:axes --lobe diffuse --to cube --size 16 -o '" + in(folder, "m_%s.ktx2") + "'"), 2,
+                 "the six faces in one");
     EXPECT_FAILS(mirrorballRuns("filter builtin:axes --law godot --to cube --size 16 -o " + in(folder, "m.ktx2")), 2, "Godot");
     EXPECT_FAILS(mirrorballRuns("filter builtin:axes --law filament --levels 9 --to cube --size 16 -o " + in(folder, "m.ktx2")), 2,
                  "--levels");
