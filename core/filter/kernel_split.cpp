@@ -13,8 +13,6 @@ namespace mirrorball {
 
 namespace {
 
-constexpr size_t polynomialTerms = KernelSplit::mostPolynomialTerms, shortPolynomialTerms = KernelSplit::fewPolynomialTerms;
-
 /// The two terms of G when acosh y at the pole is `rise`.
 struct Terms {
     int lowerDegree;
@@ -128,7 +126,7 @@ std::vector<double> KernelSplit::farCoefficients(int last) const
 std::vector<double> KernelSplit::sharePolynomial() const
 {
     // Interpolated at Chebyshev's nodes, then written in powers: G is at most about 1 on the whole circle |x| = 1, and so are those.
-    constexpr size_t n = polynomialTerms;
+    constexpr size_t n = mostPolynomialTerms;
     std::array<double, n> series{};
     for (size_t node = 0; node < n; ++node) {
         const double angle = pi * (static_cast<double>(node) + 0.5) / n, value = share(0.5 * m_reach * (1.0 - std::cos(angle)));
@@ -137,9 +135,9 @@ std::vector<double> KernelSplit::sharePolynomial() const
     }
     // A short series where what it leaves out is far below what the split itself leaves out.
     double rest = 0.0;
-    for (size_t j = shortPolynomialTerms; j < n; ++j)
+    for (size_t j = fewPolynomialTerms; j < n; ++j)
         rest += std::abs(series[j]);
-    const size_t terms = rest <= polynomialShare * m_leftOut ? shortPolynomialTerms : n;
+    const size_t terms = rest <= polynomialShare * m_leftOut ? fewPolynomialTerms : n;
     std::vector<double> powers(terms, 0.0), before(terms, 0.0), now(terms, 0.0);
     now[0] = 1.0; // T_0, and T_(-1) = T_1 = x
     before[1] = 1.0;

@@ -10,8 +10,7 @@
 #include <vector>
 
 /// The time that an export is told to take (export_estimate.h) beside the CPU time that it takes in memory and on disk, kind by kind: the
-/// median of five runs, each in a folder of its own and in a process of its own, as a command is: what is loaded first counts. export_table
-/// [PROBE]
+/// median of five runs, each in a folder of its own. Both are those of a program that has loaded what a format needs. export_table [PROBE]
 namespace mirrorball {
 namespace {
 
@@ -35,9 +34,6 @@ double printRow(const std::string& probe, const Row& row)
     scene.material.specular = {.lobe = SurfaceLobe::Phong, .exponent = 100.0};
     scene.material.sphereMap.source = "jade";
     scene.exports = {row.target};
-    const Plan plan = makePlan(scene, probeLayout(scene), {.picture = false, .exports = std::vector<std::string>{}});
-    const ExportEstimate estimate = estimateExports(plan).front();
-    const double expected = estimate.seconds + (estimate.isPainted ? 0.0 : plan.sharedSeconds);
     std::vector<double> taken;
     for (int run = 0; run < 5; ++run) {
         const test::TemporaryFolder folder;
@@ -46,6 +42,9 @@ double printRow(const std::string& probe, const Row& row)
         taken.push_back(cpuSeconds() - start);
     }
     std::sort(taken.begin(), taken.end());
+    const Plan plan = makePlan(scene, probeLayout(scene), {.picture = false, .exports = std::vector<std::string>{}});
+    const ExportEstimate estimate = estimateExports(plan).front();
+    const double expected = estimate.seconds + (estimate.isPainted ? 0.0 : plan.sharedSeconds);
     std::printf("%-44s  %7.3f s  %7.3f s  x %.2f\n", row.what, expected, taken[2], taken[2] / expected);
     std::fflush(stdout);
     return taken[2] / expected;
