@@ -1,31 +1,13 @@
 #include "picture_texture.h"
 
-#include "core/base/error.h"
+#include "half_texels.h"
 
-#include <half.h>
+#include "core/base/error.h"
 
 #include <algorithm>
 #include <string>
-#include <vector>
 
 namespace mirrorball::preview {
-
-namespace {
-
-// Rounded here, on all cores: Mesa does it on one.
-std::vector<half> halvesOf(const Image& image)
-{
-    constexpr float largest = 65504.0f;
-    std::vector<half> halves(image.texels.size());
-    const size_t row = static_cast<size_t>(image.width) * static_cast<size_t>(image.channels);
-    parallelRows(image.height, {}, [&](int first, int last) {
-        for (size_t i = static_cast<size_t>(first) * row; i < static_cast<size_t>(last) * row; ++i)
-            halves[i] = half(std::min(image.texels[i], largest));
-    });
-    return halves;
-}
-
-} // namespace
 
 void PictureTexture::update(const PictureLevels& levels, const char* role)
 {
@@ -47,7 +29,7 @@ void PictureTexture::update(const PictureLevels& levels, const char* role)
     for (size_t i = 0; i < levels->size(); ++i) {
         const Image& level = (*levels)[i];
         glTextureSubImage2D(m_texture, static_cast<GLint>(i), 0, 0, level.width, level.height, isColor ? GL_RGB : GL_RED, GL_HALF_FLOAT,
-                            halvesOf(level).data());
+                            halvesOf(level, 65504.0f).data());
     }
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glTextureParameteri(m_texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);

@@ -1,9 +1,8 @@
 #include "sphere_map_texture.h"
 
-#include "core/base/error.h"
-#include "core/base/job.h"
+#include "half_texels.h"
 
-#include <half.h>
+#include "core/base/error.h"
 
 #include <algorithm>
 
@@ -69,15 +68,7 @@ void SphereMapTexture::patch(const Image& texels, int x, int y, int level)
 {
     if (m_texture == 0)
         return;
-    // Rounded to halves here, on all cores: Mesa does it on one, four times as slowly.
-    std::vector<half> halves(texels.texels.size());
-    const size_t row = static_cast<size_t>(texels.width) * 4;
-    parallelRows(texels.height, {}, [&](int first, int last) {
-        std::transform(texels.row(first), texels.row(first) + static_cast<size_t>(last - first) * row,
-                       halves.begin() + static_cast<std::ptrdiff_t>(static_cast<size_t>(first) * row),
-                       [](float value) { return half(value); });
-    });
-    glTextureSubImage2D(m_texture, level, x, y, texels.width, texels.height, GL_RGBA, GL_HALF_FLOAT, halves.data());
+    glTextureSubImage2D(m_texture, level, x, y, texels.width, texels.height, GL_RGBA, GL_HALF_FLOAT, halvesOf(texels).data());
 }
 
 } // namespace mirrorball::preview
