@@ -3,6 +3,8 @@
 #include "core/sphere/disc.h"
 #include "core/sphere/dual_paraboloid.h"
 
+#include <algorithm>
+
 namespace mirrorball {
 
 namespace {

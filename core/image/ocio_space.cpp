@@ -9,6 +9,7 @@
 
 #include <OpenColorIO/OpenColorIO.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 

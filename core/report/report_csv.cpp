@@ -1,5 +1,6 @@
 #include "report_files.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>

@@ -5,6 +5,7 @@
 #include "core/report/reference_samples.h"
 #include "support/plain_sum.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>

@@ -7,6 +7,7 @@
 #include "support/exr_builders.h"
 #include "support/field.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

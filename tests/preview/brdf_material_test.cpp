@@ -9,6 +9,7 @@
 #include "core/filter/filter_source.h"
 #include "core/shading/reflection_kernel.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 

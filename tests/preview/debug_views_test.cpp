@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/image/mip_pyramid.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace mirrorball;

@@ -6,6 +6,7 @@
 #include "core/spheremap/document/presets.h"
 #include "core/spheremap/evaluation/evaluate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 

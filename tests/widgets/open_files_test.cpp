@@ -18,6 +18,8 @@
 #include <QMenu>
 #include <QProcess>
 
+#include <algorithm>
+
 using namespace mirrorball::studio;
 
 namespace mirrorball::test {

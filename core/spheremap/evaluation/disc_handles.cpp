@@ -2,6 +2,7 @@
 
 #include "core/spheremap/math/light_place.h"
 
+#include <algorithm>
 #include <functional>
 #include <type_traits>
 #include <utility>

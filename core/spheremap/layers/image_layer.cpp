@@ -9,6 +9,7 @@
 #include "core/image/repair.h"
 #include "core/sphere/direction.h"
 
+#include <algorithm>
 #include <array>
 
 namespace mirrorball {

@@ -11,6 +11,7 @@
 #include "core/shading/conductor.h"
 #include "core/sphere/sphere_map.h"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 

@@ -1,5 +1,6 @@
 #include "stroke_json.h"
 
+#include <algorithm>
 #include <charconv>
 
 namespace mirrorball {

@@ -16,6 +16,7 @@
 #define GLM_ENABLE_EXPERIMENTAL
 #include <glm/gtx/component_wise.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 

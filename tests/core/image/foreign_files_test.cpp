@@ -20,6 +20,8 @@
 #include "core/image/image_io.h"
 #include "support/foreign_file.h"
 
+#include <algorithm>
+
 namespace mirrorball {
 namespace {
 

@@ -5,6 +5,8 @@
 #include "core/image/probe_picture.h"
 #include "support/foreign_file.h"
 
+#include <algorithm>
+
 namespace mirrorball {
 namespace {
 

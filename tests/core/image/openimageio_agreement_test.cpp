@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 /// OpenImageIO as an independent reader, linked here and nowhere else: it costs each start of this program a third of a second.
 namespace mirrorball {
 namespace {
