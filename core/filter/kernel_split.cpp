@@ -1,7 +1,7 @@
 #include "kernel_split.h"
 
-#include "core/base/multiversion.h"
-#include "core/shading/reflection_kernel.h"
+#include "zonal_quadrature.h"
+
 #include "core/sphere/direction.h"
 
 #include <algorithm>
@@ -42,38 +42,7 @@ double riseFor(int degree, double leftOut)
     return high;
 }
 
-/// Integral over angles of a function that is smooth on either side of the horizon and has degrees up to `degree`: nodes and weights.
-std::pair<std::vector<double>, std::vector<double>> anglesOfSphere(int degree)
-{
-    const GaussLegendre& rule = gaussLegendre16(); // exact to 1e-15 over panels of so many radians of the fastest harmonic
-    constexpr double radians = 14.0;
-    const int panels = 2 * std::max(4, static_cast<int>(std::ceil(0.5 * pi * degree / radians)));
-    std::vector<double> angles, weights;
-    for (int panel = 0; panel < panels; ++panel)
-        for (size_t i = 0; i < rule.nodes.size(); ++i) {
-            angles.push_back(pi / panels * (panel + 0.5 * (1.0 + rule.nodes[i])));
-            weights.push_back(pi / panels * 0.5 * rule.weights[i]);
-        }
-    return {angles, weights};
-}
-
 double oneMinusCosine(double angle) { return 2.0 * std::pow(std::sin(0.5 * angle), 2); }
-
-/// sum w P_l, and P_(l+1) in place of P_l.
-MIRRORBALL_CLONES double legendreStep(int l, size_t count, const double* x, const double* w, double* previous, double* p)
-{
-    const double a = (2.0 * l + 1.0) / (l + 1.0), b = l / (l + 1.0);
-    constexpr size_t lanes = 8; // sums that do not wait for one another
-    double sums[lanes]{};
-    for (size_t i = 0; i + lanes <= count; i += lanes)
-        for (size_t j = 0; j < lanes; ++j) {
-            const double now = p[i + j];
-            sums[j] += w[i + j] * now;
-            p[i + j] = a * x[i + j] * now - b * previous[i + j];
-            previous[i + j] = now;
-        }
-    return ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7]));
-}
 
 } // namespace
 
@@ -109,18 +78,10 @@ double KernelSplit::unclipped(double u) const
 
 std::vector<double> KernelSplit::farCoefficients(int last) const
 {
-    const auto [angles, weights] = anglesOfSphere(bandLimit() + last);
-    const size_t count = angles.size();
-    std::vector<double> x(count), w(count), previous(count, 0.0), p(count, 1.0);
-    for (size_t i = 0; i < count; ++i) {
-        const double u = oneMinusCosine(angles[i]), k = unclipped(u);
-        x[i] = std::cos(angles[i]);
-        w[i] = 2.0 * pi * weights[i] * std::sin(angles[i]) * ((x[i] > 0.0 ? k : 0.0) - k * share(u));
-    }
-    std::vector<double> coefficients(static_cast<size_t>(last) + 1);
-    for (int l = 0; l <= last; ++l)
-        coefficients[static_cast<size_t>(l)] = legendreStep(l, count, x.data(), w.data(), previous.data(), p.data());
-    return coefficients;
+    return zonalCoefficients(std::array{0.0, pi / 2, pi}, bandLimit(), last, [this](double angle, double x) {
+        const double u = oneMinusCosine(angle), k = unclipped(u);
+        return (x > 0.0 ? k : 0.0) - k * share(u);
+    });
 }
 
 std::vector<double> KernelSplit::sharePolynomial() const

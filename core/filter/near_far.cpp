@@ -1,10 +1,16 @@
 #include "near_far.h"
 
+#include "horizon_split.h"
+#include "horizon_sum.h"
+#include "kernel_split.h"
+#include "near_sum.h"
 #include "row_sums.h"
 #include "truncation.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <vector>
 
 namespace mirrorball {
 
@@ -29,6 +35,7 @@ constexpr int kinkReach = 2;
 /// Seconds of one thread, measured beside those of the spectral method.
 namespace cost {
 constexpr double place = 1e-7, row = 1.4e-8, texel = 0.5e-9; // of the near sum
+constexpr double run = 1.2e-8, runTexel = 1e-9;              // of the sum along the horizon
 constexpr double sourceTexel = 6e-9;                         // its tables
 constexpr double coefficient = 1e-8;                         // of the far kernel, times the band limit
 constexpr double ring = 0.5e-9;                              // of the far part, times the band limit squared
@@ -39,6 +46,12 @@ double nearSeconds(double reach, int probeWidth, double places)
     const double rows = reach * probeWidth / pi + 1.0;
     return cost::sourceTexel * probeWidth * probeWidth / 2.0 +
            places * (cost::place + rows * cost::row + cost::texel * NearSum::texels(reach, probeWidth));
+}
+
+double horizonSeconds(double width, int probeWidth, double places)
+{
+    return cost::sourceTexel * probeWidth * probeWidth / 2.0 +
+           places * (cost::run * HorizonSum::runs(probeWidth) + cost::runTexel * HorizonSum::texels(width, probeWidth));
 }
 
 double farSeconds(int bandLimit, double places)
@@ -53,7 +66,7 @@ ValueDistribution coarseValues(const SettledNearFar& settled, const BrightLobe& 
     const SettledSpectral& far = settled.far;
     const CoarseLook look = lookCoarsely(*far.spectrum, far.k, far.longer, job);
     std::vector<glm::dvec4> sums(look.places.size());
-    settled.near->at(look.places, 0.0, sums.data());
+    settled.near(look.places, 0.0, sums.data());
     ValueDistribution values;
     for (size_t i = 0; i < look.places.size(); ++i) {
         const double norm = settled.farShare * look.rings.norm[i];
@@ -63,29 +76,74 @@ ValueDistribution coarseValues(const SettledNearFar& settled, const BrightLobe& 
     return values;
 }
 
+double horizonWidth(const NearFarPlan& plan) { return plan.sharpness / plan.bandLimit; }
+
+/// By then the far part's spectrum has fallen below the rounding of floats.
+constexpr double mostSharpness = 100.0;
+
+/// What real probes ask for at a tolerance, about.
+double usualSharpness(double tolerance) { return std::clamp(4.0 - 4.0 * std::log10(tolerance), 8.0, 40.0); }
+
+/// What both kinds of split are to the rest.
+struct Parts {
+    std::vector<double> far{}; ///< Legendre coefficients, kinkReach band limits of them
+    double miss = 0.0;         ///< what near and far are off by together, relative to the lobe
+    std::function<void(std::span<const SpherePoint>, double, glm::dvec4*)> near{};
+};
+
+/// @param strictness  see settleNearFar()
+Parts split(const Lobe& lobe, const NearFarPlan& plan, double strictness, const EnvironmentMap& latlong, const BrightTexels& bright,
+            const JobControl& job)
+{
+    const auto sums = [](auto near) {
+        return [near = std::make_shared<decltype(near)>(std::move(near))](std::span<const SpherePoint> places, double yaw, glm::dvec4* to) {
+            near->at(places, yaw, to);
+        };
+    };
+    const int last = kinkReach * plan.bandLimit;
+    if (lobe.kind == LobeKind::Phong) {
+        const HorizonSplit parts(lobe, horizonWidth(plan));
+        return {.far = parts.farCoefficients(last), .near = sums(HorizonSum(latlong, bright.changes, parts, job))};
+    }
+    const KernelSplit parts(lobe, plan.bandLimit, strictness * plan.leftOut);
+    std::vector<double> far = parts.farCoefficients(last);
+    const double miss = 2.0 * (1.0 + KernelSplit::polynomialShare) * std::max(parts.leftOut(), largestMiss(parts, far));
+    return {.far = std::move(far), .miss = miss, .near = sums(NearSum(latlong, bright.changes, parts, job))};
+}
+
 } // namespace
 
-NearFarPlan planNearFar(const PrefilterOptions& options, const ProbeTraits& probe, int least)
+NearFarPlan planNearFar(const PrefilterOptions& options, const ProbeTraits& probe, int least, double leastSharpness)
 {
     NearFarPlan best;
+    const Lobe& lobe = options.lobe;
     const double available = options.tolerance - nearRounding - spectralRounding;
-    const bool suits = options.lobe.kind == LobeKind::Ggx && options.lobe.alpha > 0.0 && !isShortPolynomial(options.lobe);
-    if (!suits || probe.streamed || available < 0.2 * options.tolerance)
+    const bool ofAxis = lobe.kind == LobeKind::Ggx && lobe.alpha > 0.0,
+               ofHorizon = lobe.kind == LobeKind::Phong && lobe.exponent <= HorizonSplit::largestExponent;
+    if (!(ofAxis || ofHorizon) || isShortPolynomial(lobe) || probe.streamed || available < 0.2 * options.tolerance)
         return best;
     const double leftOut = std::min(0.1, 0.5 * leftOutShare * available),
                  texels = static_cast<double>(options.target.width()) * options.target.height();
+    const double sharpness = std::max(leastSharpness, usualSharpness(options.tolerance));
     for (int step = 64; step <= largestBandLimit; step *= 2)
         for (const int bandLimit : {step, step * 3 / 2}) { // as FilterSource rounds them
-            if (bandLimit < least || bandLimit > largestBandLimit)
+            if (bandLimit < least || bandLimit > largestBandLimit || (ofHorizon && sharpness > std::min<double>(bandLimit, mostSharpness)))
                 continue;
-            const KernelSplit split(options.lobe, bandLimit, leftOut);
-            if (!split.hasReach())
-                continue;
+            NearFarPlan plan{.bandLimit = bandLimit, .leftOut = leftOut, .sharpness = sharpness};
+            double near = 0.0;
+            if (ofAxis) {
+                const KernelSplit parts(lobe, bandLimit, leftOut);
+                if (!parts.hasReach())
+                    continue;
+                near = nearSeconds(parts.reachAngle(), probe.width, texels);
+            } else {
+                near = horizonSeconds(horizonWidth(plan), probe.width, texels);
+            }
             const double forward = probe.knownBandLimit >= bandLimit ? 0.0 : forwardSeconds(probe.width, bandLimit);
-            const double seconds = forward + farSeconds(bandLimit, texels) + nearSeconds(split.reachAngle(), probe.width, texels) +
-                                   brightSeconds(options.lobe, brightSplits[brightSplit].mostTexels / 2, options.target);
-            if (seconds < best.seconds)
-                best = {bandLimit, leftOut, seconds};
+            plan.seconds = forward + farSeconds(bandLimit, texels) + near +
+                           brightSeconds(lobe, brightSplits[brightSplit].mostTexels / 2, options.target);
+            if (plan.seconds < best.seconds)
+                best = plan;
         }
     return best;
 }
@@ -99,10 +157,9 @@ SettledNearFar settleNearFar(FilterSource& source, const PrefilterOptions& optio
     SettledNearFar settled;
     while (plan.possible()) {
         const int bandLimit = plan.bandLimit;
-        const KernelSplit split(options.lobe, bandLimit, strictness * plan.leftOut);
-        std::vector<double> k = split.farCoefficients(kinkReach * bandLimit);
-        const double miss = std::max(split.leftOut(), largestMiss(split, k));
-        settled = {.farShare = k[0], .near = std::make_shared<const NearSum>(*source.latlong(), bright.changes, split, job)};
+        Parts parts = split(options.lobe, plan, strictness, *source.latlong(), bright, job);
+        std::vector<double>& k = parts.far;
+        settled = {.farShare = k[0], .near = std::move(parts.near)};
         for (double& value : k)
             value /= settled.farShare;
         SettledSpectral& far = settled.far;
@@ -111,7 +168,7 @@ SettledNearFar settleNearFar(FilterSource& source, const PrefilterOptions& optio
         far.split = brightSplit;
         far.spectrum = &source.calmSpectrum(brightSplit, bandLimit, job);
         far.seconds = plan.seconds;
-        far.relative = 2.0 * (1.0 + KernelSplit::polynomialShare) * miss + nearRounding;
+        far.relative = parts.miss + nearRounding;
         far.calmMean = meanOf(*far.spectrum);
 
         const ValueDistribution values = coarseValues(settled, BrightLobe(bright, options.lobe), job);
@@ -129,13 +186,22 @@ SettledNearFar settleNearFar(FilterSource& source, const PrefilterOptions& optio
         far.normError = settled.farShare * model.normError(bandLimit);
         far.predicted = spectralErrors(values, far);
         // The bound on what is left out takes light for positive.
-        far.keeps = far.spectrum->least >= 0.0 && far.predicted.within(limits);
-        // The kink's error falls like the band limit to the power of -2.5.
-        const double excess = std::max({kink.r, kink.g, kink.b}) / std::max(interpolationShare * allowed, 1e-300),
-                     least = bandLimit * std::max(1.1, std::pow(1.2 * excess, 0.4));
-        if (far.keeps || far.spectrum->least < 0.0 || least > largestBandLimit)
+        const bool nonNegative = options.lobe.kind == LobeKind::Phong || far.spectrum->least >= 0.0;
+        far.keeps = nonNegative && far.predicted.within(limits);
+        if (far.keeps || !nonNegative)
             return settled;
-        plan = planNearFar(options, traits(source), static_cast<int>(least));
+        const double excess = std::max({kink.r, kink.g, kink.b}) / std::max(interpolationShare * allowed, 1e-300);
+        if (options.lobe.kind == LobeKind::Phong) {
+            // Beyond where the far part's spectrum begins to fall it falls like the sharpness to the power of some -5.
+            const double sharpness = plan.sharpness * std::clamp(std::pow(1.5 * excess, 0.2), 1.15, 2.0);
+            plan = planNearFar(options, traits(source), 0, sharpness);
+        } else {
+            // The kink's error falls like the band limit to the power of -2.5.
+            const double least = bandLimit * std::max(1.1, std::pow(1.2 * excess, 0.4));
+            if (least > largestBandLimit)
+                return settled;
+            plan = planNearFar(options, traits(source), static_cast<int>(least));
+        }
         if (plan.seconds > mostSeconds)
             return settled;
     }
@@ -159,7 +225,7 @@ EnvironmentMap filterNearFar(FilterSource& source, const SettledNearFar& settled
             std::vector<float> rgbn(4 * places.size());
             std::vector<glm::dvec4> sums(places.size());
             grid.read(places, rgbn.data());
-            settled.near->at(places, options.yaw, sums.data());
+            settled.near(places, options.yaw, sums.data());
             float* to = map.image.row(first);
             for (size_t i = 0; i < places.size(); ++i) {
                 glm::dvec3 seen(0.0);

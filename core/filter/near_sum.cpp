@@ -10,11 +10,9 @@ namespace mirrorball {
 
 namespace {
 
-constexpr int lanes = 8;
-/// Eight texels side by side; loads need no alignment.
-typedef float Lanes __attribute__((vector_size(32), aligned(4), may_alias));
-typedef int Wholes __attribute__((vector_size(32)));
-
+constexpr int lanes = floatLanes;
+using Lanes = FloatLanes;
+using Wholes = IntLanes;
 using Tables = NearSum::Tables;
 
 /// What is the same for all texels of a row, as the loop over them takes it.
@@ -39,8 +37,8 @@ template <size_t terms>
 [[gnu::always_inline]] inline void addColumns(const Tables& t, const Constants& constants, const Row& row, int x, int table, int count,
                                               Sums& sums)
 {
-    const float *red = t.planes[0].data() + row.start + x, *green = t.planes[1].data() + row.start + x,
-                *blue = t.planes[2].data() + row.start + x, *sine = t.sine.data() + table, *cosine = t.cosine.data() + table;
+    const float *red = t.planes.channels[0].data() + row.start + x, *green = t.planes.channels[1].data() + row.start + x,
+                *blue = t.planes.channels[2].data() + row.start + x, *sine = t.sine.data() + table, *cosine = t.cosine.data() + table;
     const Lanes* g = constants.share;
     const Lanes none{};
     const Wholes lane{0, 1, 2, 3, 4, 5, 6, 7};
@@ -69,24 +67,16 @@ template <size_t terms>
     sums.one += row.weight * one;
 }
 
-[[gnu::always_inline]] inline double total(const Lanes& v)
-{
-    double sum = 0.0;
-    for (int i = 0; i < lanes; ++i)
-        sum += static_cast<double>(v[i]);
-    return sum;
-}
-
 template <size_t terms>
 [[gnu::always_inline]] inline glm::dvec4 sumAt(const Tables& t, const Constants& constants, double azimuth, double colatitude)
 {
-    const double rowHeight = pi / t.height, columnWidth = 2.0 * pi / t.width, turns = azimuth / (2.0 * pi);
-    const double column = (turns - std::floor(turns)) * t.width - 0.5;
+    const double rowHeight = pi / t.planes.height, columnWidth = 2.0 * pi / t.planes.width, turns = azimuth / (2.0 * pi);
+    const double column = (turns - std::floor(turns)) * t.planes.width - 0.5;
     const int nearest = static_cast<int>(std::floor(column + 0.5));
     const double offset = 0.5 * columnWidth * (column - nearest);
     const double sine = std::sin(0.5 * colatitude), cosine = std::cos(0.5 * colatitude), across = 2.0 * sine * cosine;
     const int top = std::max(0, static_cast<int>(std::ceil((colatitude - t.reachAngle) / rowHeight - 0.5))),
-              bottom = std::min(t.height - 1, static_cast<int>(std::floor((colatitude + t.reachAngle) / rowHeight - 0.5)));
+              bottom = std::min(t.planes.height - 1, static_cast<int>(std::floor((colatitude + t.reachAngle) / rowHeight - 0.5)));
     Row row{.offsetSine = static_cast<float>(std::sin(offset)), .offsetCosine = static_cast<float>(std::cos(offset))};
     Sums sums;
     // What roots and quotients tell of the rows is found for some at once: vectors of the compiler's, and loops that do not wait for them.
@@ -111,24 +101,25 @@ template <size_t terms>
                 continue;
             row.least = leasts[static_cast<size_t>(i)];
             row.slope = slopes[static_cast<size_t>(i)];
-            row.start = y * t.stride;
-            row.weight = static_cast<float>(t.weight[static_cast<size_t>(y)]);
-            const int left = std::min(t.width / 2, columns), right = std::min((t.width - 1) / 2, columns);
-            int x = nearest - left, table = t.width / 2 - left, count = left + right + 1;
+            row.start = y * t.planes.stride;
+            row.weight = static_cast<float>(t.planes.solidAngles[static_cast<size_t>(y)]);
+            const int left = std::min(t.planes.width / 2, columns), right = std::min((t.planes.width - 1) / 2, columns);
+            int x = nearest - left, table = t.planes.width / 2 - left, count = left + right + 1;
             if (x < 0) {
                 const int before = std::min(-x, count);
-                addColumns<terms>(t, constants, row, x + t.width, table, before, sums);
+                addColumns<terms>(t, constants, row, x + t.planes.width, table, before, sums);
                 x = 0;
                 table += before;
                 count -= before;
             }
-            const int here = std::min(count, t.width - x);
+            const int here = std::min(count, t.planes.width - x);
             addColumns<terms>(t, constants, row, x, table, here, sums);
             if (here < count)
                 addColumns<terms>(t, constants, row, 0, table + here, count - here, sums);
         }
     }
-    return glm::dvec4(total(sums.red), total(sums.green), total(sums.blue), total(sums.one) * t.scale) * (t.peakOfLobe / t.scale);
+    return glm::dvec4(total(sums.red), total(sums.green), total(sums.blue), total(sums.one) * t.planes.scale) *
+           (t.peakOfLobe / t.planes.scale);
 }
 
 } // namespace
@@ -154,45 +145,19 @@ NearSum::NearSum(const EnvironmentMap& latlong, std::span<const BrightTexels::Ch
                  const JobControl& job)
 {
     Tables& t = m_tables;
-    const Image& image = latlong.image;
-    t.width = image.width;
-    t.height = image.height;
-    t.stride = image.width + lanes; // loads of eight go beyond the last
-    float peak = 0.0f;
-    for (const float value : image.texels)
-        peak = std::max(peak, std::abs(value));
-    // Weights go up to 1 each, and rows of the largest floats must not overflow.
-    t.scale = peak > 0.0f ? std::exp2(-static_cast<double>(std::ilogb(peak))) : 1.0;
-    for (auto& plane : t.planes)
-        plane.resize(static_cast<size_t>(t.stride) * static_cast<size_t>(t.height));
-    parallelRows(t.height, {.stop = job.stop, .progress = {}, .threads = job.threads}, [&](int first, int last) {
-        for (int y = first; y < last; ++y) {
-            const float* from = image.row(y);
-            const std::ptrdiff_t start = y * t.stride;
-            float *red = t.planes[0].data() + start, *green = t.planes[1].data() + start, *blue = t.planes[2].data() + start;
-            const double scale = t.scale;
-            for (int x = 0; x < t.width; ++x, from += 3) {
-                red[x] = static_cast<float>(scale * from[0]);
-                green[x] = static_cast<float>(scale * from[1]);
-                blue[x] = static_cast<float>(scale * from[2]);
-            }
-        }
-    });
-    for (const BrightTexels::Change& change : changes)
-        for (int c = 0; c < 3; ++c)
-            t.planes[c][static_cast<size_t>(change.y * t.stride + change.x)] = static_cast<float>(t.scale * change.calm[c]);
-    for (int j = 0; j < t.width + lanes; ++j) {
-        const double half = pi / t.width * (j - t.width / 2);
+    t.planes = FloatPlanes(latlong, changes, job);
+    const int width = t.planes.width, height = t.planes.height;
+    for (int j = 0; j < width + lanes; ++j) {
+        const double half = pi / width * (j - width / 2);
         t.sine.push_back(static_cast<float>(std::sin(half)));
         t.cosine.push_back(static_cast<float>(std::cos(half)));
     }
     t.peakOfLobe = 1.0 / LobeShape(split.lobe()).integral();
-    for (int y = 0; y < t.height; ++y) {
-        const double theta = pi * (y + 0.5) / t.height;
+    for (int y = 0; y < height; ++y) {
+        const double theta = pi * (y + 0.5) / height;
         t.rowSine.push_back(std::sin(theta));
         t.halfSine.push_back(std::sin(0.5 * theta));
         t.halfCosine.push_back(std::cos(0.5 * theta));
-        t.weight.push_back(4.0 * pi / t.width * std::sin(theta) * std::sin(0.5 * pi / t.height));
     }
     const double alpha2 = split.lobe().alpha * split.lobe().alpha;
     t.reach = split.reach();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bright_texels.h"
+#include "float_planes.h"
 #include "kernel_split.h"
 #include "ring_grid.h"
 
@@ -35,14 +35,10 @@ public:
 
     /// What at() needs, as plain numbers.
     struct Tables {
-        int width = 0, height = 0;
-        std::ptrdiff_t stride = 0;                               ///< floats from one row to the next
-        std::vector<float> planes[3]{};                          ///< R, G, B, scaled
+        FloatPlanes planes{};
         std::vector<float> sine{}, cosine{};                     ///< of j h/2, j = -width/2 .. width/2, from the first
         std::vector<double> rowSine{}, halfSine{}, halfCosine{}; ///< of each row's theta' and of half of it
-        std::vector<double> weight{};                            ///< of each row's texels: solid angle
         double peakOfLobe = 1.0;                                 ///< k(1)
-        double scale = 1.0;                                      ///< of the planes, a power of two
         double reach = 0.0, reachAngle = 0.0;                    ///< of u, and of t
         double steepness = 0.0;                                  ///< k/k(1) = (1 - u)/(1 + steepness u)^2
         size_t terms = 0;                                        ///< of G: KernelSplit::fewPolynomialTerms or mostPolynomialTerms

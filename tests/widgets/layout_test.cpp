@@ -3,9 +3,18 @@
 #include "studio_window.h"
 #include "widget_driver.h"
 
+#include "app/studio/command_palette.h"
 #include "app/studio/docks.h"
+#include "app/studio/preferences_dialog.h"
+#include "core/image/builtin_probes.h"
+#include "core/image/image_io.h"
+#include "core/image/map_file.h"
+#include "support/temporary_folder.h"
 #include "widgets/controls/number_field.h"
 #include "widgets/controls/text.h"
+#include "widgets/exports/export_dialog.h"
+#include "widgets/files/doctor_dialog.h"
+#include "widgets/files/picture_question.h"
 
 #include <QAbstractButton>
 #include <QComboBox>
@@ -18,6 +27,8 @@
 #include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
+
+#include <algorithm>
 
 using namespace mirrorball::studio;
 
@@ -59,6 +70,33 @@ QString nameOf(QWidget& widget)
 {
     auto* number = qobject_cast<NumberField*>(&widget);
     return number ? number->box()->accessibleName() : widget.accessibleName();
+}
+
+/// What has less width than it asks for, or lies beyond what its place shows or scrolls to.
+QStringList cutParts(const QWidget& place, const QString& name)
+{
+    QStringList cut;
+    for (const QWidget* widget : place.findChildren<QWidget*>()) {
+        // The buttons of a dock's title, and those within a line of text, are Qt's.
+        if (!widget->isVisible() || (widget->parentWidget() == &place && qobject_cast<const QDockWidget*>(&place)) ||
+            qobject_cast<const QLineEdit*>(widget->parentWidget()))
+            continue;
+        const auto* label = qobject_cast<const QLabel*>(widget);
+        const bool isWhole = qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QComboBox*>(widget) ||
+                             qobject_cast<const NumberField*>(widget) || (label && !label->wordWrap());
+        if (isWhole && widget->width() < widget->minimumSizeHint().width())
+            cut << QStringLiteral("%1: %2 '%3' has %4 of %5 pixels")
+                       .arg(name, QLatin1String(widget->metaObject()->className()), widget->accessibleName())
+                       .arg(widget->width())
+                       .arg(widget->minimumSizeHint().width());
+        if (const auto* scroll = qobject_cast<const QScrollArea*>(widget);
+            scroll && scroll->widget() && scroll->widget()->width() > scroll->viewport()->width())
+            cut << QStringLiteral("%1: its content is %2 wide in %3")
+                       .arg(name)
+                       .arg(scroll->widget()->width())
+                       .arg(scroll->viewport()->width());
+    }
+    return cut;
 }
 
 QString stateText(StudioWindow& window) { return window->findChild<QLabel*>(QStringLiteral("workState"))->text(); }
@@ -115,25 +153,51 @@ void LayoutTest::nothingIsCutOnASmallScreen()
         QTRY_VERIFY(dock->widget()->isVisible());
         QTest::qWait(50);
         keepScreenshot(*window, QStringLiteral("dock-%1-%2").arg(QLatin1String(entry.id)).arg(size.width()));
-        for (const QWidget* widget : dock->findChildren<QWidget*>()) {
-            // The buttons of its title, and those within a line of text, are Qt's.
-            if (!widget->isVisible() || widget->parentWidget() == dock || qobject_cast<const QLineEdit*>(widget->parentWidget()))
-                continue;
-            const auto* label = qobject_cast<const QLabel*>(widget);
-            const bool isWhole = qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QComboBox*>(widget) ||
-                                 qobject_cast<const NumberField*>(widget) || (label && !label->wordWrap());
-            if (isWhole && widget->width() < widget->minimumSizeHint().width())
-                cut << QStringLiteral("%1: %2 '%3' has %4 of %5 pixels")
-                           .arg(QLatin1String(entry.id), QLatin1String(widget->metaObject()->className()), widget->accessibleName())
-                           .arg(widget->width())
-                           .arg(widget->minimumSizeHint().width());
-            if (const auto* scroll = qobject_cast<const QScrollArea*>(widget);
-                scroll && scroll->widget() && scroll->widget()->width() > scroll->viewport()->width())
-                cut << QStringLiteral("%1: its content is %2 wide in %3")
-                           .arg(QLatin1String(entry.id))
-                           .arg(scroll->widget()->width())
-                           .arg(scroll->viewport()->width());
-        }
+        cut << cutParts(*dock, QLatin1String(entry.id));
+    }
+    QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
+}
+
+void LayoutTest::dialogsAreWhole_data() { choosingChangesNoSize_data(); }
+
+// Each dialog fits the screen at the size it takes by itself, and nothing in it is cut.
+void LayoutTest::dialogsAreWhole()
+{
+    QFETCH(QSize, size);
+    const TemporaryFolder folder;
+    Image ball(48, 48, 3);
+    std::fill(ball.texels.begin(), ball.texels.end(), 0.5f);
+    writeImage(folder / "ball.png", ball);
+    writeMap(folder / "map.exr", {renderBuiltinProbe("sky", {Parameterization::Cube, 16, 0})});
+    StudioWindow window;
+    showSized(window, size);
+    window.waitForPicture();
+    window->findChild<QAction*>(QStringLiteral("file.export"))->trigger();
+    auto* exports = window->findChild<ExportDialog*>();
+    QVERIFY(exports && QTest::qWaitFor([&] { return exports->isEstimated(); }, 60000));
+    auto* doctor = new DoctorDialog(window->workspace(), QString::fromStdString((folder / "map.exr").string()), &*window);
+    auto* question = new PictureQuestion(window->workspace(), QString::fromStdString((folder / "ball.png").string()), &*window);
+    doctor->show();
+    question->show();
+    QTRY_VERIFY_WITH_TIMEOUT(!doctor->text().isEmpty() && !question->cards().isEmpty(), 60000);
+    window->findChild<QAction*>(QStringLiteral("edit.preferences"))->trigger();
+    window->findChild<QAction*>(QStringLiteral("edit.palette"))->trigger();
+    QStringList cut;
+    const QMap<QString, QWidget*> dialogs{{QStringLiteral("export"), exports},
+                                          {QStringLiteral("doctor"), doctor},
+                                          {QStringLiteral("question"), question},
+                                          {QStringLiteral("preferences"), window->findChild<PreferencesDialog*>()},
+                                          {QStringLiteral("palette"), window->findChild<CommandPalette*>()}};
+    for (auto dialog = dialogs.begin(); dialog != dialogs.end(); ++dialog) {
+        QWidget& shown = *dialog.value();
+        QTRY_VERIFY(shown.isVisible());
+        const QSize smallest = shown.minimumSizeHint().expandedTo(shown.minimumSize());
+        if (smallest.width() > size.width() || smallest.height() > size.height())
+            cut << QStringLiteral("%1: asks for %2 x %3").arg(dialog.key()).arg(smallest.width()).arg(smallest.height());
+        shown.resize(shown.size().boundedTo(size));
+        QTest::qWait(50);
+        keepScreenshot(shown, QStringLiteral("dialog-%1-%2").arg(dialog.key()).arg(size.width()));
+        cut << cutParts(shown, dialog.key());
     }
     QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
 }

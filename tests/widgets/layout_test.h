@@ -13,6 +13,8 @@ private slots:
     void choosingChangesNoSize();
     void nothingIsCutOnASmallScreen_data();
     void nothingIsCutOnASmallScreen();
+    void dialogsAreWhole_data();
+    void dialogsAreWhole();
     void whatTheBarHasNoRoomForIsInAMenu();
     void keysRaiseATabThatLiesBehind();
     void keysOutsideThePictureChangeNothing();

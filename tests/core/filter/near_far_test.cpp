@@ -1,4 +1,6 @@
+#include "core/filter/kernel_split.h"
 #include "core/filter/near_far.h"
+#include "core/filter/near_sum.h"
 #include "core/filter/prefilter.h"
 #include "core/filter/reference.h"
 #include "core/image/image_io.h"
