@@ -41,6 +41,7 @@ CommandPalette::CommandPalette(QMainWindow& window)
     m_list->setAccessibleName(tr("Commands"));
     m_list->setToolTip(tr("Enter or click runs the command, or goes to the control"));
     m_list->setFrameShape(QFrame::NoFrame);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // what is too long ends in an ellipsis
     m_list->setFocusPolicy(Qt::NoFocus);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 8, 8, 8);
@@ -48,10 +49,12 @@ CommandPalette::CommandPalette(QMainWindow& window)
     column->addWidget(m_list);
 
     m_entries = commandEntries(window) + controlEntries(window);
+    QPixmap nothing(32, 32); // so that words begin in one line
+    nothing.fill(Qt::transparent);
     for (int i = 0; i < m_entries.size(); ++i) {
         const PaletteEntry& entry = m_entries[i];
-        auto* item =
-            new QListWidgetItem(entry.icon, entry.keys.isEmpty() ? entry.title : entry.title + QStringLiteral("   ") + entry.keys, m_list);
+        auto* item = new QListWidgetItem(entry.icon.isNull() ? QIcon(nothing) : entry.icon,
+                                         entry.keys.isEmpty() ? entry.title : entry.title + QStringLiteral("   ") + entry.keys, m_list);
         item->setData(Qt::UserRole, i);
         item->setData(Qt::UserRole + 1, entry.title);
         item->setToolTip(entry.help);

@@ -84,11 +84,14 @@ QStringList cutParts(const QWidget& place, const QString& name)
         const auto* label = qobject_cast<const QLabel*>(widget);
         const bool isWhole = qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QComboBox*>(widget) ||
                              qobject_cast<const NumberField*>(widget) || (label && !label->wordWrap());
-        if (isWhole && widget->width() < widget->minimumSizeHint().width())
-            cut << QStringLiteral("%1: %2 '%3' has %4 of %5 pixels")
+        const QSize least = widget->minimumSizeHint();
+        if (isWhole && (widget->width() < least.width() || widget->height() < least.height()))
+            cut << QStringLiteral("%1: %2 '%3' has %4 x %5 of %6 x %7 pixels")
                        .arg(name, QLatin1String(widget->metaObject()->className()), widget->accessibleName())
                        .arg(widget->width())
-                       .arg(widget->minimumSizeHint().width());
+                       .arg(widget->height())
+                       .arg(least.width())
+                       .arg(least.height());
         if (const auto* scroll = qobject_cast<const QScrollArea*>(widget);
             scroll && scroll->widget() && scroll->widget()->width() > scroll->viewport()->width())
             cut << QStringLiteral("%1: its content is %2 wide in %3")

@@ -108,6 +108,7 @@ void PictureQuestion::showCards(const Pictures& pictures)
         makeCard("layer", tr("image layer"), tr("A layer of the sphere map that the scene has"), pictures.ball, PictureUse::Layer, {});
     cards().front()->setFocus();
     adjustSize();
+    setMinimumHeight(layout()->totalHeightForWidth(width())); // adjustSize() counts a wrapped line as one
 }
 
 QToolButton* PictureQuestion::makeCard(const char* id, const QString& text, const QString& help, const QImage& picture, PictureUse use,
@@ -128,6 +129,7 @@ QToolButton* PictureQuestion::makeCard(const char* id, const QString& text, cons
         accept();
     });
     among->layout()->addWidget(card);
+    card->show(); // now, not with the next events: the dialog's size is found at once, and what is hidden has none
     return card;
 }
 

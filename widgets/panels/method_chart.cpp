@@ -104,6 +104,25 @@ void MethodChart::fitAxes()
     const auto up = [](double x) { return std::pow(10.0, std::ceil(std::log10(x) + 0.1)); };
     m_time->setRange(down(low), up(high));
     m_error->setRange(down(least), up(most));
+    fitLabels();
+}
+
+/// A label every so many decades that each has room.
+void MethodChart::fitLabels()
+{
+    const QSize label = fontMetrics().size(Qt::TextSingleLine, QStringLiteral("1e-07  "));
+    const auto fit = [](QLogValueAxis& axis, double labels) {
+        const double decades = std::log10(axis.max() / axis.min());
+        axis.setBase(std::pow(10.0, std::max(1.0, std::ceil(decades / std::max(1.0, labels)))));
+    };
+    fit(*m_time, (width() - 70.0) / label.width());
+    fit(*m_error, (height() - 60.0) / label.height());
+}
+
+void MethodChart::resizeEvent(QResizeEvent* event)
+{
+    QChartView::resizeEvent(event);
+    fitLabels();
 }
 
 void MethodChart::setPoints(const std::vector<RacePoint>& points)

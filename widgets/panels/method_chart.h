@@ -36,10 +36,12 @@ signals:
 protected:
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     int pointAt(const QPointF& position) const;
     void fitAxes();
+    void fitLabels();
 
     QLogValueAxis *m_time, *m_error;
     std::map<Method, QScatterSeries*> m_series;

@@ -150,9 +150,9 @@ ReportPanel::ReportPanel(Workspace& workspace, QWidget* parent)
     m_splitter->addWidget(m_chart);
     m_splitter->addWidget(m_table);
     m_splitter->addWidget(scroll);
-    m_splitter->setStretchFactor(0, 4);
-    m_splitter->setStretchFactor(1, 3);
-    m_splitter->setStretchFactor(2, 2);
+    m_splitter->setStretchFactor(0, 2);
+    m_splitter->setStretchFactor(1, 1);
+    m_splitter->setStretchFactor(2, 0);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
     layout->addWidget(m_splitter);
@@ -194,7 +194,9 @@ void ReportPanel::resizeEvent(QResizeEvent*)
         return;
     m_isArranged = true;
     m_splitter->setOrientation(orientation);
-    m_splitter->setSizes(orientation == Qt::Horizontal ? QList<int>{380, 300, 220} : QList<int>{300, 200, 170});
+    constexpr int table = 290; // method, time and error are seen without scrolling
+    const int side = m_splitter->widget(2)->minimumWidth();
+    m_splitter->setSizes(orientation == Qt::Horizontal ? QList<int>{width() - table - side, table, side} : QList<int>{300, 200, 170});
 }
 
 /// A list of decades: what a slider of such small numbers would be moved to anyway.
