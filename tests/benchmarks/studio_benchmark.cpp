@@ -67,12 +67,12 @@ private:
     int m_depth = 0;
 };
 
-/// Waits for pictures. @return false when none came for a minute
+/// Waits for pictures. @return false when none came for so many milliseconds
 template <typename Done>
-bool waitUntil(PreviewWidget& preview, Done done)
+bool waitUntil(PreviewWidget& preview, Done done, int patience = 60000)
 {
     QEventLoop loop;
-    QTimer::singleShot(60000, &loop, [&] { loop.exit(1); });
+    QTimer::singleShot(patience, &loop, [&] { loop.exit(1); });
     QObject::connect(&preview, &PreviewWidget::painted, &loop, [&](const std::shared_ptr<const PreparedScene>& made) {
         if (done(*made))
             QTimer::singleShot(0, &loop, [&] { loop.exit(0); }); // once the paint event is through and the window has been flushed
@@ -145,13 +145,19 @@ bool paintStroke(MainWindow& window, WatchedApplication& application, QWidget& o
         const int before = changes;
         const auto moved = Clock::now();
         send(QEvent::MouseMove, 0.25 * (i + 1)); // far enough for new dabs
-        if (!waitUntil(preview, [&](const PreparedScene&) { return changes > before && preview.isUpToDate(); }))
+        const auto isSeen = [&](const PreparedScene&) { return changes > before && preview.isUpToDate(); };
+        if (!waitUntil(preview, isSeen, isOnModel ? 2000 : 60000)) {
+            if (changes == before && editor.isUpToDate())
+                continue; // across an outline of the model another stroke begins, and nothing is drawn yet
             return false;
+        }
         if (i == 0) // it builds what a stroke needs
             application.longest = 0.0;
         else
             latencies.push_back(millisecondsSince(moved));
     }
+    if (static_cast<int>(latencies.size()) < steps / 2)
+        return false;
     const double longest = application.longest;
     send(QEvent::MouseButtonRelease, 0.25 * (steps + 1));
     QObject::disconnect(connection);
