@@ -17,7 +17,7 @@ std::string htmlPage(const std::string& json)
     }
     const PageParts parts = pageParts();
     const std::array<std::pair<std::string_view, std::string_view>, 5> places{{{"@STYLE@", parts.style},
-                                                                               {"@CHART_LICENCE@", parts.chartLicence},
+                                                                               {"@CHART_LICENSE@", parts.chartLicense},
                                                                                {"@CHART_LIBRARY@", parts.chartLibrary},
                                                                                {"@REPORT@", safe},
                                                                                {"@SCRIPT@", parts.script}}};

@@ -12,7 +12,7 @@ struct PageParts {
     std::string_view html; ///< with @STYLE@ and so on where the others go
     std::string_view style;
     std::string_view script;
-    std::string_view chartLicence;
+    std::string_view chartLicense;
     std::string_view chartLibrary;
 };
 PageParts pageParts();

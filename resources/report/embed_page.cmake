@@ -1,5 +1,5 @@
 # Writes OUTPUT, a C++ file with the parts of the report's page as raw strings: FOLDER's files, and the plotting library CHART_JS.
-set(members html page.html style page.css script page.js chartLicence chart_js_licence.txt)
+set(members html page.html style page.css script page.js chartLicense chart_js_license.txt)
 set(code "#include \"core/report/html_page.h\"\n\nnamespace mirrorball {\n\nPageParts pageParts()\n{\n    return {\n")
 while(members)
   list(POP_FRONT members member file)

@@ -627,7 +627,7 @@ section("how", "How this was measured",
   element("p", {}, "Errors are against the brute-force sum over every texel of the probe, in double precision. Where that would take minutes it is summed at a part of the map's texels: those that hold a Fibonacci lattice of directions, which lie evenly on the sphere, so each stands for an equal solid angle. " +
     "The largest error also looks around the brightest direction and at the cube's axes, edges and corners; between those it may miss a peak. The reference's own time is that of its sums, scaled to all texels."),
   ...(rows.length === 0 ? [] : [element("p", {}, "To make one of the maps again, such as the first:"), element("pre", {}, element("code", {}, rows[0].m.command))]),
-  element("p", {class: "soft small"}, "Plots by Chart.js 3 (MIT licence; its text stands in the source of this page). This page makes no request of the network."));
+  element("p", {class: "soft small"}, "Plots by Chart.js 3 (MIT license; its text stands in the source of this page). This page makes no request of the network."));
 
 // --- one plot alone, themes ------------------------------------------------------------------------------------------------------
 

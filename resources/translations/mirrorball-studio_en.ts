@@ -4142,10 +4142,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Version and licence</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Mirrorball Studio</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4159,6 +4155,10 @@
     </message>
     <message>
         <source>Click what you want to know about; Escape ends this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Version and license</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -42,7 +42,7 @@ void HelpActions::addTo(QMenu& menu)
     menu.addSeparator();
     add("help.tour", tr("&Tour of the studio"), tr("Five steps from a light to maps for an engine"), {}, [this] { m_tour.start(); });
     menu.addSeparator();
-    QAction* about = add("help.about", tr("&About Mirrorball Studio"), tr("Version and licence"), {}, [this] {
+    QAction* about = add("help.about", tr("&About Mirrorball Studio"), tr("Version and license"), {}, [this] {
         QMessageBox::about(&m_window, tr("Mirrorball Studio"),
                            tr("<b>Mirrorball Studio %1</b><p>Materials with environment maps.<p>GPL-3.0-or-later")
                                .arg(QApplication::applicationVersion()));
