@@ -264,7 +264,7 @@ glm::dvec3 meanOf(const Spectrum& spectrum)
 
 CoarseLook lookCoarsely(const Spectrum& spectrum, const std::vector<double>& k, const std::vector<double>& longer, const JobControl& job)
 {
-    constexpr int rings = 16, samples = 32;
+    constexpr int rings = CoarseLook::ringCount, samples = CoarseLook::samples;
     std::vector<double> theta;
     for (int j = 0; j < rings; ++j)
         theta.push_back(pi * (j + 0.5) / rings);

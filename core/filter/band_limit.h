@@ -47,6 +47,7 @@ glm::dvec3 meanOf(const Spectrum& spectrum);
 
 /// A filtered spectrum at some hundred even directions.
 struct CoarseLook {
+    static constexpr int ringCount = 16, samples = 32, count = ringCount * samples;
     std::vector<SpherePoint> places{};
     std::vector<glm::dvec3> directions{}; ///< of the places
     FilteredRings rings{};                ///< at the places

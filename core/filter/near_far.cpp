@@ -66,7 +66,11 @@ ValueDistribution coarseValues(const SettledNearFar& settled, const BrightLobe& 
     const SettledSpectral& far = settled.far;
     const CoarseLook look = lookCoarsely(*far.spectrum, far.k, far.longer, job);
     std::vector<glm::dvec4> sums(look.places.size());
-    settled.near(look.places, 0.0, sums.data());
+    const std::span<const SpherePoint> places = look.places;
+    parallelRows(static_cast<int>(places.size()), {.stop = job.stop, .progress = {}, .threads = job.threads}, [&](int first, int last) {
+        const auto from = static_cast<size_t>(first);
+        settled.near(places.subspan(from, static_cast<size_t>(last - first)), 0.0, sums.data() + from);
+    });
     ValueDistribution values;
     for (size_t i = 0; i < look.places.size(); ++i) {
         const double norm = settled.farShare * look.rings.norm[i];
@@ -123,7 +127,7 @@ NearFarPlan planNearFar(const PrefilterOptions& options, const ProbeTraits& prob
     if (!(ofAxis || ofHorizon) || isShortPolynomial(lobe) || probe.streamed || available < 0.2 * options.tolerance)
         return best;
     const double leftOut = std::min(0.1, 0.5 * leftOutShare * available),
-                 texels = static_cast<double>(options.target.width()) * options.target.height();
+                 texels = static_cast<double>(options.target.width()) * options.target.height() + CoarseLook::count;
     const double sharpness = std::max(leastSharpness, usualSharpness(options.tolerance));
     for (int step = 64; step <= largestBandLimit; step *= 2)
         for (const int bandLimit : {step, step * 3 / 2}) { // as FilterSource rounds them
