@@ -116,8 +116,9 @@ constexpr double arcCosineError = 7e-5;
                           .ofSine = along * t.rowSine[y],
                           .start = static_cast<std::ptrdiff_t>(y) * t.planes.stride,
                           .weight = static_cast<float>(t.planes.solidAngles[y])};
+            // [from, to], from within [-width, 2 width). Inlined, so that it is built for the processor that its clone is for.
             const auto add = [&](int from, int to) __attribute__((always_inline))
-            { // [from, to], from within [-width, 2 width)
+            {
                 const int count = std::min(to - from + 1, width);
                 from += from < 0 ? width : from >= width ? -width : 0;
                 const int here = std::min(count, width - from);
