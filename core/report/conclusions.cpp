@@ -256,18 +256,19 @@ void stability(const Report& report, std::vector<std::string>& sentences)
 {
     if (report.stability.empty())
         return;
-    size_t holds = 0, refused = 0;
+    size_t holds = 0, foretold = 0, refused = 0;
     std::vector<std::string> failing;
     for (const StabilityRow& row : report.stability) {
         refused += !row.refused.empty();
-        holds += row.refused.empty() && row.holds();
+        (row.promised ? holds : foretold) += row.refused.empty() && row.holds();
         if (row.refused.empty() && !row.holds() && failing.size() < 5)
             failing.push_back(std::string(name(row.method)) + " on " + row.name);
     }
     std::string sentence = "Of " + plural(report.stability.size(), "extreme case") + " (a case and a method each), " +
-                           std::to_string(holds) + " hold and " + std::to_string(refused) + " are refused with a reason";
-    if (holds + refused < report.stability.size())
-        sentence += "; " + std::to_string(report.stability.size() - holds - refused) + " do not hold, among them " + list(failing);
+                           std::to_string(holds) + " hold what they promise, " + std::to_string(foretold) +
+                           " promise nothing and err as foretold, and " + std::to_string(refused) + " are refused with a reason";
+    if (const size_t kept = holds + foretold + refused; kept < report.stability.size())
+        sentence += "; " + std::to_string(report.stability.size() - kept) + " do not hold, among them " + list(failing);
     sentences.push_back(sentence + ".");
 
     std::vector<std::string> wrong;

@@ -182,7 +182,12 @@ std::string stabilityCsv(const Report& report)
     Csv csv({"case", "method", "outcome", "finite", "promised", "rel_rms", "max_abs", "median_rel", "p99_rel", "predicted_error", "energy",
              "lowest", "constant_error", "seconds", "why"});
     for (const StabilityRow& r : report.stability) {
-        csv.cell(r.name).cell(name(r.method)).cell(!r.refused.empty() ? "refused" : r.holds() ? "holds" : "fails");
+        csv.cell(r.name)
+            .cell(name(r.method))
+            .cell(!r.refused.empty() ? "refused"
+                  : !r.holds()       ? "fails"
+                  : r.promised       ? "holds"
+                                     : "as foretold");
         if (!r.refused.empty()) {
             csv.empty(11).cell(r.refused).endRow();
             continue;

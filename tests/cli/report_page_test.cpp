@@ -103,14 +103,16 @@ TEST(ReportPage, ShowsWhatHoldsWhatDoesNotAndWhatIsRefused)
     if (!hasChromium())
         GTEST_SKIP() << "needs chromium";
     Report report;
-    report.stability.resize(3);
+    report.stability.resize(4);
     for (StabilityRow& row : report.stability)
         row.name = "a lobe exactly on a pole <b>";
     report.stability[0].method = Method::Spectral;
+    report.stability[0].promised = true;
     report.stability[1].method = Method::Mip;
     report.stability[1].failures = {"not finite"};
     report.stability[2].method = Method::Sh9;
     report.stability[2].refused = "only diffuse";
+    report.stability[3].method = Method::Importance; // promises nothing: what is right about it is what it said of itself
     const TemporaryFolder folder;
     const auto page = writeReport(report, folder / "out").front();
     const Browsed seen = browse(folder, page);
@@ -122,6 +124,7 @@ TEST(ReportPage, ShowsWhatHoldsWhatDoesNotAndWhatIsRefused)
     EXPECT_NE(seen.document.find("<td class=\"mark bad\" title=\"not finite\nrel_rms 0, energy 1, lowest 0\">\u2717</td>"),
               std::string::npos);
     EXPECT_NE(seen.document.find("<td class=\"mark\" title=\"only diffuse\">\u2013</td>"), std::string::npos);
+    EXPECT_NE(seen.document.find("<td class=\"mark\" title=\"rel_rms 0, energy 1, lowest 0\">~</td>"), std::string::npos);
 }
 
 TEST(ReportPage, ThatTestWouldSeeARequestAndAnError)
