@@ -51,9 +51,10 @@ CommandPalette::CommandPalette(QMainWindow& window)
     m_entries = commandEntries(window) + controlEntries(window);
     QPixmap nothing(32, 32); // so that words begin in one line
     nothing.fill(Qt::transparent);
+    const QIcon noIcon(nothing);
     for (int i = 0; i < m_entries.size(); ++i) {
         const PaletteEntry& entry = m_entries[i];
-        auto* item = new QListWidgetItem(entry.icon.isNull() ? QIcon(nothing) : entry.icon,
+        auto* item = new QListWidgetItem(entry.icon.isNull() ? noIcon : entry.icon,
                                          entry.keys.isEmpty() ? entry.title : entry.title + QStringLiteral("   ") + entry.keys, m_list);
         item->setData(Qt::UserRole, i);
         item->setData(Qt::UserRole + 1, entry.title);

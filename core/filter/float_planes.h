@@ -5,6 +5,8 @@
 #include "core/base/job.h"
 #include "core/image/environment_map.h"
 
+#include <glm/glm.hpp>
+
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -29,13 +31,22 @@ struct FloatPlanes {
     FloatPlanes(const EnvironmentMap& latlong, std::span<const BrightTexels::Change> changes, const JobControl& job);
 };
 
-/// The sum over the lanes, in double.
-[[gnu::always_inline]] inline double total(const FloatLanes& v)
-{
-    double sum = 0.0;
-    for (int i = 0; i < floatLanes; ++i)
-        sum += static_cast<double>(v[i]);
-    return sum;
-}
+/// Sums over texels of R, G, B and 1, side by side in lanes.
+struct LaneSums {
+    FloatLanes red{}, green{}, blue{}, one{};
+
+    /// Over the lanes, in double; of channels that are scaled by `scale`, undone.
+    [[gnu::always_inline]] inline glm::dvec4 total(double scale) const
+    {
+        const auto over = [](const FloatLanes& v) __attribute__((always_inline))
+        {
+            double sum = 0.0;
+            for (int i = 0; i < floatLanes; ++i)
+                sum += static_cast<double>(v[i]);
+            return sum;
+        };
+        return {over(red) / scale, over(green) / scale, over(blue) / scale, over(one)};
+    }
+};
 
 } // namespace mirrorball

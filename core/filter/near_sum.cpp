@@ -13,6 +13,7 @@ namespace {
 constexpr int lanes = floatLanes;
 using Lanes = FloatLanes;
 using Wholes = IntLanes;
+using Sums = LaneSums;
 using Tables = NearSum::Tables;
 
 /// What is the same for all texels of a row, as the loop over them takes it.
@@ -26,10 +27,6 @@ struct Row {
 /// What is the same for all rows, in all lanes.
 struct Constants {
     Lanes share[KernelSplit::mostPolynomialTerms], toUnit, steepness, reach;
-};
-
-struct Sums {
-    Lanes red{}, green{}, blue{}, one{};
 };
 
 /// Columns [x, x + count), which lie at `table` and after in the tables of sines.
@@ -118,8 +115,7 @@ template <size_t terms>
                 addColumns<terms>(t, constants, row, 0, table + here, count - here, sums);
         }
     }
-    return glm::dvec4(total(sums.red), total(sums.green), total(sums.blue), total(sums.one) * t.planes.scale) *
-           (t.peakOfLobe / t.planes.scale);
+    return sums.total(t.planes.scale) * t.peakOfLobe;
 }
 
 } // namespace

@@ -1,3 +1,5 @@
+#include "split_probes.h"
+
 #include "core/filter/horizon_split.h"
 #include "core/filter/horizon_sum.h"
 #include "core/filter/near_far.h"
@@ -19,33 +21,13 @@
 namespace mirrorball {
 namespace {
 
+using test::directions;
 using test::noiseProbe;
+using test::placeOf;
+using test::sunny;
+using test::valuesOf;
 
 Lobe lobeOf(double exponent) { return {.kind = LobeKind::Phong, .exponent = exponent}; }
-
-/// Noise with a sun of 1e5 in one texel.
-EnvironmentMap sunny(int height)
-{
-    EnvironmentMap probe = noiseProbe(height, 5);
-    std::fill_n(probe.image.texel(height / 2, height / 3), 3, 1e5f);
-    return probe;
-}
-
-SpherePoint placeOf(const glm::dvec3& d)
-{
-    const double lon = std::atan2(d.x, d.z);
-    return {.azimuth = pi - lon, .colatitude = std::atan2(std::sqrt(d.x * d.x + d.z * d.z), d.y)};
-}
-
-std::vector<glm::dvec3> directions(int random)
-{
-    std::vector<glm::dvec3> all = test::randomDirections(random), special = test::specialDirections();
-    all.insert(all.end(), special.begin(), special.end());
-    for (const glm::dvec3& d : {glm::dvec3(1e-12, 1, 0), glm::dvec3(0, -1, 1e-9), glm::dvec3(1e-9, 0.1, -1), glm::dvec3(-1e-9, 0.1, -1),
-                                glm::dvec3(1e-3, 1, 1e-3), glm::dvec3(0.01, -1, 0.02)})
-        all.push_back(glm::normalize(d));
-    return all;
-}
 
 // I_s(5, 5) is the chance that of nine even numbers at least five lie below s: a sum of binomials, by definition.
 TEST(HorizonSplit, ShareIsTheIncompleteBetaFunction)
@@ -160,10 +142,7 @@ TEST(HorizonSplit, KeepsItsTolerance)
                     ++kept;
                     const EnvironmentMap map = filterNearFar(source, settled, options);
                     const std::vector<glm::dvec3> places = lookupDirections(target, options.yaw);
-                    std::vector<glm::dvec3> values;
-                    for (size_t i = 0; i < places.size(); ++i)
-                        values.emplace_back(map.image.texels[3 * i], map.image.texels[3 * i + 1], map.image.texels[3 * i + 2]);
-                    const test::PlainError error = test::plainError(values, test::plainSum(probe.image, options.lobe, places));
+                    const test::PlainError error = test::plainError(valuesOf(map), test::plainSum(probe.image, options.lobe, places));
                     EXPECT_TRUE(error.keeps(tolerance)) << exponent << ' ' << tolerance << ": rel_rms " << error.relRms << ", median "
                                                         << error.medianRel << ", p99 " << error.p99Rel << ", least " << error.least;
                     const PredictedErrors predicted = spectralErrors(ValueDistribution::of(map), settled.far);
@@ -184,11 +163,9 @@ TEST(HorizonSplit, IsWhatFiltersASunlitProbeByTheSmallestExponents)
         EXPECT_EQ(outcome.method, Method::Direct) << exponent;
         EXPECT_GT(outcome.bandLimit, 0) << exponent;
         EXPECT_TRUE(outcome.promised);
-        std::vector<glm::dvec3> values, places = lookupDirections(options.target, 0.0);
-        for (size_t i = 0; i < places.size(); ++i)
-            values.emplace_back(outcome.map.image.texels[3 * i], outcome.map.image.texels[3 * i + 1], outcome.map.image.texels[3 * i + 2]);
+        const std::vector<glm::dvec3> places = lookupDirections(options.target, 0.0);
         const auto truth = test::plainSum(source.latlong()->image, options.lobe, places);
-        EXPECT_TRUE(test::plainError(values, truth).keeps(options.tolerance)) << exponent;
+        EXPECT_TRUE(test::plainError(valuesOf(outcome.map), truth).keeps(options.tolerance)) << exponent;
     }
 }
 

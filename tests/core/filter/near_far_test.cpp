@@ -1,3 +1,5 @@
+#include "split_probes.h"
+
 #include "core/filter/kernel_split.h"
 #include "core/filter/near_far.h"
 #include "core/filter/near_sum.h"
@@ -21,17 +23,13 @@ namespace mirrorball {
 namespace {
 
 using test::constantProbe;
+using test::directions;
 using test::noiseProbe;
+using test::placeOf;
+using test::sunny;
+using test::valuesOf;
 
-/// Noise with a sun of 1e5 in one texel.
-EnvironmentMap sunny(int height)
-{
-    EnvironmentMap probe = noiseProbe(height, 5);
-    std::fill_n(probe.image.texel(height / 2, height / 3), 3, 1e5f);
-    return probe;
-}
-
-/// The same with a sky of 1e-3 of that.
+/// sunny() with a sky of 1e-3 of that.
 EnvironmentMap dark(int height)
 {
     EnvironmentMap probe = noiseProbe(height, 6);
@@ -39,23 +37,6 @@ EnvironmentMap dark(int height)
         value *= 1e-3f;
     std::fill_n(probe.image.texel(height, height / 2), 3, 1e2f);
     return probe;
-}
-
-/// Random directions, poles, the seam (-Z) to either side and from it, and the corners, edges and axes of a cube.
-std::vector<glm::dvec3> directions(int random)
-{
-    std::vector<glm::dvec3> all = test::randomDirections(random), special = test::specialDirections();
-    all.insert(all.end(), special.begin(), special.end());
-    for (const glm::dvec3& d : {glm::dvec3(1e-12, 1, 0), glm::dvec3(0, -1, 1e-9), glm::dvec3(1e-9, 0.1, -1), glm::dvec3(-1e-9, 0.1, -1),
-                                glm::dvec3(1e-3, 1, 1e-3), glm::dvec3(0.01, -1, 0.02)})
-        all.push_back(glm::normalize(d));
-    return all;
-}
-
-SpherePoint placeOf(const glm::dvec3& d)
-{
-    const double lon = std::atan2(d.x, d.z);
-    return {.azimuth = pi - lon, .colatitude = std::atan2(std::sqrt(d.x * d.x + d.z * d.z), d.y)};
 }
 
 // 1 - G has a zero of second order where k has its pole, z, so that the far kernel is a polynomial of the band limit's degree. At the
@@ -176,11 +157,7 @@ Errors against(const EnvironmentMap& probe, const PrefilterOptions& options)
     FilterSource source(probe);
     Errors errors{.outcome = prefilter(source, options), .measured = {}};
     const std::vector<glm::dvec3> directions = lookupDirections(options.target, options.yaw);
-    std::vector<glm::dvec3> values;
-    for (size_t i = 0; i < directions.size(); ++i)
-        values.emplace_back(errors.outcome.map.image.texels[3 * i], errors.outcome.map.image.texels[3 * i + 1],
-                            errors.outcome.map.image.texels[3 * i + 2]);
-    errors.measured = test::plainError(values, test::plainSum(probe.image, options.lobe, directions));
+    errors.measured = test::plainError(valuesOf(errors.outcome.map), test::plainSum(probe.image, options.lobe, directions));
     return errors;
 }
 
@@ -203,10 +180,7 @@ TEST(NearFar, KeepsItsTolerance)
                     ++kept;
                     const EnvironmentMap map = filterNearFar(source, settled, options);
                     const std::vector<glm::dvec3> places = lookupDirections(target, options.yaw);
-                    std::vector<glm::dvec3> values;
-                    for (size_t i = 0; i < places.size(); ++i)
-                        values.emplace_back(map.image.texels[3 * i], map.image.texels[3 * i + 1], map.image.texels[3 * i + 2]);
-                    const test::PlainError error = test::plainError(values, test::plainSum(probe.image, options.lobe, places));
+                    const test::PlainError error = test::plainError(valuesOf(map), test::plainSum(probe.image, options.lobe, places));
                     EXPECT_TRUE(error.keeps(tolerance)) << alpha << ' ' << tolerance << ": rel_rms " << error.relRms << ", median "
                                                         << error.medianRel << ", p99 " << error.p99Rel << ", least " << error.least;
                     const PredictedErrors predicted = spectralErrors(ValueDistribution::of(map), settled.far);
