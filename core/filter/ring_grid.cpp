@@ -118,6 +118,18 @@ std::vector<double> poleToPole(const Spectrum& spectrum, const std::vector<doubl
 
 constexpr double negligibleZonal = 1e-9; ///< beside 1, in a float
 
+/// Lagrange's cubics through the four places about each interval of such a line.
+std::vector<std::array<float, 4>> cubics(const std::vector<double>& line)
+{
+    std::vector<std::array<float, 4>> result;
+    for (size_t i = 0; i + 3 < line.size(); ++i) {
+        const double a = line[i], b = line[i + 1], c = line[i + 2], d = line[i + 3];
+        result.push_back({static_cast<float>(b), static_cast<float>(c - a / 3.0 - b / 2.0 - d / 6.0), static_cast<float>((a + c) / 2.0 - b),
+                          static_cast<float>((d - a) / 6.0 + (b - c) / 2.0)});
+    }
+    return result;
+}
+
 /// Root mean square of what the rings get wrong of the zonal norm.
 double zonalInterpolationError(const Spectrum& spectrum, const std::vector<double>& k, int rings)
 {
@@ -171,7 +183,7 @@ RingGrid::RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int r
         azimuth[i] = std::polar(120.0 / (66.0 + 52.0 * std::cos(w) + 2.0 * std::cos(2.0 * w)), m * yaw);
     }
     FilteredRings filtered = synthesize(spectrum, k, theta, samples, 0.0, azimuth, job);
-    m_mean = filtered.mean;
+    m_mean = glm::vec3(filtered.mean);
     // The zonal norm repeats with the probe's rows, which may be finer than the rings: then it has a line of samples of its own.
     const std::vector<double>& factors = longer.empty() ? k : longer;
     const int normLimit = zonalNormLimit(spectrum, factors);
@@ -180,21 +192,25 @@ RingGrid::RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int r
     for (size_t i = 0; i < filtered.norm.size(); ++i) {
         // In doubles: beside a sun the mean times this is many times what is left in the dark.
         for (int c = 0; c < 3; ++c)
-            filtered.rgb[static_cast<size_t>(c)][i] += m_mean[c] * (filtered.norm[i] - 1.0);
+            filtered.rgb[static_cast<size_t>(c)][i] += filtered.mean[c] * (filtered.norm[i] - 1.0);
         filtered.norm[i] -= zonal[i / static_cast<size_t>(samples)];
     }
     if (hasLine) {
-        m_zonal = poleToPole(spectrum, factors, normLimit);
+        std::vector<double> line = poleToPole(spectrum, factors, normLimit);
         if (normLimit >= static_cast<int>(k.size())) { // most norms end within the band limit
             const std::vector<double> within = poleToPole(spectrum, k, normLimit);
+            std::vector<double> beyond;
             for (size_t i = 0; i < within.size(); ++i)
-                m_zonalBeyond.push_back(m_zonal[i] - within[i]);
+                beyond.push_back(line[i] - within[i]);
+            m_zonalBeyond = cubics(beyond);
         }
-        for (double& value : m_zonal)
+        for (double& value : line)
             value -= 1.0;
+        const bool isFlat =
+            m_zonalBeyond.empty() && std::all_of(line.begin(), line.end(), [](double value) { return std::abs(value) < negligibleZonal; });
+        if (!isFlat)
+            m_zonal = cubics(line);
     }
-    m_isNormFlat = m_zonalBeyond.empty() &&
-                   std::all_of(m_zonal.begin(), m_zonal.end(), [](double value) { return std::abs(value) < negligibleZonal; });
 
     m_texels.resize(4 * static_cast<size_t>(rings + haloBefore + haloAfter) * static_cast<size_t>(m_stride));
     const auto at = [&](int row, int x) {
@@ -273,33 +289,36 @@ MIRRORBALL_CLONES // the loop over taps is the hot one of every export
     }
 }
 
+/// Adds what lines hold, their intervals so many to a radian: the first to the fourth channel, the second, where there is one, times the
+/// mean to the others.
+MIRRORBALL_CLONES // hot as well
+    void
+    addLines(std::span<const std::array<float, 4>> zonal, std::span<const std::array<float, 4>> beyond, const glm::vec3& mean,
+             double perRadian, std::span<const SpherePoint> points, float* rgbn)
+{
+    const int last = static_cast<int>(zonal.size()) - 1;
+    for (const SpherePoint& p : points) {
+        const double at = p.colatitude * perRadian;
+        const int i = std::min(static_cast<int>(at), last); // it is not negative
+        const auto t = static_cast<float>(at - i);
+        const std::array<float, 4>& a = zonal[static_cast<size_t>(i)];
+        rgbn[3] += a[0] + t * (a[1] + t * (a[2] + t * a[3]));
+        if (!beyond.empty()) {
+            const std::array<float, 4>& b = beyond[static_cast<size_t>(i)];
+            const float more = b[0] + t * (b[1] + t * (b[2] + t * b[3]));
+            rgbn[0] += mean.r * more;
+            rgbn[1] += mean.g * more;
+            rgbn[2] += mean.b * more;
+        }
+        rgbn += 4;
+    }
+}
+
 void RingGrid::read(std::span<const SpherePoint> points, float* rgbn) const
 {
     interpolate(m_texels.data(), m_stride, m_rings / pi, points, rgbn);
-    if (m_isNormFlat)
-        return;
-    const double intervals = static_cast<double>(m_zonal.size()) - 3.0;
-    for (const SpherePoint& p : points) {
-        const double at = std::clamp(p.colatitude / pi * intervals, 0.0, intervals);
-        const auto i = std::min(static_cast<size_t>(at), m_zonal.size() - 4);
-        const double t = at - static_cast<double>(i);
-        // Lagrange's cubic through the four places about it.
-        const std::array<double, 4> w{-t * (t - 1.0) * (t - 2.0) / 6.0, (t + 1.0) * (t - 1.0) * (t - 2.0) / 2.0,
-                                      -(t + 1.0) * t * (t - 2.0) / 2.0, (t + 1.0) * t * (t - 1.0) / 6.0};
-        const auto between = [&](const std::vector<double>& line) {
-            double sum = 0.0;
-            for (size_t j = 0; j < w.size(); ++j)
-                sum += w[j] * line[i + j];
-            return sum;
-        };
-        if (!m_zonalBeyond.empty()) {
-            const double beyond = between(m_zonalBeyond);
-            for (int c = 0; c < 3; ++c)
-                rgbn[c] = static_cast<float>(rgbn[c] + m_mean[c] * beyond);
-        }
-        rgbn[3] += static_cast<float>(between(m_zonal));
-        rgbn += 4;
-    }
+    if (!m_zonal.empty())
+        addLines(m_zonal, m_zonalBeyond, m_mean, static_cast<double>(m_zonal.size()) / pi, points, rgbn);
 }
 
 std::vector<SpherePoint> spherePoints(const MapLayout& layout, const JobControl& job)

@@ -2,6 +2,7 @@
 
 #include "spectrum.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -48,11 +49,12 @@ private:
     int m_stride; ///< samples a row of m_texels, halo included
     std::vector<float>
         m_texels; ///< spline coefficients of RGB and the norm less 1, or what of it is not zonal, with a halo so that no tap needs wrapping
-    /// From pole to pole and one place beyond either: the zonal norm less 1, empty where the rings hold it as well; and that part of it
-    /// that lies beyond their band limit, which the numerators of RGB have times the mean, empty where none does.
-    std::vector<double> m_zonal, m_zonalBeyond;
-    bool m_isNormFlat = false; ///< what of the norm is not in the rings is 1 as far as floats tell
-    glm::dvec3 m_mean{0.0};
+    /// A function of the colatitude as cubics on even intervals from pole to pole, in rising powers of the place within one.
+    using Line = std::vector<std::array<float, 4>>;
+    /// The zonal norm less 1, empty where the rings hold it as well; and that part of it that lies beyond their band limit, which the
+    /// numerators of RGB have times the mean, empty where none does. What a float does not tell beside 1 counts as none.
+    Line m_zonal, m_zonalBeyond;
+    glm::vec3 m_mean{0.0f};
 };
 
 /// The places of a layout's texels on the sphere, row by row: worth keeping when several lobes are read off in the same layout.

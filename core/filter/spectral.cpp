@@ -173,11 +173,11 @@ EnvironmentMap filterSpectral(const Spectrum& spectrum, const std::vector<double
     assert(points.size() == w * static_cast<size_t>(height));
     const RingGrid grid(spectrum, k, rings, yaw, job, longer);
     parallelRows(height, job, [&](int first, int last) {
-        std::vector<float> rgbn(4 * w * static_cast<size_t>(last - first));
-        grid.read(points.subspan(static_cast<size_t>(first) * w, static_cast<size_t>(last - first) * w), rgbn.data());
-        const float* from = rgbn.data();
+        std::vector<float> rgbn(4 * w); // of one row, which stays in the cache
         float* to = map.image.row(first);
-        for (int y = first; y < last; ++y)
+        for (int y = first; y < last; ++y) {
+            grid.read(points.subspan(static_cast<size_t>(y) * w, w), rgbn.data());
+            const float* from = rgbn.data();
             for (int x = 0; x < width; ++x, from += 4, to += 3) {
                 glm::dvec3 sum(from[0], from[1], from[2]);
                 if (!bright.empty())
@@ -186,6 +186,7 @@ EnvironmentMap filterSpectral(const Spectrum& spectrum, const std::vector<double
                 for (int c = 0; c < 3; ++c)
                     to[c] = static_cast<float>(sum[c] * inverse);
             }
+        }
     });
     return map;
 }

@@ -117,6 +117,7 @@ struct RenderSettings {
     int width = 1280;
     int height = 720;
     int samples = 4;         ///< per pixel: 1, 2 or 4, as the driver has them
+    bool smoothEdges = true; ///< display pictures of several samples: those of highlights and ink as those of the object's outline
     float pixelRatio = 1.0f; ///< device pixels to a pixel of the window: the width of lines follows it
     Geometry geometry{};
     Shading shading = Shading::Material;

@@ -97,7 +97,7 @@ void Renderer::Resources::drawScene(const RenderSettings& settings, const Render
         drawMaterial(settings, maps, output);
     else
         drawDebug(settings, maps, output);
-    if (settings.shading == Shading::Material && output == Output::Display && settings.samples > 1)
+    if (settings.shading == Shading::Material && output == Output::Display && settings.samples > 1 && settings.smoothEdges)
         smoothEdges(settings, maps, output, object);
 
     glDisable(GL_DEPTH_TEST);

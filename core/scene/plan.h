@@ -70,8 +70,10 @@ enum class PlanExtent {
 
 /// How good the maps that the picture reads must be.
 struct MapDetail {
-    int largestSize = 16384;                                        ///< texels: maps without coarser levels are made no larger
-    double tolerance = 1e-5;                                        ///< rel_rms of the filters, (0, 1]
+    int largestSize = 16384;                             ///< texels: maps without coarser levels are made no larger
+    double tolerance = 1e-5;                             ///< rel_rms of the filters, (0, 1]
+    int longBandLimit = std::numeric_limits<int>::max(); ///< specular lobes that the tolerance would have followed beyond it are promised
+    double longTolerance = 1e-5; ///< this instead: those of a narrow lobe, or of one that begins with a step at its horizon
     double texelsPerLobe = std::numeric_limits<double>::infinity(); ///< maps are made smaller where their lobe spans more at half its peak
     int brdfColumns = 32;                                           ///< angles of view in the table of a BRDF's lookups
     /// Texels of the probe that a lobe spans at half its peak: for one that spans no more, the probe's own texels in their own layout may
@@ -82,8 +84,14 @@ struct MapDetail {
 };
 
 /// While a control is dragged: soft enough to be made between two frames, and near enough to judge by.
-inline constexpr MapDetail coarseDetail{
-    .largestSize = 128, .tolerance = 1e-3, .texelsPerLobe = 6.0, .brdfColumns = 8, .probeItselfUpTo = 4.0};
+inline constexpr MapDetail coarseDetail{.largestSize = 128,
+                                        .tolerance = 1e-3,
+                                        .longBandLimit = 256,
+                                        .longTolerance = 1e-2,
+                                        .texelsPerLobe = 6.0,
+                                        .brdfColumns = 8,
+                                        .probeItselfUpTo = 4.0,
+                                        .discPixels = 512};
 
 /// Angle across a lobe at half its peak, and along the side of a square of a texel's mean solid angle; radians.
 double lobeAngle(const Lobe& lobe);

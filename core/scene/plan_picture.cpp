@@ -288,6 +288,10 @@ void Planner::planSpecular()
     std::string note = chooseMethod(filter);
     applyTolerance(filter);
     PlannedFilter whole = planned(filter);
+    if (whole.plan.bandLimit > m_detail.longBandLimit && filter.tolerance < m_detail.longTolerance) {
+        filter.tolerance = m_detail.longTolerance;
+        whole = planned(filter);
+    }
     if (whole.plan.filtered && whole.plan.method == Method::Spectral && !makesAll()) {
         const MapLayout enough = withSize(filter.target, sizeForBandLimit(filter.target.kind, whole.plan.bandLimit));
         if (enough.size < filter.target.size)

@@ -5,10 +5,15 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cmath>
 #include <random>
+#include <vector>
 
 /// Times of the filtering methods on a 1024 x 512 probe in memory to a 128 cube in memory, on two threads unless a name says otherwise.
+/// Beside the rows that people wait for stand their floor in milliseconds, what no way of doing it could go below on this machine, and the
+/// share of the time that this is.
 namespace mirrorball {
 namespace {
 
@@ -21,6 +26,82 @@ const EnvironmentMap& probe()
     return sky;
 }
 
+double secondsOf(int times, const auto& work)
+{
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < times; ++i)
+        work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / times;
+}
+
+/// One thread reading a block that no cache holds.
+double bytesPerSecond()
+{
+    static const double rate = [] {
+        const std::vector<float> block(1 << 26, 1.0f);
+        const double seconds = secondsOf(3, [&] {
+            std::array<float, 64> sums{}; // so many that the additions of one need not wait for the last
+            for (size_t i = 0; i < block.size(); i += sums.size())
+                for (size_t k = 0; k < sums.size(); ++k)
+                    sums[k] += block[i + k];
+            benchmark::DoNotOptimize(sums);
+        });
+        return 4.0 * static_cast<double>(block.size()) / seconds;
+    }();
+    return rate;
+}
+
+/// One thread multiplying and adding floats that it has at hand, as this program is built.
+double multiplyAddsPerSecond()
+{
+    static const double rate = [] {
+        std::array<float, 96> sums{}, factors{};
+        factors.fill(0.999f);
+        constexpr int rounds = 1 << 20;
+        const double seconds = secondsOf(3, [&] {
+            for (int i = 0; i < rounds; ++i)
+                for (size_t k = 0; k < sums.size(); ++k)
+                    sums[k] = sums[k] * factors[k] + 1.0f;
+            benchmark::DoNotOptimize(sums);
+        });
+        return static_cast<double>(rounds) * static_cast<double>(sums.size()) / seconds;
+    }();
+    return rate;
+}
+
+/// What has to be moved and multiplied at least, shared by two threads.
+struct Floor {
+    double bytes = 0.0, multiplyAdds = 0.0;
+
+    Floor& operator+=(const Floor& other)
+    {
+        bytes += other.bytes;
+        multiplyAdds += other.multiplyAdds;
+        return *this;
+    }
+};
+
+/// The probe's texels once, and a real transform of each row: 5/4 N log2 N multiplications and additions together, half of them each.
+Floor forwardFloor()
+{
+    const double width = probe().image.width, height = probe().image.height;
+    return {12.0 * width * height, 3.0 * height * 1.25 * width * std::log2(width)};
+}
+
+/// A map's texels, each of three channels and a norm off 6 x 6 samples.
+Floor mapFloor(int size)
+{
+    const double texels = 6.0 * size * size;
+    return {12.0 * texels, texels * 4.0 * (36.0 + 6.0)};
+}
+
+void setFloor(benchmark::State& state, const Floor& floor)
+{
+    const double seconds = 0.5 * std::max(floor.bytes / bytesPerSecond(), floor.multiplyAdds / multiplyAddsPerSecond());
+    state.counters["floor_ms"] = 1e3 * seconds;
+    state.counters["floor_share"] = benchmark::Counter(seconds, benchmark::Counter::kIsIterationInvariantRate);
+}
+
 /// Everything: the forward transform, the lobe and the map.
 void phong50ToCube128(benchmark::State& state)
 {
@@ -30,6 +111,8 @@ void phong50ToCube128(benchmark::State& state)
         state.ResumeTiming();
         benchmark::DoNotOptimize(prefilter(source, {.lobe = phongLobe(50), .target = cube128}, twoThreads));
     }
+    Floor floor = forwardFloor();
+    setFloor(state, floor += mapFloor(128));
 }
 BENCHMARK(phong50ToCube128)->UseRealTime()->Unit(benchmark::kMillisecond);
 
@@ -43,6 +126,7 @@ void exponentChange(benchmark::State& state)
         benchmark::DoNotOptimize(prefilter(source, {.lobe = phongLobe(n), .target = cube128}, twoThreads));
         n = n < 60.0 ? n + 0.1 : 40.0;
     }
+    setFloor(state, mapFloor(128));
 }
 BENCHMARK(exponentChange)->UseRealTime()->Unit(benchmark::kMillisecond);
 
@@ -82,6 +166,10 @@ void ggxChainToCube256(benchmark::State& state)
                 source, {.lobe = ggxLobe(roughness * roughness), .target = {Parameterization::Cube, 256 >> level, 0}}, twoThreads));
         }
     }
+    Floor floor = forwardFloor();
+    for (int level = 0; level < 9; ++level)
+        floor += mapFloor(256 >> level);
+    setFloor(state, floor);
 }
 BENCHMARK(ggxChainToCube256)->UseRealTime()->Unit(benchmark::kMillisecond);
 

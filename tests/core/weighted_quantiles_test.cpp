@@ -29,7 +29,7 @@ TEST(WeightedQuantiles, AreThoseOfTheSortedValues)
         for (int round = 0; round < 10; ++round) {
             std::vector<WeightedValue> values;
             for (size_t i = 0; i < count; ++i)
-                values.push_back({static_cast<double>(random() % (round < 5 ? 50u : 1000000u)), static_cast<double>(random() % 4u)});
+                values.push_back({static_cast<double>(random() % (round < 5 ? 50u : 1000000u)) - 20.0, static_cast<double>(random() % 4u)});
             const std::array shares{0.0, 0.005, 0.5, 0.5, 0.995, 1.0};
             const auto found = weightedQuantiles(values, shares);
             for (size_t i = 0; i < shares.size(); ++i)

@@ -123,8 +123,9 @@ void ComparisonTest::snapshotsHaveNamesAndPictures()
     QVERIFY(!shown.item(0)->icon().isNull());
 
     // While a comparison shows something else, a snapshot's picture is still of what is shown now.
+    // The figures are there by then, so that nothing is left to be drawn for them.
     press(window, Qt::Key_D);
-    window.waitForPicture();
+    QVERIFY(waitForFigures(window));
     press(window, Qt::Key_K, Qt::ControlModifier);
     QTRY_VERIFY_WITH_TIMEOUT(all.size() == 3 && !all[2].thumbnail.isNull(), patience);
     QVERIFY(largestDifference(all[2].thumbnail, all[1].thumbnail) <= 8); // smoothed the same

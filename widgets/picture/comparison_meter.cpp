@@ -48,14 +48,18 @@ void ComparisonMeter::measure(const PictureOrder& order)
         return;
     }
     const PictureOrder wanted = measured(order);
-    if (wanted == m_of)
+    if (wanted == m_of) {
+        if (!m_kept.isNull())
+            m_snapshots.setPicture(wanted.snapshot, m_kept); // a snapshot taken since may show the same
         return;
+    }
     wait();
     m_of = wanted;
     m_thread.drawPair(wanted, [this, wanted](const PicturePair& pair) {
         if (wanted != m_of || pair.now.isNull())
             return; // something else is shown by now
-        m_snapshots.setPicture(wanted.snapshot, pair.kept);
+        m_kept = pair.kept;
+        m_snapshots.setPicture(wanted.snapshot, m_kept);
         m_runner.start([pair](const JobControl& job) { return pictureError(displayValues(pair.now), displayValues(pair.kept), job); },
                        [this](const PictureError& error) { m_snapshots.setError(error); });
     });
@@ -64,6 +68,7 @@ void ComparisonMeter::measure(const PictureOrder& order)
 void ComparisonMeter::wait()
 {
     m_of.reset();
+    m_kept = {};
     m_runner.stop();
     m_snapshots.setError({});
 }

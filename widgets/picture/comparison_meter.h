@@ -28,6 +28,7 @@ private:
     RenderThread& m_thread;
     JobRunner m_runner;
     std::optional<PictureOrder> m_of{}; ///< what the figures, or those that are on their way, are of
+    QImage m_kept{};                    ///< A of the same; null while it is not drawn
 };
 
 } // namespace mirrorball::studio

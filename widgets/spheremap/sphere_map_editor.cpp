@@ -11,14 +11,37 @@ namespace mirrorball::studio {
 namespace {
 constexpr int paintingSize = 1024; ///< texels: what a map is painted at unless the scene asks for more
 
-/// The scene's own map as it was last made for the model, of so many texels; null where there is none.
+/// The scene's own map as it was last made for the model, for a map of so many texels; null where there is none. While something is
+/// dragged it may have fewer: half as many, or a quarter.
 SphereMapChain shownMap(const LiveScene& live, int size)
 {
     const auto made = live.made();
-    if (!made || made->plan.sphereMaps.empty() || !made->plan.sphereMaps.front().document || made->maps.sphereMaps.empty() ||
-        made->maps.sphereMaps.front()->levels.front().width != size)
+    if (!made || made->plan.sphereMaps.empty() || !made->plan.sphereMaps.front().document || made->maps.sphereMaps.empty())
         return nullptr;
-    return made->maps.sphereMaps.front();
+    const int width = made->maps.sphereMaps.front()->levels.front().width, drawn = made->plan.sphereMaps.front().drawnSize;
+    const bool isOfSize = made->plan.sphereMaps.front().size == size && (width == size || width == drawn);
+    return isOfSize ? made->maps.sphereMaps.front() : nullptr;
+}
+
+/// A level of the whole map: of a chain with fewer texels its own, or the finest that it has.
+Image levelOf(const SphereMapTexels& chain, int size, int level)
+{
+    const Image& finest = chain.levels.front();
+    const int wanted = std::max(1, size >> level);
+    if (wanted <= finest.width) {
+        const auto isSmallEnough = [wanted](const Image& image) { return image.width <= wanted; };
+        const auto found = std::find_if(chain.levels.begin(), chain.levels.end(), isSmallEnough);
+        return found == chain.levels.end() ? chain.levels.back() : *found;
+    }
+    const int times = wanted / finest.width;
+    Image large(wanted, wanted, 4);
+    for (int y = 0; y < wanted; ++y) {
+        const float* from = finest.row(y / times);
+        float* to = large.row(y);
+        for (int x = 0; x < wanted; ++x, to += 4)
+            std::copy_n(from + 4 * (x / times), 4, to);
+    }
+    return large;
 }
 
 /// The strokes of a layer or of its mask; null where there are none.
@@ -101,11 +124,11 @@ void SphereMapEditor::followLive()
     }
     m_awaitsLive = m_live.made()->plan.sphereMaps.front().document.document != m_map; // a later one follows
     m_runner.start(
-        [chain, size = m_size, only = static_cast<size_t>(m_onlyLevel.value_or(0))](const JobControl& job) {
-            const Image& picture = chain->levels.front();
-            Patch patch{.rect = {0, 0, size, size}, .size = size, .image = picture, .screen = onScreen(picture, job)};
+        [chain, size = m_size, only = m_onlyLevel.value_or(0)](const JobControl& job) {
+            Patch patch{.rect = {0, 0, size, size}, .size = size, .image = levelOf(*chain, size, 0)};
+            patch.screen = onScreen(patch.image, job);
             if (only > 0)
-                patch.only = chain->levels[std::min(only, chain->levels.size() - 1)];
+                patch.only = levelOf(*chain, size, only);
             return patch;
         },
         [this](Patch patch) { show(std::move(patch)); }, Running::Finish);

@@ -35,6 +35,18 @@ TEST(Plan, ADragAsksForLessOfTheSameMaps)
     EXPECT_EQ(dragged.options.lobe, whole.options.lobe);
 }
 
+// A spectrum that is followed far takes longer than a picture.
+TEST(Plan, ADragAsksForLessStillWhereASpectrumIsLong)
+{
+    Scene scene;
+    for (const auto& [exponent, tolerance] :
+         {std::pair{0.1, coarseDetail.longTolerance}, {30.0, coarseDetail.tolerance}, {5000.0, coarseDetail.longTolerance}}) {
+        scene.material.specular = {.lobe = SurfaceLobe::Phong, .exponent = exponent};
+        EXPECT_EQ(makePlan(scene, probe, {.detail = coarseDetail}).specular->filters.front().options.tolerance, tolerance) << exponent;
+        EXPECT_EQ(makePlan(scene, probe).specular->filters.front().options.tolerance, MapDetail{}.tolerance) << exponent;
+    }
+}
+
 TEST(Plan, OfFiltersWithoutASceneTellsWhatWillBeReadFilteredAndSaved)
 {
     std::vector<PrefilterOptions> levels;
