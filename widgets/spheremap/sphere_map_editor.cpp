@@ -23,25 +23,12 @@ SphereMapChain shownMap(const LiveScene& live, int size)
     return isOfSize ? made->maps.sphereMaps.front() : nullptr;
 }
 
-/// A level of the whole map: of a chain with fewer texels its own, or the finest that it has.
-Image levelOf(const SphereMapTexels& chain, int size, int level)
+/// Of a chain, or of one that lacks its finest levels, the level of a map of so many texels; where that is one of those, the finest.
+const Image& levelOf(const SphereMapTexels& chain, int size, int level)
 {
-    const Image& finest = chain.levels.front();
-    const int wanted = std::max(1, size >> level);
-    if (wanted <= finest.width) {
-        const auto isSmallEnough = [wanted](const Image& image) { return image.width <= wanted; };
-        const auto found = std::find_if(chain.levels.begin(), chain.levels.end(), isSmallEnough);
-        return found == chain.levels.end() ? chain.levels.back() : *found;
-    }
-    const int times = wanted / finest.width;
-    Image large(wanted, wanted, 4);
-    for (int y = 0; y < wanted; ++y) {
-        const float* from = finest.row(y / times);
-        float* to = large.row(y);
-        for (int x = 0; x < wanted; ++x, to += 4)
-            std::copy_n(from + 4 * (x / times), 4, to);
-    }
-    return large;
+    const auto isSmallEnough = [wanted = std::max(1, size >> level)](const Image& image) { return image.width <= wanted; };
+    const auto found = std::find_if(chain.levels.begin(), chain.levels.end(), isSmallEnough);
+    return found == chain.levels.end() ? chain.levels.back() : *found;
 }
 
 /// The strokes of a layer or of its mask; null where there are none.
@@ -123,10 +110,12 @@ void SphereMapEditor::followLive()
         return;
     }
     m_awaitsLive = m_live.made()->plan.sphereMaps.front().document.document != m_map; // a later one follows
+    m_isCoarse = m_isCoarse || chain->levels.front().width < m_size;
     m_runner.start(
         [chain, size = m_size, only = m_onlyLevel.value_or(0)](const JobControl& job) {
-            Patch patch{.rect = {0, 0, size, size}, .size = size, .image = levelOf(*chain, size, 0)};
-            patch.screen = onScreen(patch.image, job);
+            const Image& picture = chain->levels.front();
+            Patch patch{
+                .rect = {0, 0, picture.width, picture.width}, .size = picture.width, .image = picture, .screen = onScreen(picture, job)};
             if (only > 0)
                 patch.only = levelOf(*chain, size, only);
             return patch;
@@ -149,7 +138,7 @@ void SphereMapEditor::request()
         m_levelsCache = std::make_shared<LevelsCache>(EvaluateOptions{.size = m_size, .unknownLayers = UnknownLayers::Skip});
     m_runner.start(
         [cache = m_cache, levels = followsLevels ? m_levelsCache : nullptr, map = m_map, pending, layer = m_recorderLayer,
-         target = m_recorderTarget, only](const JobControl& job) {
+         target = m_recorderTarget, only, whole = m_isCoarse](const JobControl& job) {
             const SphereMapDocument* shown = map.get();
             SphereMapDocument painted;
             if (!pending.empty()) {
@@ -159,6 +148,8 @@ void SphereMapEditor::request()
                 shown = &painted;
             }
             Patch patch{.rect = cache->update(*shown, job), .size = cache->size()};
+            if (whole) // what is shown has fewer texels
+                patch.rect = {0, 0, patch.size, patch.size};
             if (levels)
                 patch.levels = levels->update(*shown, job);
             else if (only > 0)
@@ -197,10 +188,16 @@ void SphereMapEditor::show(Patch patch)
         emit levelsChanged(touched);
     }
     if (!patch.rect.empty()) {
-        if (patch.rect.width() == patch.size && patch.rect.height() == patch.size)
+        if (patch.rect.width() == patch.size && patch.rect.height() == patch.size) {
             m_picture = std::move(patch.image);
-        else
+            m_isCoarse = patch.size < m_size;
+        } else if (m_picture.width != patch.size) { // a part of what is not there
+            m_isCoarse = true;
+            request();
+            return;
+        } else {
             put(patch.image, patch.rect, patch.size, m_picture);
+        }
         m_screen.put(patch.screen, patch.rect, patch.size);
         emit pictureChanged(patch.rect);
     }

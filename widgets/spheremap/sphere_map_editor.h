@@ -172,6 +172,7 @@ private:
     size_t m_recorderLayer = 0;
     PaintTarget m_recorderTarget = PaintTarget::Layer;
     Image m_picture{};
+    bool m_isCoarse = false; ///< it has fewer texels than the map, or will have: while something is dragged
     ScreenPicture m_screen{};
     std::vector<Image> m_coarser{};
     std::shared_ptr<SphereMapCache> m_cache;      ///< touched on the worker only
