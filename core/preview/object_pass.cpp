@@ -109,6 +109,7 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
     std::vector<ShaderDefine> defines = {{"HAS_SPECULAR", needed.specular ? "1" : "0"},
                                          {"HAS_DIFFUSE", needed.diffuse ? "1" : "0"},
                                          {"FRESNEL", number(static_cast<int>(material.fresnel.kind))},
+                                         {"CLEAR_COAT", needed.clearCoat ? "1" : "0"},
                                          {"COAT", material.combine == Combine::Coat ? "1" : "0"},
                                          {"LAMBDA_BY_ANGLE", material.lambda > 0.0f && material.lambdaGrazing > 0.0f ? "1" : "0"},
                                          {"MARKER", hasMarker ? "1" : "0"},
@@ -138,6 +139,10 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
     defines.emplace_back("BRDF_LOOKUPS", number(readsBrdf ? brdfLookups.count() : 0));
     if (needed.diffuse)
         addMapDefines(defines, "DIFFUSE", diffuse.update(maps.diffuse, format, "diffuse"));
+    if (needed.clearCoat) {
+        addMapDefines(defines, "CLEAR_COAT", clearCoat.update(maps.clearCoat, format, "clear coat"));
+        defines.emplace_back("CLEAR_COAT_ANISOTROPY", number(material.anisotropy));
+    }
 
     const ShaderProgram& shader = programs.get({"preview/object.vert", "preview/object.frag"}, defines, outputPrelude(settings, output));
     displayTables.bind(shader, displayUnit);
@@ -154,6 +159,12 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
     if (needed.diffuse) {
         bindMap(shader, "diffuse", 1, *diffuse.texture(), mapRotation(settings));
         shader.set("diffuseColor", material.diffuse);
+    }
+    const auto n2m1 = [](double n) { return static_cast<float>((n - 1.0) * (n + 1.0)); };
+    if (needed.clearCoat) {
+        bindMap(shader, "clearCoat", 2, *clearCoat.texture(), mapRotation(settings));
+        shader.set("clearCoatWeight", material.clearCoat.weight);
+        shader.set("clearCoatN2m1", n2m1(material.clearCoat.index));
     }
     if (needed.diffusePicture) {
         diffusePicture.update(maps.diffusePicture, "diffuse picture");
@@ -179,8 +190,7 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
         shader.set("markerPixel", settings.pixelRatio);
         shader.set("markerRotation", mapRotation(settings));
     }
-    const double n = material.fresnel.index;
-    shader.set("n2m1", static_cast<float>((n - 1.0) * (n + 1.0)));
+    shader.set("n2m1", n2m1(material.fresnel.index));
     shader.set("conductorN", glm::vec3(material.fresnel.conductor.n));
     shader.set("conductorK", glm::max(glm::vec3(material.fresnel.conductor.k), 1e-6f));
     shader.set("exposure", std::exp2(settings.exposure));

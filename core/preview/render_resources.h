@@ -25,7 +25,7 @@ struct Renderer::Resources {
     TexelFormat format;
     GlObject emptyVertexArray;
     GlObject edgeFramebuffer{};
-    BoundMap specular{}, diffuse{}, background{};
+    BoundMap specular{}, diffuse{}, clearCoat{}, background{};
     LookupTexture brdfLookups{};
     SphereMapTexture sphereMaps[3]{};
     PictureTexture diffusePicture{}, fleckPattern{};
@@ -80,8 +80,9 @@ glm::mat3 yawToMap(float yaw);
 void addOutputDefines(std::vector<ShaderDefine>& defines, const RenderSettings& settings, Output output, ToneCurve curve);
 std::string_view outputPrelude(const RenderSettings& settings, Output output);
 
-/// Texture units: 0 specular, 1 diffuse, 2 background, 3 the object's samples, 4 to 6 painted maps, on an object 4 alone and then 5 the
-/// diffuse picture, 6 the flecks' pattern; 7 the table of a BRDF's lookups, from here on tables of the display.
+/// Texture units: 0 specular, 1 diffuse, 2 background and, on an object, the clear coat, 3 the object's samples, 4 to 6 painted maps, on an
+/// object 4 alone and then 5 the diffuse picture, 6 the flecks' pattern; 7 the table of a BRDF's lookups, from here on tables of the
+/// display.
 inline constexpr GLuint displayUnit = 8;
 
 } // namespace mirrorball::preview

@@ -38,7 +38,10 @@ void validate(const RenderSettings& settings)
     require(glm::all(glm::greaterThanEqual(settings.windowDepths, glm::vec3(0.0f))), "depths outside a window must be 0 or more");
     require(std::isfinite(settings.exposure) && std::abs(settings.exposure) <= 64.0f, "exposure must lie between -64 and 64 EV");
     require(std::isfinite(settings.yaw), "yaw must be finite");
+    require(settings.material.clearCoat.weight >= 0.0f && settings.material.clearCoat.weight <= 1.0f,
+            "weight of the clear coat must be 0 to 1");
     validate(settings.material.fresnel);
+    validate(Fresnel{.kind = FresnelKind::Dielectric, .index = settings.material.clearCoat.index});
 }
 
 glm::vec3 levelColor(float level)
@@ -71,6 +74,7 @@ NeededMaps neededMaps(const RenderSettings& settings)
     return {.specular = (isMaterial || isLevels) && material.specular != glm::vec3(0.0f),
             .diffuse = hasDiffuse,
             .background = settings.background.kind == BackgroundKind::Environment,
+            .clearCoat = isMaterial && material.clearCoat.weight > 0.0f,
             .sphereMap = isShown && (isWindow || paint != PaintUse::None),
             .diffusePicture = hasDiffuse && material.hasDiffusePicture,
             .fleckPattern = hasFlecks && material.paint.hasFleckPattern};

@@ -67,6 +67,14 @@ struct PaintSettings {
 /// What a lookup beside the edge of a cube map's face reads: across it, or the face's own last texels, as the hardware of 2002 did.
 enum class FaceEdges { Seamless, Clamped };
 
+/// A clear layer over the material: w F L_c + (1 - w F) L, with F of a dielectric and L_c the clear coat's map looked up by the mirror
+/// direction.
+struct ClearCoat {
+    float weight = 0.0f; ///< w, [0, 1]; 0: there is none, and its map is left out
+    double index = 1.5;  ///< of refraction, > 0
+    bool operator==(const ClearCoat&) const = default;
+};
+
 /// How the object reflects. L_m is the specular map looked up by the mirror direction, times `specular`; L_d the diffuse map looked up by
 /// the normal, times `diffuse`. A color of 0 leaves its map out: it is not uploaded and its shader code not built.
 struct MaterialSettings {
@@ -78,8 +86,9 @@ struct MaterialSettings {
     bool hasBrdf = false;
     Fresnel fresnel{};              ///< F; None: F = 1. Not with BRDF lookups
     Combine combine = Combine::Add; ///< Add: F L_m + L_d; Coat: F L_m + (1 - F) L_d
-    float lambda = 0.0f;            ///< least mip level of the specular lookup: max(lod + lodBias, lambda). Source: 002 section 2
-    float lambdaGrazing = 0.0f;     ///< how much sharper at grazing angles: lambdaAt() of core/shading/lambda.h
+    ClearCoat clearCoat{};
+    float lambda = 0.0f;        ///< least mip level of the specular lookup: max(lod + lodBias, lambda). Source: 002 section 2
+    float lambdaGrazing = 0.0f; ///< how much sharper at grazing angles: lambdaAt() of core/shading/lambda.h
     FaceEdges faceEdges = FaceEdges::Seamless;
     float lodBias = 0.0f; ///< moves that level where lambda does not hold it
     int anisotropy = 1;   ///< most lookups along the longer side of a pixel's footprint, where the map has levels; 1 to 16
@@ -148,6 +157,7 @@ using MapLevels = std::shared_ptr<const std::vector<EnvironmentMap>>;
 struct RenderMaps {
     MapLevels specular{};                       ///< the environment for a mirror, a filtered map for a glossy material
     MapLevels diffuse{};                        ///< filtered with the diffuse lobe
+    MapLevels clearCoat{};                      ///< for the clear coat, as `specular` for the material
     MapLevels background{};                     ///< the environment, drawn behind the object
     std::shared_ptr<const Image> brdfLookups{}; ///< core/filter/lookup_table.h
     /// The painted sphere map; for a window the layers outside, one to three, nearest first.
@@ -162,6 +172,7 @@ void validate(const RenderSettings& settings);
 /// Which maps a picture with these settings reads.
 struct NeededMaps {
     bool specular, diffuse, background;
+    bool clearCoat = false;
     bool sphereMap = false;
     bool diffusePicture = false, fleckPattern = false;
     bool operator==(const NeededMaps&) const = default;

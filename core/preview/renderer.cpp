@@ -76,6 +76,8 @@ void Renderer::Resources::drawScene(const RenderSettings& settings, const Render
         brdfLookups.release();
     if (!needed.diffuse)
         diffuse.release();
+    if (!needed.clearCoat)
+        clearCoat.release();
     if (!needed.background)
         background.release();
     if (!needed.diffusePicture)

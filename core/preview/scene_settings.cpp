@@ -97,6 +97,7 @@ RenderSettings renderSettings(const Scene& scene, const Plan& plan, std::shared_
                          .hasBrdf = plan.brdf.has_value(),
                          .fresnel = plan.material.fresnel,
                          .combine = plan.material.combine,
+                         .clearCoat = {.weight = static_cast<float>(plan.material.clearCoat), .index = plan.material.clearCoatIndex},
                          .lambda = static_cast<float>(scene.material.lambda),
                          .lambdaGrazing = static_cast<float>(scene.material.lambdaGrazing),
                          .faceEdges = scene.map.mipFiltering == MipFiltering::PerFace ? FaceEdges::Clamped : FaceEdges::Seamless,
@@ -128,6 +129,7 @@ RenderMaps renderMaps(const SceneMaps& maps)
 {
     return {.specular = maps.specular,
             .diffuse = maps.diffuse,
+            .clearCoat = maps.clearCoat,
             .background = maps.background,
             .brdfLookups = maps.brdfLookups,
             .sphereMaps = maps.sphereMaps,

@@ -243,6 +243,7 @@ MadeScene LiveMaps::update(const Scene& scene, const MapDetail& detail, const Jo
     made.maps.specular = make(m_now.specular, made.plan.specular);
     made.maps.brdfLookups = brdfLookups(scene, made.plan, job, made.record);
     made.maps.diffuse = make(m_now.diffuse, made.plan.diffuse);
+    made.maps.clearCoat = make(m_now.clearCoat, made.plan.clearCoat);
     made.maps.sphereMaps = sphereMaps(scene, made.plan, job, made.record);
     made.maps.diffusePicture = m_diffusePicture.update(scene, made.plan.diffusePicture, job, made.record);
     made.maps.fleckPattern = m_fleckPattern.update(scene, made.plan.fleckPattern, job, made.record);

@@ -79,7 +79,7 @@ private:
         MapLevels itself{};                                  ///< the probe as it is, one level
         std::shared_ptr<const EnvironmentMap> environment{}; ///< that level
         bool certain = true;
-        KeptMap specular{}, diffuse{}, background{};
+        KeptMap specular{}, diffuse{}, clearCoat{}, background{};
 
         bool holdsLight() const { return environment || probe.environment || probe.source; }
     };

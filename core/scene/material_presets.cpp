@@ -29,6 +29,13 @@ Material coated(SpecularSettings specular, double index, DiffuseSettings below)
             .diffuse = std::move(below)};
 }
 
+/// Any of them under a clear, mirroring layer.
+Material lacquered(Material below)
+{
+    below.clearCoat.weight = 1.0;
+    return below;
+}
+
 /// A surface whose lobe knows the view.
 Material viewDependent(const char* model) { return {.brdf = {.model = model}}; }
 
@@ -58,6 +65,8 @@ std::vector<MaterialPreset> makePresets()
         reflecting({.lobe = SurfaceLobe::Ggx, .roughness = 0.4, .color = {0.86, 0.86, 0.88}}));
     add("glass", "Dark glass: clear in front, mirroring towards the edges.", coated(mirror, 1.5, paint(0.012, 0.018, 0.016)));
     add("car-paint", "Deep red lacquer under a clear, mirroring coat.", coated(mirror, 1.5, paint(0.42, 0.012, 0.02)));
+    add("candy-paint", "Candy paint: a glossy, colored metal under a clear, mirroring coat.",
+        lacquered(reflecting({.lobe = SurfaceLobe::Ggx, .roughness = 0.45, .color = {0.72, 0.03, 0.06}}, metal("aluminium"))));
     add("black-lacquer", "Piano lacquer: black, and a sharp reflection on top.", coated(mirror, 1.6, paint(0.006, 0.006, 0.007)));
     add("porcelain", "Glazed white porcelain: bright and matt below, mirroring above.", coated(mirror, 1.5, paint(0.86, 0.85, 0.82)));
     add("pearl", "Pearl: a soft sheen over cream.",

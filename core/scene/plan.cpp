@@ -117,7 +117,7 @@ void Planner::planReading()
 
 bool Plan::needsProbe() const
 {
-    return specular || diffuse || background || !others.empty() ||
+    return specular || diffuse || clearCoat || background || !others.empty() ||
            std::any_of(exports.begin(), exports.end(), [](const ExportPlan& planned) { return !planned.painted; });
 }
 
@@ -128,7 +128,7 @@ std::vector<const PlannedFilter*> Plan::planned() const
         for (const PlannedFilter& filter : map.filters)
             all.push_back(&filter);
     };
-    for (const auto* map : {&specular, &diffuse, &background})
+    for (const auto* map : {&specular, &diffuse, &clearCoat, &background})
         if (*map)
             add(**map);
     for (const MapPlan& map : others)

@@ -21,6 +21,8 @@ struct PlannedMaterial {
     glm::dvec3 diffuse{0.0};
     Fresnel fresnel{};
     Combine combine = Combine::Add;
+    double clearCoat = 0.0; ///< its weight; 0: there is none to be seen
+    double clearCoatIndex = 1.5;
     bool operator==(const PlannedMaterial&) const = default;
 };
 
@@ -110,6 +112,7 @@ struct Plan {
     std::optional<MapPlan> specular{};
     std::optional<BrdfPlan> brdf{}; ///< how the specular map is read
     std::optional<MapPlan> diffuse{};
+    std::optional<MapPlan> clearCoat{};
     std::optional<MapPlan> background{};
     std::vector<SphereMapPlan> sphereMaps{}; ///< the material's, and behind it the layers of a window
     std::optional<SurfacePicturePlan> diffusePicture{}, fleckPattern{};

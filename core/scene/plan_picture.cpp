@@ -62,7 +62,9 @@ PlannedMaterial planMaterial(const Material& material, PlanExtent extent)
     PlannedMaterial planned{.specular = material.specular.weight * material.specular.color,
                             .diffuse = material.diffuse.weight * material.diffuse.color,
                             .fresnel = material.brdf.isNone() ? fresnelTerm(material.fresnel) : Fresnel{},
-                            .combine = material.combine};
+                            .combine = material.combine,
+                            .clearCoat = material.clearCoat.index == 1.0 ? 0.0 : material.clearCoat.weight,
+                            .clearCoatIndex = material.clearCoat.index};
     if (extent == PlanExtent::Everything)
         planned = withNothingFolded(planned);
     if (!material.brdf.isNone()) // its albedo takes the place of F, and changes with the view
@@ -122,6 +124,7 @@ void Planner::planPicture()
         planDiffuse();
     else
         leaveOut("irradiance map", whyNoMaterial());
+    planClearCoat();
     planBackground();
     if (!reads)
         leaveOut("fresnel term", whyNoMaterial());
@@ -144,7 +147,7 @@ void Planner::planPicture()
     planLambda();
     if (makesAll()) {
         planOthers();
-    } else if (m_plan.specular || m_plan.diffuse) {
+    } else if (m_plan.specular || m_plan.diffuse || m_plan.clearCoat) {
         std::string others;
         for (const Parameterization p : allParameterizations)
             if (p != m_scene.map.parameterization)
@@ -352,6 +355,23 @@ void Planner::planDiffuse()
     applySize(filter, map.pyramid);
     addLevel(map, planned(filter), map.name);
     m_plan.diffuse = std::move(map);
+}
+
+// Where there is none nothing is said: most materials have none.
+void Planner::planClearCoat()
+{
+    MapPlan map{.name = "clear coat map", .pyramid = m_scene.map.mips};
+    if (m_scene.material.clearCoat.weight == 0.0)
+        return;
+    if (!readsMaterial() || m_plan.material.clearCoat == 0.0) {
+        leaveOut(map.name, readsMaterial() ? "its index is 1: nothing is reflected" : whyNoMaterial());
+        return;
+    }
+    PrefilterOptions filter{.lobe = lobe(m_scene.material.clearCoat), .target = mapLayout(), .yaw = bakedYaw()};
+    applyTolerance(filter);
+    applySize(filter, map.pyramid);
+    addLevel(map, planned(filter), map.name, "", "the coat is a mirror: it shows the environment itself");
+    m_plan.clearCoat = std::move(map);
 }
 
 void Planner::planBackground()

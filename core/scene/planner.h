@@ -67,6 +67,7 @@ private:
     void planSpecular();
     void planBrdf();
     void planDiffuse();
+    void planClearCoat();
     void planBackground();
     void planExports(const std::vector<std::string>& only);
     /// What is loaded for a file is loaded once.

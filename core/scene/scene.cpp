@@ -182,18 +182,22 @@ CameraSettings initialCamera(std::string_view geometry)
     return {};
 }
 
-Lobe lobe(const SpecularSettings& specular)
+template <typename Layer>
+static Lobe lobeOf(const Layer& layer)
 {
-    switch (specular.lobe) {
+    switch (layer.lobe) {
     case SurfaceLobe::Phong:
-        return phongLobe(specular.exponent);
+        return phongLobe(layer.exponent);
     case SurfaceLobe::Ggx:
-        return ggxLobe(specular.roughness * specular.roughness);
+        return ggxLobe(layer.roughness * layer.roughness);
     case SurfaceLobe::Mirror:
         break;
     }
     return ggxLobe(0.0);
 }
+
+Lobe lobe(const SpecularSettings& specular) { return lobeOf(specular); }
+Lobe lobe(const ClearCoatSettings& coat) { return lobeOf(coat); }
 
 Brdf brdfOf(const Scene& scene)
 {

@@ -182,6 +182,8 @@ SceneMaps buildMaps(const Scene& scene, const Plan& plan, SceneProbe& probe, con
         maps.brdfLookups = timedStage(maps.record.stages, "BRDF lookups", [&] { return buildBrdfLookups(scene, *plan.brdf, job); });
     if (plan.diffuse)
         maps.diffuse = build(*plan.diffuse);
+    if (plan.clearCoat)
+        maps.clearCoat = build(*plan.clearCoat);
     if (plan.background)
         maps.background = build(*plan.background);
     for (const SphereMapPlan& map : plan.sphereMaps)

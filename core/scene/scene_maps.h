@@ -77,6 +77,7 @@ struct SceneMaps {
     MapLevels specular{};
     std::shared_ptr<const Image> brdfLookups{}; ///< lookup_table.h
     MapLevels diffuse{};
+    MapLevels clearCoat{};
     MapLevels background{};
     std::vector<SphereMapChain> sphereMaps{}; ///< those of the plan
     PictureLevels diffusePicture{}, fleckPattern{};

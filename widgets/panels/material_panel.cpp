@@ -31,6 +31,7 @@ constexpr auto specularOf = [](auto& scene) -> auto& { return scene.material.spe
 constexpr auto brdfOf = [](auto& scene) -> auto& { return scene.material.brdf; };
 constexpr auto fresnelOf = [](auto& scene) -> auto& { return scene.material.fresnel; };
 constexpr auto diffuseOf = [](auto& scene) -> auto& { return scene.material.diffuse; };
+constexpr auto clearCoatOf = [](auto& scene) -> auto& { return scene.material.clearCoat; };
 constexpr auto mapOf = [](auto& scene) -> auto& { return scene.map; };
 constexpr auto materialOf = [](auto& scene) -> auto& { return scene.material; };
 
@@ -39,6 +40,13 @@ bool hasNoBrdf(const Scene& scene) { return scene.material.brdf.isNone(); }
 auto lobeIs(SurfaceLobe lobe)
 {
     return [lobe](const Scene& scene) { return scene.material.brdf.isNone() && scene.material.specular.lobe == lobe; };
+}
+
+bool hasClearCoat(const Scene& scene) { return scene.material.clearCoat.weight > 0.0; }
+
+auto clearCoatIs(SurfaceLobe lobe)
+{
+    return [lobe](const Scene& scene) { return hasClearCoat(scene) && scene.material.clearCoat.lobe == lobe; };
 }
 
 auto fresnelIs(FresnelKind kind)
@@ -92,6 +100,7 @@ MaterialPanel::MaterialPanel(Workspace& workspace, QWidget* parent) : QWidget(pa
     addBrdf();
     addFresnel();
     addDiffuse();
+    addClearCoat();
     addLookup();
     scroll->setWidget(m_form);
     connect(&m_workspace.document, &Document::changed, this, [this](Parts parts) {
@@ -298,6 +307,18 @@ void MaterialPanel::addDiffuse()
                        {"lambda", {.isHidden = true}},
                        {"lambda_grazing", {.isHidden = true}},
                        {"lod_bias", {.isHidden = true}}});
+}
+
+void MaterialPanel::addClearCoat()
+{
+    m_form->addHeading(tr("Clear coat"));
+    m_form->addFields(
+        "material.clear_coat", clearCoatOf,
+        {{"weight", {.step = 0.05}},
+         {"index", {.sliderLow = 1.0, .sliderHigh = 4.0, .isShown = hasClearCoat}},
+         {"lobe", {.isShown = hasClearCoat}},
+         {"exponent", {.sliderLow = 0.1, .sliderHigh = 1e6, .scale = Scale::Logarithmic, .isShown = clearCoatIs(SurfaceLobe::Phong)}},
+         {"roughness", {.digits = 3, .isShown = clearCoatIs(SurfaceLobe::Ggx)}}});
 }
 
 void MaterialPanel::showPreset()

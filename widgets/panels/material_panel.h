@@ -26,6 +26,7 @@ private:
     void addBrdf();
     void addFresnel();
     void addDiffuse();
+    void addClearCoat();
     void addLookup();
     void showPreset();
 

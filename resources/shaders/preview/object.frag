@@ -1,5 +1,5 @@
 // The material: a map looked up by reflection, a map looked up by normal, the Fresnel term between them. What a material lacks is
-// not compiled: HAS_SPECULAR, HAS_DIFFUSE (0 or 1), FRESNEL (0 none, 1 dielectric, 2 conductor), COAT (0 add, 1 coat), LAMBDA_BY_ANGLE,
+// not compiled: HAS_SPECULAR, HAS_DIFFUSE (0 or 1), FRESNEL (0 none, 1 dielectric, 2 conductor), COAT (0 add, 1 coat), CLEAR_COAT (0 or 1), LAMBDA_BY_ANGLE,
 // MARKER (0 or 1), BRDF_LOOKUPS (how many stand for specular map and Fresnel term; 0: none), SPHERE_USE (a painted sphere map: 0 none, 1 replace, 2 multiply, 3 over, 4 tint, 5 add), FLECKS (0 or 1),
 // DIFFUSE_PICTURE and FLECK_PATTERN (0 or 1: a picture on the mesh).
 #include "lib/fresnel.glsl"
@@ -37,6 +37,20 @@ uniform float lambdaGrazing;
 #include "lib/environment_map.glsl"
 uniform mat3 diffuseRotation;
 uniform vec3 diffuseColor;
+#endif
+#if CLEAR_COAT
+#define MAP_RADIANCE clearCoatRadiance
+#define MAP_LOD clearCoatLod
+#define MAP_SAMPLER clearCoatMap
+#define MAP_LEVELS clearCoatLevels
+#define MAP_SETTINGS clearCoatSettings
+#define MAP_KIND CLEAR_COAT_KIND
+#define MAP_MIPS CLEAR_COAT_MIPS
+#define MAP_ANISOTROPY CLEAR_COAT_ANISOTROPY
+#include "lib/environment_map.glsl"
+uniform mat3 clearCoatRotation;
+uniform float clearCoatWeight;
+uniform float clearCoatN2m1;
 #endif
 #if DIFFUSE_PICTURE || FLECK_PATTERN
 #include "lib/surface_picture.glsl"
@@ -166,6 +180,10 @@ void main()
     vec3 radiance = diffuse + f * (mirrored - diffuse);
 #else
     vec3 radiance = f * mirrored + diffuse;
+#endif
+#if CLEAR_COAT
+    // What it reflects does not get below it.
+    radiance = mix(radiance, clearCoatRadiance(clearCoatRotation * p.r, 0.0), clearCoatWeight * fresnelDielectric(p.c, clearCoatN2m1));
 #endif
 #if SPHERE_USE
 #if SPHERE_VERTEX
