@@ -74,10 +74,10 @@ NeededMaps neededMaps(const RenderSettings& settings)
     return {.specular = (isMaterial || isLevels) && material.specular != glm::vec3(0.0f),
             .diffuse = hasDiffuse,
             .background = settings.background.kind == BackgroundKind::Environment,
-            .clearCoat = isMaterial && material.clearCoat.weight > 0.0f,
             .sphereMap = isShown && (isWindow || paint != PaintUse::None),
             .diffusePicture = hasDiffuse && material.hasDiffusePicture,
-            .fleckPattern = hasFlecks && material.paint.hasFleckPattern};
+            .fleckPattern = hasFlecks && material.paint.hasFleckPattern,
+            .clearCoat = isMaterial && material.clearCoat.weight > 0.0f};
 }
 
 } // namespace mirrorball::preview

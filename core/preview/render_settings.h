@@ -157,13 +157,13 @@ using MapLevels = std::shared_ptr<const std::vector<EnvironmentMap>>;
 struct RenderMaps {
     MapLevels specular{};                       ///< the environment for a mirror, a filtered map for a glossy material
     MapLevels diffuse{};                        ///< filtered with the diffuse lobe
-    MapLevels clearCoat{};                      ///< for the clear coat, as `specular` for the material
     MapLevels background{};                     ///< the environment, drawn behind the object
     std::shared_ptr<const Image> brdfLookups{}; ///< core/filter/lookup_table.h
     /// The painted sphere map; for a window the layers outside, one to three, nearest first.
     std::vector<SphereMapChain> sphereMaps{};
     PictureLevels diffusePicture{}; ///< linear RGB
     PictureLevels fleckPattern{};   ///< shares in the first channel, [0, 1]
+    MapLevels clearCoat{};          ///< for the clear coat, as `specular` for the material
 };
 
 /// @throws InvalidArgument naming the field that is out of range
@@ -172,9 +172,9 @@ void validate(const RenderSettings& settings);
 /// Which maps a picture with these settings reads.
 struct NeededMaps {
     bool specular, diffuse, background;
-    bool clearCoat = false;
     bool sphereMap = false;
     bool diffusePicture = false, fleckPattern = false;
+    bool clearCoat = false;
     bool operator==(const NeededMaps&) const = default;
 };
 NeededMaps neededMaps(const RenderSettings& settings);

@@ -129,12 +129,12 @@ RenderMaps renderMaps(const SceneMaps& maps)
 {
     return {.specular = maps.specular,
             .diffuse = maps.diffuse,
-            .clearCoat = maps.clearCoat,
             .background = maps.background,
             .brdfLookups = maps.brdfLookups,
             .sphereMaps = maps.sphereMaps,
             .diffusePicture = maps.diffusePicture,
-            .fleckPattern = maps.fleckPattern};
+            .fleckPattern = maps.fleckPattern,
+            .clearCoat = maps.clearCoat};
 }
 
 } // namespace mirrorball::preview

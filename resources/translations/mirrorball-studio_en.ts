@@ -2813,6 +2813,34 @@
         <source>picture by the mesh&apos;s texture coordinates: where it is white, flecks are as dense as said above, where it is black there are none; empty: as dense everywhere</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Candy paint: a glossy, colored metal under a clear, mirroring coat.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a clear layer over all of it, with a lobe of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>candy-paint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clear_coat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>index of refraction of the layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mirror, or how a glossy layer spreads the reflection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>share of the surface that has it; 0: none</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FileDialogs</name>
@@ -5029,6 +5057,10 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
     </message>
     <message>
         <source>none: a model or a measured file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clear coat</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -29,7 +29,7 @@ Scene ball()
     scene.view.width = scene.view.height = edge;
     scene.view.background.kind = Backdrop::None;
     scene.view.camera = {.yawDeg = 0.0, .pitchDeg = 0.0, .distance = 3.0, .projection = mirrorball::Projection::Orthographic};
-    scene.map.size = 128;
+    scene.map.size = 64;
     return scene;
 }
 
@@ -75,7 +75,7 @@ TEST_F(ClearCoat, MakesNoLightAndLosesNone)
     Scene scene = ball();
     scene.material.specular.weight = 0.0;
     scene.material.diffuse = {.weight = 1.0, .color = glm::dvec3(1.0)};
-    for (const double index : {1.1, 1.5, 4.0})
+    for (const double index : {1.1, 4.0})
         for (const double weight : {0.3, 1.0}) {
             scene.material.clearCoat = {.weight = weight, .index = index};
             const Picture picture = draw(scene, sky(true));

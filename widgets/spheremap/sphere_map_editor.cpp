@@ -18,17 +18,9 @@ SphereMapChain shownMap(const LiveScene& live, int size)
     const auto made = live.made();
     if (!made || made->plan.sphereMaps.empty() || !made->plan.sphereMaps.front().document || made->maps.sphereMaps.empty())
         return nullptr;
-    const int width = made->maps.sphereMaps.front()->levels.front().width, drawn = made->plan.sphereMaps.front().drawnSize;
-    const bool isOfSize = made->plan.sphereMaps.front().size == size && (width == size || width == drawn);
-    return isOfSize ? made->maps.sphereMaps.front() : nullptr;
-}
-
-/// Of a chain, or of one that lacks its finest levels, the level of a map of so many texels; where that is one of those, the finest.
-const Image& levelOf(const SphereMapTexels& chain, int size, int level)
-{
-    const auto isSmallEnough = [wanted = std::max(1, size >> level)](const Image& image) { return image.width <= wanted; };
-    const auto found = std::find_if(chain.levels.begin(), chain.levels.end(), isSmallEnough);
-    return found == chain.levels.end() ? chain.levels.back() : *found;
+    const SphereMapChain& chain = made->maps.sphereMaps.front();
+    const int width = chain->levels.front().width, drawn = made->plan.sphereMaps.front().drawnSize;
+    return made->plan.sphereMaps.front().size == size && (width == size || width == drawn) ? chain : nullptr;
 }
 
 /// The strokes of a layer or of its mask; null where there are none.
@@ -116,8 +108,9 @@ void SphereMapEditor::followLive()
             const Image& picture = chain->levels.front();
             Patch patch{
                 .rect = {0, 0, picture.width, picture.width}, .size = picture.width, .image = picture, .screen = onScreen(picture, job)};
-            if (only > 0)
-                patch.only = levelOf(*chain, size, only);
+            const auto isSmallEnough = [wanted = size >> only](const Image& image) { return image.width <= std::max(1, wanted); };
+            if (only > 0) // of a chain without its finest levels the level of that size, or the finest it has
+                patch.only = *std::find_if(chain->levels.begin(), chain->levels.end() - 1, isSmallEnough);
             return patch;
         },
         [this](Patch patch) { show(std::move(patch)); }, Running::Finish);
