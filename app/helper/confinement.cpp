@@ -1,6 +1,7 @@
 #include "confinement.h"
 
 #include "core/base/error.h"
+#include "core/base/sanitized.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -148,7 +149,7 @@ void limitProcess()
 
 void confine(int descriptor)
 {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef MIRRORBALL_SANITIZED
     static_cast<void>(descriptor); // their reports need more than the file's reader may
 #else
     Filter filter;
@@ -175,7 +176,7 @@ void allow(std::uint32_t milliseconds, std::uint64_t memoryBytes)
         const itimerval until{{0, 0}, {static_cast<time_t>(milliseconds / 1000), static_cast<suseconds_t>(milliseconds % 1000 * 1000)}};
         ::setitimer(ITIMER_PROF, &until, nullptr); // its signal ends the process
     }
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // whose shadow memory spans terabytes of addresses
+#ifndef MIRRORBALL_SANITIZED // whose shadow memory spans terabytes of addresses
     if (memoryBytes > 0)
         limit(RLIMIT_AS, addressSpace() + std::min(memoryBytes, mostMemory), RLIM_INFINITY);
 #else
