@@ -1,6 +1,7 @@
 #include "confinement.h"
 
 #include "core/base/error.h"
+#include "core/base/sanitized.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -23,6 +24,13 @@ namespace mirrorball::helper {
 namespace {
 
 constexpr std::uint64_t mostMemory = std::uint64_t{12} << 30; ///< whatever is asked for
+/// Sanitizers surround every block and keep those that were freed. Their shadow, terabytes of addresses, is there from the start and counts
+/// as what the process has; without a limit, a reader that spins takes all the memory of the machine under them.
+#ifdef MIRRORBALL_SANITIZED
+constexpr std::uint64_t memoryFactor = 4;
+#else
+constexpr std::uint64_t memoryFactor = 1;
+#endif
 
 std::uint64_t addressSpace()
 {
@@ -148,7 +156,7 @@ void limitProcess()
 
 void confine(int descriptor)
 {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef MIRRORBALL_SANITIZED
     static_cast<void>(descriptor); // their reports need more than the file's reader may
 #else
     Filter filter;
@@ -175,12 +183,8 @@ void allow(std::uint32_t milliseconds, std::uint64_t memoryBytes)
         const itimerval until{{0, 0}, {static_cast<time_t>(milliseconds / 1000), static_cast<suseconds_t>(milliseconds % 1000 * 1000)}};
         ::setitimer(ITIMER_PROF, &until, nullptr); // its signal ends the process
     }
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // whose shadow memory spans terabytes of addresses
     if (memoryBytes > 0)
-        limit(RLIMIT_AS, addressSpace() + std::min(memoryBytes, mostMemory), RLIM_INFINITY);
-#else
-    static_cast<void>(memoryBytes);
-#endif
+        limit(RLIMIT_AS, addressSpace() + memoryFactor * std::min(memoryBytes, mostMemory), RLIM_INFINITY);
 }
 
 } // namespace mirrorball::helper

@@ -23,7 +23,9 @@ namespace {
 
 glm::vec3 vec3(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 
-void append(Mesh& mesh, const aiMesh& part)
+/// @return the faces left out because a place of theirs is no finite number: clean() has looked at those of the file, but a node's matrix
+///         of large numbers makes infinities of them, and of infinities what is no number at all.
+std::uint64_t append(Mesh& mesh, const aiMesh& part)
 {
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     for (unsigned i = 0; i < part.mNumVertices; ++i) {
@@ -34,11 +36,16 @@ void append(Mesh& mesh, const aiMesh& part)
         mesh.normals.push_back(std::isfinite(length) && length > 0.0f ? normal / length : glm::vec3(0.0f));
         mesh.texCoords.push_back(std::isfinite(texCoord.x) && std::isfinite(texCoord.y) ? texCoord : glm::vec2(0.0f));
     }
+    std::uint64_t dropped = 0;
     for (unsigned i = 0; i < part.mNumFaces; ++i) {
         const aiFace& face = part.mFaces[i];
         if (face.mNumIndices != 3 || std::any_of(face.mIndices, face.mIndices + 3, [&](unsigned v) { return v >= part.mNumVertices; }))
             continue;
         std::uint32_t corners[3] = {face.mIndices[0] + first, face.mIndices[1] + first, face.mIndices[2] + first};
+        if (!std::all_of(corners, corners + 3, [&](std::uint32_t v) { return preview::isFinite(mesh.positions[v]); })) {
+            ++dropped;
+            continue;
+        }
         // In double: the area of a face of a ring in metres is 1e-8, of one in light years anything.
         const glm::dvec3 a(mesh.positions[corners[0]]), b(mesh.positions[corners[1]]), c(mesh.positions[corners[2]]);
         const glm::dvec3 area = glm::cross(b - a, c - a);
@@ -53,6 +60,7 @@ void append(Mesh& mesh, const aiMesh& part)
                 mesh.normals[corner] = across;
         mesh.indices.insert(mesh.indices.end(), corners, corners + 3);
     }
+    return dropped;
 }
 
 std::string reasonOf(const Assimp::Importer& importer)
@@ -99,7 +107,7 @@ ImportedMesh importMesh(const std::filesystem::path& path, const MeshLimits& lim
         throw InvalidArgument("the mesh has " + std::to_string(triangles) + " triangles and at most " + std::to_string(limits.triangles) +
                               " can be shown; reduce it in a modeller");
     for (unsigned i = 0; i < scene->mNumMeshes; ++i)
-        append(imported.mesh, *scene->mMeshes[i]);
+        imported.dropped += append(imported.mesh, *scene->mMeshes[i]);
     if (std::none_of(scene->mMeshes, scene->mMeshes + scene->mNumMeshes, [](const aiMesh* part) { return part->HasTextureCoords(0); }))
         imported.mesh.texCoords.clear();
     if (imported.mesh.indices.empty())

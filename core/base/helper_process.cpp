@@ -62,7 +62,7 @@ struct SpawnActions {
 
 constexpr bool isSanitized()
 {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef MIRRORBALL_SANITIZED
     return true;
 #else
     return false;

@@ -3,6 +3,7 @@
 #include "error.h"
 #include "helper_protocol.h"
 #include "job.h"
+#include "sanitized.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -22,7 +23,7 @@ enum class HelperWork {
 };
 
 /// How many times as long the helper takes under AddressSanitizer or ThreadSanitizer, which it then runs under too.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef MIRRORBALL_SANITIZED
 inline constexpr double helperSlowdown = 20.0;
 #else
 inline constexpr double helperSlowdown = 1.0;

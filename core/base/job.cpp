@@ -1,6 +1,7 @@
 #include "job.h"
 
 #include "error.h"
+#include "sanitized.h"
 #include "worker_team.h"
 
 #include <algorithm>
@@ -44,7 +45,7 @@ void needThreads(int threads)
     thread_local int proven = 1; // teams are each thread's own
     if (threads <= proven)
         return;
-#if !defined(__SANITIZE_THREAD__)
+#ifndef MIRRORBALL_THREAD_SANITIZED
     const std::lock_guard serial([]() -> std::mutex& {
         static std::mutex mutex;
         return mutex;

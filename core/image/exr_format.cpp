@@ -1,5 +1,6 @@
 #include "exr_format.h"
 
+#include "exr_attributes.h"
 #include "exr_channels.h"
 #include "exr_rows.h"
 #include "exr_threads.h"
@@ -161,7 +162,7 @@ public:
     /// @param pass  where it is known; empty: chosen
     ExrReader(const std::filesystem::path& path, int level, const ProbeReading& reading, Channels channels,
               const std::optional<Picture>& pass = {})
-    try : m_file(path.c_str(), Imf::globalThreadCount(), false), m_floats(texelFloats(channels)) {
+    try : m_file(withPlausibleAttributes(path).c_str(), Imf::globalThreadCount(), false), m_floats(texelFloats(channels)) {
         ChosenPicture chosen = pass ? ChosenPicture{*pass} : choosePicture(path.string(), m_file, reading);
         const Imf::Header& header = m_file.header(chosen.picture.part);
         checkPlausible(path, header);
@@ -315,7 +316,9 @@ std::unique_ptr<ImageReader> openPass(const std::filesystem::path& path, const s
     startThreads();
     std::optional<Picture> found;
     try {
-        found = findPass(Imf::MultiPartInputFile(path.c_str(), Imf::globalThreadCount(), false), pass);
+        found = findPass(Imf::MultiPartInputFile(withPlausibleAttributes(path).c_str(), Imf::globalThreadCount(), false), pass);
+    } catch (const FileError&) {
+        throw;
     } catch (const std::exception& error) {
         throw damaged(path, error);
     }

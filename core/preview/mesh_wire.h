@@ -5,6 +5,7 @@
 #include "core/base/wire.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 /// What the helper makes of a mesh file.
@@ -25,7 +26,10 @@ inline std::string toWire(const ImportedMesh& imported)
     return std::move(writer).bytes();
 }
 
-/// @return false for bytes that are no mesh's: what a failing importer may have sent is not trusted
+inline bool isFinite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+/// @return false for bytes that are no mesh's: what a failing importer may have sent is not trusted. Numbers that are none have no order,
+///         and what sorts a mesh's corners by their places would run off its list.
 inline bool fromWire(std::string_view bytes, ImportedMesh& imported)
 {
     WireReader reader(bytes);
@@ -33,7 +37,8 @@ inline bool fromWire(std::string_view bytes, ImportedMesh& imported)
     reader >> imported.dropped >> imported.files >> mesh.positions >> mesh.normals >> mesh.texCoords >> mesh.indices;
     return reader.isDone() && mesh.normals.size() == mesh.positions.size() &&
            (mesh.texCoords.empty() || mesh.texCoords.size() == mesh.positions.size()) && mesh.indices.size() % 3 == 0 &&
-           std::all_of(mesh.indices.begin(), mesh.indices.end(), [&](std::uint32_t i) { return i < mesh.positions.size(); });
+           std::all_of(mesh.indices.begin(), mesh.indices.end(),
+                       [&](std::uint32_t i) { return i < mesh.positions.size() && isFinite(mesh.positions[i]); });
 }
 
 } // namespace mirrorball::preview

@@ -1,5 +1,6 @@
 #include "program.h"
 
+#include "core/base/sanitized.h"
 #include "core/image/image_io.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +36,7 @@ LimitedRun limited(const std::vector<std::string>& arguments, const TemporaryFol
     if (process == 0) {
         ::dup2(::open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
         ::dup2(::open("/dev/null", O_WRONLY), STDOUT_FILENO);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#ifndef MIRRORBALL_SANITIZED
         const rlimit seconds{2, 2}, memory{rlim_t{1} << 30, rlim_t{1} << 30};
         ::setrlimit(RLIMIT_CPU, &seconds);
         ::setrlimit(RLIMIT_AS, &memory);

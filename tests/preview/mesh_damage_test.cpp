@@ -1,11 +1,15 @@
 #include "core/preview/mesh_file.h"
 
 #include "core/base/error.h"
+#include "core/preview/mesh_wire.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <cmath>
+#include <cstring>
+#include <limits>
 #include <numbers>
 #include <sstream>
 
@@ -154,6 +158,41 @@ TEST(MeshDamage, FilesBesideAMeshAreFoundAsUrisWriteThem)
                R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}],"scene":0})");
     const MeshFacts facts = readMeshFile(folder / "a.gltf").facts;
     EXPECT_EQ(describe(facts), "1 triangle, 1.0 m");
+}
+
+// The file's own numbers are finite; infinity less infinity, which has no place in any order, comes of multiplying them.
+TEST(MeshDamage, AFaceThatANodesMatrixThrowsOutOfAllNumbersIsLeftOut)
+{
+    const TemporaryFolder folder;
+    const std::array<float, 9> places{0.0f, 0.0f, 0.0f, 1e10f, 1e10f, 0.0f, 0.0f, 1.0f, 0.0f};
+    std::string buffer(sizeof places, '\0');
+    std::memcpy(buffer.data(), places.data(), sizeof places);
+    writeBytes(folder / "a.bin", buffer);
+    const auto gltf = [](const std::string& nodes) {
+        return R"({"asset":{"version":"2.0"},"buffers":[{"uri":"a.bin","byteLength":36}],"bufferViews":[{"buffer":0,"byteLength":36}],)"
+               R"("accessors":[{"bufferView":0,"count":3,"componentType":5126,"type":"VEC3","min":[0,0,0],"max":[1e10,1e10,0]}],)"
+               R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":)" +
+               nodes + R"(,"scenes":[{"nodes":[0]}],"scene":0})";
+    };
+    writeBytes(folder / "one.gltf", gltf(R"([{"mesh":0,"matrix":[1e38,0,0,0,-1e38,1,0,0,0,0,1,0,0,0,0,1]}])"));
+    writeBytes(folder / "two.gltf", gltf(R"([{"mesh":0,"children":[1]},{"mesh":0,"matrix":[1e38,0,0,0,-1e38,1,0,0,0,0,1,0,0,0,0,1]}])"));
+    EXPECT_THROW(readMeshFile(folder / "one.gltf"), FileError);
+    const MeshFile kept = readMeshFile(folder / "two.gltf");
+    EXPECT_EQ(kept.facts.triangles, 1u);
+    EXPECT_EQ(kept.facts.dropped, 1u);
+    for (const glm::vec3& position : kept.mesh.positions)
+        EXPECT_LE(glm::length(position), 1.0001f);
+}
+
+TEST(MeshDamage, WhatAnImporterSaysOfPlacesThatAreNoNumbersIsNotTaken)
+{
+    ImportedMesh mesh;
+    mesh.mesh = boxMesh();
+    mesh.mesh.texCoords.clear();
+    ImportedMesh read;
+    ASSERT_TRUE(fromWire(toWire(mesh), read));
+    mesh.mesh.positions[mesh.mesh.indices.back()].y = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_FALSE(fromWire(toWire(mesh), read));
 }
 
 TEST(MeshDamage, CountsAndSizesAreToldInWords)

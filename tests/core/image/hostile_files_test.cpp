@@ -146,6 +146,20 @@ TEST_F(HostileFiles, RefusesSizesBeyondTheLimitWithoutTakingMemory)
     EXPECT_LT(peakKilobytes() - before, 300 * 1024);
 }
 
+// OpenEXR fills the memory of a text with zeros before it reads it: 1.7 GB here, and two seconds of them.
+TEST_F(HostileFiles, RefusesATextThatIsLongerThanItsFile)
+{
+    std::string exr = valid("a.exr", {.attributes = {{"mirrorball:note", "a text"}}});
+    const std::string type("string\0", 7);
+    const size_t size = exr.find(type, exr.find("mirrorball:note")) + type.size();
+    ASSERT_EQ(exr.substr(size, 4), std::string("\6\0\0\0", 4));
+    EXPECT_EQ(errorOf(exr), "");
+    exr[size + 3] = '\x66';
+    const long before = peakKilobytes();
+    EXPECT_THAT(errorOf(exr), HasSubstr("its attribute mirrorball:note claims 1711276038 bytes"));
+    EXPECT_LT(peakKilobytes() - before, 300 * 1024);
+}
+
 TEST_F(HostileFiles, RefusesTilesThatWouldFillTheMemory)
 {
     const Image image = test::smallIntegerImage(17, 9);

@@ -17,6 +17,8 @@
 #include <fstream>
 #include <random>
 
+#include <zlib.h>
+
 namespace mirrorball {
 namespace {
 
@@ -250,6 +252,33 @@ TEST(BabylonEnv, RefusesACutOrAlteredFileInOneLine)
         } catch (const FileError&) {
         }
     }
+}
+
+// 200 of them, a megabyte and a half, are 1.6 GB; unpacking those twice, as libpng does, takes longer than the helper may.
+TEST(PngCodec, TextsBesideAPictureAreNotUnpacked)
+{
+    const std::string packed = [] {
+        const std::string text(7'900'000, 'x');
+        std::string bytes("Comment\0\0", 9);
+        uLongf size = ::compressBound(text.size());
+        bytes.resize(9 + size);
+        ::compress2(reinterpret_cast<Bytef*>(bytes.data()) + 9, &size, reinterpret_cast<const Bytef*>(text.data()), text.size(), 9);
+        bytes.resize(9 + size);
+        return bytes;
+    }();
+    const auto big = [](std::uint64_t number) {
+        return std::string{static_cast<char>(number >> 24), static_cast<char>(number >> 16), static_cast<char>(number >> 8),
+                           static_cast<char>(number)};
+    };
+    const std::string named = "zTXt" + packed;
+    const std::string chunk =
+        big(packed.size()) + named + big(::crc32(0, reinterpret_cast<const Bytef*>(named.data()), static_cast<uInt>(named.size())));
+    const png::Picture picture{1, 1, {Rgba8{1, 2, 3, 4}}};
+    std::string bytes = png::encode(picture);
+    constexpr size_t header = 8 + 25;
+    for (int i = 0; i < 200; ++i)
+        bytes.insert(header, chunk);
+    EXPECT_EQ(png::decode(bytes, "texts.png", 1).texels, picture.texels);
 }
 
 TEST(PlayCanvasAtlas, ItsRectanglesDoNotOverlapAndItsTexelsAreTheLatlongsWithABorder)
