@@ -160,7 +160,7 @@ void SphereMapPanelTest::givesUpAStrokeByEscape()
 void SphereMapPanelTest::hidesRenamesReordersAndDeletesLayers()
 {
     Painting painting;
-    LayerList& list = painting.panel().layers();
+    LayerList& list = painting.panel().layers().list();
     QAbstractItemModel* model = list.model();
     QCOMPARE(model->rowCount(), 2);
     QCOMPARE(model->index(0, 0).data().toString(), QStringLiteral("Paint")); // the top one first
@@ -186,7 +186,7 @@ void SphereMapPanelTest::reordersLayersByDropping()
 {
     Painting painting;
     painting.editor().addLayer({.name = "Ring", .content = SilhouetteLayer{}});
-    QAbstractItemModel* model = painting.panel().layers().model(); // rows: Ring, Paint, Ground
+    QAbstractItemModel* model = painting.panel().layers().list().model(); // rows: Ring, Paint, Ground
     const std::unique_ptr<QMimeData> ring(model->mimeData({model->index(0, 0)}));
     model->dropMimeData(ring.get(), Qt::MoveAction, 3, 0, {}); // below the last
     QCOMPARE(painting.editor().map()->layers[0].name, std::string("Ring"));
@@ -200,7 +200,7 @@ void SphereMapPanelTest::editsParametersOneUndoStepADrag()
 {
     Painting painting;
     painting.editor().addLayer({.name = "Ring", .content = SilhouetteLayer{}});
-    auto* width = painting.panel().layerForm().findChild<NumberField*>(QStringLiteral("width"));
+    auto* width = painting.panel().layers().form().findChild<NumberField*>(QStringLiteral("width"));
     QVERIFY(width);
     const int before = painting.steps();
     for (const double value : {0.2, 0.25, 0.3})
@@ -223,7 +223,7 @@ void SphereMapPanelTest::editsGradientStops()
 {
     Painting painting;
     painting.editor().choose(0);
-    auto* editor = painting.panel().layerForm().findChild<GradientEditor*>();
+    auto* editor = painting.panel().layers().form().findChild<GradientEditor*>();
     QVERIFY(editor);
     GradientBar& bar = editor->bar();
     QTRY_COMPARE(bar.height(), bar.sizeHint().height()); // a layout places what is new in it when events are next handled
@@ -349,7 +349,7 @@ void SphereMapPanelTest::masksALayerByPaintingOnItsMask()
 {
     Painting painting;
     painting.editor().addLayer({.name = "Cold", .content = FillLayer{.color = {0.1, 0.3, 1.0}}});
-    MaskEditor& mask = painting.panel().mask();
+    MaskEditor& mask = painting.panel().layers().mask();
     mask.kinds().setCurrentIndex(mask.kinds().findText(QStringLiteral("Paint")));
     emit mask.kinds().activated(mask.kinds().currentIndex());
     const auto layer = [&]() -> const Layer& { return painting.editor().map()->layers[2]; };
@@ -375,7 +375,7 @@ void SphereMapPanelTest::editsListsOfLights()
 {
     Painting painting;
     painting.editor().addLayer({.name = "Lights", .content = PhongLightsLayer{}});
-    SettingsForm& form = painting.panel().layerForm();
+    SettingsForm& form = painting.panel().layers().form();
     auto* chooser = form.findChild<ItemChooser*>(QStringLiteral("lights"));
     QVERIFY(chooser);
     const auto lights = [&] { return std::get<PhongLightsLayer>(painting.editor().map()->layers[2].content).lights; };
@@ -416,7 +416,7 @@ void SphereMapPanelTest::offersFilesToLayersThatReadThem()
     Painting painting;
     for (const char* kind : {"image", "probe"}) {
         painting.editor().addLayer({.content = makeContent(kind)});
-        auto* source = painting.panel().layerForm().findChild<QLineEdit*>(QStringLiteral("source"));
+        auto* source = painting.panel().layers().form().findChild<QLineEdit*>(QStringLiteral("source"));
         QVERIFY(source && source->findChild<QAction*>(QStringLiteral("chooseFile")));
     }
 }

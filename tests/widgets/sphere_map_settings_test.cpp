@@ -74,8 +74,8 @@ void answerFileDialog(const QString& path)
 
 bool isShown(Painting& painting, const char* field)
 {
-    const QWidget* control = painting.panel().layerForm().control(QLatin1String(field));
-    return control && control->isVisibleTo(&painting.panel().layerForm());
+    const QWidget* control = painting.panel().layers().form().control(QLatin1String(field));
+    return control && control->isVisibleTo(&painting.panel().layers().form());
 }
 
 /// The paths of all that a file can set.
@@ -203,9 +203,9 @@ void SphereMapSettingsTest::aDoubleClickOnALabelResetsTheField()
     QVERIFY(painting.document().scene().material.sphereMap.space == MapSpace::Eye);
     painting.panel().tabs().setCurrentIndex(0);
     painting.editor().addLayer(makeLayer("toon"));
-    auto* count = painting.panel().layerForm().findChild<QSpinBox*>(QStringLiteral("count"));
+    auto* count = painting.panel().layers().form().findChild<QSpinBox*>(QStringLiteral("count"));
     count->setValue(7);
-    auto* layout = painting.panel().layerForm().findChild<QFormLayout*>();
+    auto* layout = painting.panel().layers().form().findChild<QFormLayout*>();
     QTest::mouseDClick(layout->labelForField(count), Qt::LeftButton);
     QCOMPARE(std::get<ToonLayer>(painting.editor().chosenLayer()->content).count, ToonLayer{}.count);
 }
@@ -388,17 +388,17 @@ void SphereMapSettingsTest::parametersWithoutEffectAreHidden()
     painting.editor().addLayer({.content = ProbeLayer{.lobe = ProbeLobe::Mirror}});
     for (const char* field : {"exponent", "roughness", "index", "metal", "share"})
         QVERIFY2(!isShown(painting, field), field);
-    pick(painting.panel().layerForm(), "fresnel", static_cast<int>(FresnelKind::Conductor));
+    pick(painting.panel().layers().form(), "fresnel", static_cast<int>(FresnelKind::Conductor));
     QVERIFY(isShown(painting, "metal") && isShown(painting, "share") && !isShown(painting, "index"));
-    pick(painting.panel().layerForm(), "lobe", static_cast<int>(ProbeLobe::Phong));
+    pick(painting.panel().layers().form(), "lobe", static_cast<int>(ProbeLobe::Phong));
     QVERIFY(isShown(painting, "exponent") && !isShown(painting, "roughness"));
     painting.editor().addLayer({.content = GradientLayer{}});
     QVERIFY(isShown(painting, "azimuth") && !isShown(painting, "angle") && !isShown(painting, "center-x") && !isShown(painting, "radius"));
-    pick(painting.panel().layerForm(), "shape", static_cast<int>(GradientShape::Linear));
+    pick(painting.panel().layers().form(), "shape", static_cast<int>(GradientShape::Linear));
     QVERIFY(!isShown(painting, "azimuth") && isShown(painting, "angle") && isShown(painting, "center-x"));
     painting.editor().addLayer({.content = ColorgramLayer{}});
     QVERIFY(isShown(painting, "rings") && !isShown(painting, "pitch"));
-    pick(painting.panel().layerForm(), "source", static_cast<int>(ColorgramSource::Grating));
+    pick(painting.panel().layers().form(), "source", static_cast<int>(ColorgramSource::Grating));
     QVERIFY(!isShown(painting, "rings") && isShown(painting, "pitch") && !isShown(painting, "groove-angle"));
 }
 
@@ -406,14 +406,14 @@ void SphereMapSettingsTest::namesThatThereAreAreOffered()
 {
     Painting painting;
     painting.editor().addLayer({.content = ProbeLayer{.fresnel = FresnelKind::Conductor}});
-    auto* metal = painting.panel().layerForm().findChild<QComboBox*>(QStringLiteral("metal"));
+    auto* metal = painting.panel().layers().form().findChild<QComboBox*>(QStringLiteral("metal"));
     QVERIFY(metal && metal->count() > 3);
     QCOMPARE(metal->currentData().toString(), QStringLiteral("gold"));
     const int other = metal->findData(QStringLiteral("copper"));
     QVERIFY(other >= 0);
-    pick(painting.panel().layerForm(), "metal", other);
+    pick(painting.panel().layers().form(), "metal", other);
     QCOMPARE(std::get<ProbeLayer>(painting.editor().chosenLayer()->content).metal, std::string("copper"));
-    auto* source = painting.panel().layerForm().findChild<QLineEdit*>(QStringLiteral("source"));
+    auto* source = painting.panel().layers().form().findChild<QLineEdit*>(QStringLiteral("source"));
     QAction* offer = source->findChild<QAction*>(QStringLiteral("chooseSuggestion"));
     QVERIFY(offer);
     QTimer::singleShot(0, qApp, [] {
@@ -434,7 +434,7 @@ void SphereMapSettingsTest::anotherLayersParametersBeginAtTheirTop()
     painting.editor().addLayer({.content = ToonLayer{}, .mask = Mask{}});
     painting.editor().addLayer({.content = ToonLayer{}, .mask = Mask{}});
     QScrollBar* bar = nullptr;
-    for (QWidget* up = &painting.panel().layerForm(); up && !bar; up = up->parentWidget())
+    for (QWidget* up = &painting.panel().layers().form(); up && !bar; up = up->parentWidget())
         if (auto* scroll = qobject_cast<QScrollArea*>(up))
             bar = scroll->verticalScrollBar();
     QVERIFY(bar);
@@ -454,7 +454,7 @@ void SphereMapSettingsTest::theListShowsTheLayersThatThereAre()
     painting.window()->dock(QStringLiteral("sphere-map"))->resize(380, 1000);
     for (int i = 0; i < 5; ++i)
         painting.editor().addLayer({.blend = BlendMode::Darken, .content = FillLayer{}});
-    LayerList& list = painting.panel().layers();
+    LayerList& list = painting.panel().layers().list();
     QTRY_VERIFY2(list.viewport()->height() >= 6 * list.sizeHintForRow(0), qPrintable(QString::number(list.viewport()->height())));
 }
 

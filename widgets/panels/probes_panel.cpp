@@ -2,6 +2,7 @@
 
 #include "probe_delegate.h"
 #include "widgets/controls/file_dialogs.h"
+#include "widgets/controls/scrolled.h"
 #include "widgets/files/doctor_dialog.h"
 #include "widgets/files/file_kind.h"
 
@@ -12,7 +13,6 @@
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QMenu>
-#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QStackedLayout>
@@ -52,15 +52,10 @@ ProbesPanel::ProbesPanel(Workspace& workspace, QWidget* parent)
     auto* stacked = new QStackedLayout(stack);
     stacked->addWidget(m_list);
     stacked->addWidget(m_empty);
-    auto* scroll = new QScrollArea;
-    scroll->setWidget(m_details);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* splitter = new QSplitter(Qt::Vertical);
     splitter->setChildrenCollapsible(false);
     splitter->addWidget(stack);
-    splitter->addWidget(scroll);
+    splitter->addWidget(scrolled(m_details));
     splitter->setStretchFactor(0, 3);
     splitter->setStretchFactor(1, 2);
     auto* layout = new QVBoxLayout(this);

@@ -2,6 +2,7 @@
 
 #include "widgets/controls/color_scale_bar.h"
 #include "widgets/controls/keep_place.h"
+#include "widgets/controls/scrolled.h"
 #include "widgets/controls/text.h"
 
 #include "core/report/report_forecast.h"
@@ -105,11 +106,7 @@ QScrollArea* ReportPanel::makeSide()
     column->addWidget(m_facts);
     column->addLayout(buttons);
     column->addStretch(1);
-    auto* scroll = new QScrollArea;
-    scroll->setWidget(side);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    QScrollArea* scroll = scrolled(side);
     scroll->setMinimumWidth(std::max(216, side->minimumSizeHint().width() + style()->pixelMetric(QStyle::PM_ScrollBarExtent) + 2));
     scroll->setMinimumHeight(90);
     return scroll;
