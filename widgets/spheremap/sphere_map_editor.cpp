@@ -1,5 +1,7 @@
 #include "sphere_map_editor.h"
 
+#include "live_sphere_map.h"
+
 #include "core/spheremap/document/sphere_map_file.h"
 
 #include <algorithm>
@@ -10,39 +12,6 @@ namespace mirrorball::studio {
 
 namespace {
 constexpr int paintingSize = 1024; ///< texels: what a map is painted at unless the scene asks for more
-
-/// The scene's own map as it was last made for the model, for a map of so many texels; null where there is none. While something is
-/// dragged it may have fewer: half as many, or a quarter.
-SphereMapChain shownMap(const LiveScene& live, int size)
-{
-    const auto made = live.made();
-    if (!made || made->plan.sphereMaps.empty() || !made->plan.sphereMaps.front().document || made->maps.sphereMaps.empty())
-        return nullptr;
-    const int width = made->maps.sphereMaps.front()->levels.front().width, drawn = made->plan.sphereMaps.front().drawnSize;
-    const bool isOfSize = made->plan.sphereMaps.front().size == size && (width == size || width == drawn);
-    return isOfSize ? made->maps.sphereMaps.front() : nullptr;
-}
-
-/// A level of the whole map: of a chain with fewer texels its own, or the finest that it has.
-Image levelOf(const SphereMapTexels& chain, int size, int level)
-{
-    const Image& finest = chain.levels.front();
-    const int wanted = std::max(1, size >> level);
-    if (wanted <= finest.width) {
-        const auto isSmallEnough = [wanted](const Image& image) { return image.width <= wanted; };
-        const auto found = std::find_if(chain.levels.begin(), chain.levels.end(), isSmallEnough);
-        return found == chain.levels.end() ? chain.levels.back() : *found;
-    }
-    const int times = wanted / finest.width;
-    Image large(wanted, wanted, 4);
-    for (int y = 0; y < wanted; ++y) {
-        const float* from = finest.row(y / times);
-        float* to = large.row(y);
-        for (int x = 0; x < wanted; ++x, to += 4)
-            std::copy_n(from + 4 * (x / times), 4, to);
-    }
-    return large;
-}
 
 /// The strokes of a layer or of its mask; null where there are none.
 template <typename Map>
@@ -101,7 +70,7 @@ void SphereMapEditor::follow()
         m_recorder.reset();
     const int before = m_chosen, count = m_map ? static_cast<int>(m_map->layers.size()) : 0;
     m_chosen = count == 0 ? -1 : m_chosen < 0 ? count - 1 : std::min(m_chosen, count - 1);
-    m_awaitsLive = m_map && m_document.isDragging() && !m_recorder && shownMap(m_live, m_size);
+    m_awaitsLive = m_map && m_document.isDragging() && !m_recorder && liveSphereMap(m_live, m_size);
     if (!m_map)
         showOnly(std::nullopt);
     m_hasSkipped = m_hasSkipped || m_awaitsLive;
@@ -117,7 +86,7 @@ void SphereMapEditor::followLive()
 {
     if (!m_awaitsLive)
         return;
-    const SphereMapChain chain = shownMap(m_live, m_size);
+    const SphereMapChain chain = liveSphereMap(m_live, m_size);
     if (!chain) { // it could not be made, or is shown no more
         request();
         return;
