@@ -137,7 +137,7 @@ void MainWindow::addOpening()
     m_dropTarget->addPlace(*m_preview, [panel] { return panel->isVisible() ? DropPlace::BesideSphereMap : DropPlace::Elsewhere; });
     m_dropTarget->addPlace(*panel, [] { return DropPlace::SphereMap; });
     m_dropTarget->addPlace(panel->canvas(), [] { return DropPlace::SphereMap; });
-    m_dropTarget->addPlace(panel->layers(), [] { return DropPlace::Layers; });
+    m_dropTarget->addPlace(panel->layers().list(), [] { return DropPlace::Layers; });
     m_dropTarget->setPictureKeeper([this](const QImage& picture) { return m_edits->keep(picture); });
 }
 

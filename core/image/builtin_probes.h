@@ -36,13 +36,6 @@ std::span<const BuiltinProbe> builtinProbes();
 /// The probe of that name. @throws InvalidArgument naming the known ones
 const BuiltinProbe& builtinProbe(std::string_view name);
 
-/// Direction of the center of the sun in `sky`: longitude 40 degrees (left of +Z when looking along it), elevation 35 degrees.
-glm::dvec3 skySunDirection();
-/// Angular radius of the sun's disc in `sky`, in radians: 0.2665 degrees, its mean as seen from the earth.
-inline constexpr double skySunRadius = 0.2665 * pi / 180.0;
-/// Radiance of the sun's disc in `sky`: (1.44, 1.17, 0.90) 10^5.
-glm::dvec3 skySunRadiance();
-
 inline constexpr MapLayout builtinProbeLayout{Parameterization::Latlong, 512, 0};
 
 /// The probe as a map: the solid-angle-weighted mean of its radiance over each texel. Texels are supersampled where neighbors

@@ -3,6 +3,7 @@
 #include "core/filter/prefilter.h"
 #include "core/filter/reference.h"
 #include "core/image/builtin_probes.h"
+#include "core/image/daylight.h"
 #include "core/image/image_io.h"
 #include "core/report/error_metrics.h"
 #include "support/probe_builders.h"

@@ -112,7 +112,7 @@ void ContextMenuTest::aProbeOfTheListHasAMenu()
 void ContextMenuTest::aLayerHasAMenu()
 {
     Painting painting;
-    LayerList& list = painting.panel().layers();
+    LayerList& list = painting.panel().layers().list();
     const auto menu = [&](int row) { return menuAt(*list.viewport(), list.visualRect(list.model()->index(row, 0)).center(), "layerMenu"); };
     run(menu(1), "Hide"); // the ground
     QVERIFY(!painting.editor().map()->layers[0].visible);

@@ -161,7 +161,7 @@ void CurveEditorTest::changesThePictureOneUndoStepADrag()
 {
     Painting painting;
     painting.editor().addLayer({.name = "Curves", .content = CurvesLayer{}});
-    auto* editor = painting.panel().layerForm().findChild<CurveEditor*>();
+    auto* editor = painting.panel().layers().form().findChild<CurveEditor*>();
     QVERIFY(editor);
     CurvePlot& plot = editor->plot();
     QTRY_COMPARE(plot.height(), plot.sizeHint().height());

@@ -198,8 +198,8 @@ void DiscHandlesTest::addsAndRemovesLightsOnTheDisc()
 void DiscHandlesTest::choosesTheSameLightAsTheForm()
 {
     Handles disc(PhongLightsLayer{.lights = {{.azimuthDeg = 0.0}, {.azimuthDeg = 120.0}, {.azimuthDeg = 240.0}}});
-    auto* chooser = disc.panel().layerForm().findChild<ItemChooser*>(QStringLiteral("lights"));
-    auto* azimuth = disc.panel().layerForm().findChild<NumberField*>(QStringLiteral("azimuth"));
+    auto* chooser = disc.panel().layers().form().findChild<ItemChooser*>(QStringLiteral("lights"));
+    auto* azimuth = disc.panel().layers().form().findChild<NumberField*>(QStringLiteral("azimuth"));
     QVERIFY(chooser && azimuth);
     QTest::mouseClick(&disc.canvas(), Qt::LeftButton, {}, disc.shown(2));
     QCOMPARE(chooser->chosen(), 2);

@@ -91,8 +91,8 @@ LayerList& layersWithKeys(Painting& painting)
     dock->raise();
     QTest::qWait(50);
     QApplication::setActiveWindow(&*painting.window());
-    painting.panel().layers().setFocus();
-    return painting.panel().layers();
+    painting.panel().layers().list().setFocus();
+    return painting.panel().layers().list();
 }
 
 /// What the mark over a widget says, with a star where it is bright; empty where none is shown.
@@ -108,7 +108,7 @@ void DropTest::placesLightUpAndNameWhatWillHappen()
 {
     const Pictures pictures;
     Painting painting;
-    QWidget &disc = painting.canvas(), &layers = painting.panel().layers(), &preview = painting.window().preview();
+    QWidget &disc = painting.canvas(), &layers = painting.panel().layers().list(), &preview = painting.window().preview();
     Drag square(pictures.square);
     square.over(layers);
     QCOMPARE(markOn(layers), QStringLiteral("* Image layer: ball.png"));
@@ -151,14 +151,14 @@ void DropTest::aPictureOnTheLayersBecomesALayer()
     Painting painting;
     const std::string probe = painting.document().scene().probe.source;
     const int before = painting.steps();
-    Drag(pictures.square).dropOn(painting.panel().layers());
+    Drag(pictures.square).dropOn(painting.panel().layers().list());
     QCOMPARE(painting.steps(), before + 1);
     QCOMPARE(painting.editor().map()->layers.size(), size_t(3));
     const Layer& top = painting.editor().map()->layers.back();
     QCOMPARE(QString::fromStdString(std::get<ImageLayer>(top.content).source), pictures.square);
     QCOMPARE(top.name, std::string("ball"));
     // A picture that is not square is cropped rather than refused.
-    Drag(pictures.panorama).dropOn(painting.panel().layers());
+    Drag(pictures.panorama).dropOn(painting.panel().layers().list());
     QCOMPARE(std::get<ImageLayer>(painting.editor().map()->layers.back().content).fit, Fit::Crop);
     painting.waitForPicture();
     QCOMPARE(painting.document().scene().probe.source, probe);
@@ -285,7 +285,7 @@ void DropTest::copiesPastesAndDuplicatesLayers()
     {
         Painting painting;
         QVERIFY(painting.window()->files().saveAs(fromPath(pictures.folder / "scene.mirrorball")));
-        Drag(pictures.square).dropOn(painting.panel().layers());
+        Drag(pictures.square).dropOn(painting.panel().layers().list());
         QVERIFY(painting.window()->files().save()); // in the file the path is relative
         QVERIFY(painting.window()->files().openScene(fromPath(pictures.folder / "scene.mirrorball")));
         QVERIFY(
@@ -293,8 +293,8 @@ void DropTest::copiesPastesAndDuplicatesLayers()
         QTest::keyClick(&layersWithKeys(painting), Qt::Key_D, Qt::ControlModifier);
         QCOMPARE(painting.editor().map()->layers.size(), size_t(4));
         QVERIFY(painting.editor().map()->layers[2] == painting.editor().map()->layers[3]);
-        QTest::keyClick(&painting.panel().layers(), Qt::Key_C, Qt::ControlModifier);
-        QTest::keyClick(&painting.panel().layers(), Qt::Key_V, Qt::ControlModifier);
+        QTest::keyClick(&painting.panel().layers().list(), Qt::Key_C, Qt::ControlModifier);
+        QTest::keyClick(&painting.panel().layers().list(), Qt::Key_V, Qt::ControlModifier);
         QCOMPARE(painting.editor().map()->layers.size(), size_t(5));
         QVERIFY(painting.editor().map()->layers[4] == painting.editor().map()->layers[3]);
     }

@@ -104,11 +104,11 @@ void ExportDialogTest::everyChangeIsAnUndoStepOfTheScene()
     shown.find<QLineEdit>("export.name")->setText(QStringLiteral("glossy"));
     emit shown.find<QLineEdit>("export.name")->editingFinished();
     QCOMPARE(shown.target(0).name, std::string("glossy"));
-    shown.dialog->addTarget(ExportKind::Diffuse);
-    shown.dialog->duplicateTarget();
+    shown.dialog->list().add(ExportKind::Diffuse);
+    shown.dialog->list().duplicateSelected();
     QCOMPARE(shown.workspace.document.scene().exports.size(), 5u);
     QVERIFY(shown.target(3).name != shown.target(4).name);
-    shown.dialog->removeTarget();
+    shown.dialog->list().removeSelected();
     QCOMPARE(shown.workspace.document.scene().exports.size(), 4u);
     QCOMPARE(shown.workspace.document.undoStack().count(), 9);
     while (shown.workspace.document.undoStack().canUndo())

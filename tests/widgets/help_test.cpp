@@ -217,7 +217,7 @@ void HelpTest::theTourDoesARealJob()
     auto* dialog = window->findChild<ExportDialog*>();
     QVERIFY(dialog);
     dialog->setFolder(fromPath(folder.path()));
-    dialog->addTarget(ExportKind::Specular);
+    dialog->list().add(ExportKind::Specular);
     dialog->startExport();
     QTRY_VERIFY_WITH_TIMEOUT(!tour.isRunning(), 60000);
     QVERIFY(!tour.isVisible());

@@ -101,7 +101,7 @@ void MapPanelTest::showsEveryStageOrSaysWhyThereIsNone()
     scene.map.mips = true;
     ShownPanel shown(scene);
     QVERIFY(shown.isReady);
-    shown.panel->showStage(MapPanel::Stage::Specular);
+    shown.panel->showStage(MapStage::Specular);
     QVERIFY(shown.settle());
     QVERIFY(shown.panel->view().map() != nullptr);
     auto* level = shown.find<QSpinBox>("map.level");
@@ -110,7 +110,7 @@ void MapPanelTest::showsEveryStageOrSaysWhyThereIsNone()
     QVERIFY(shown.settle());
     QCOMPARE(shown.panel->view().map()->layout.size, shown.workspace.live.made()->maps.specular->at(2).layout.size);
 
-    shown.panel->showStage(MapPanel::Stage::Diffuse);
+    shown.panel->showStage(MapStage::Diffuse);
     QVERIFY(shown.panel->view().map() == nullptr);
     QVERIFY2(shown.panel->view().message().contains(QStringLiteral("diffuse weight is 0")), qPrintable(shown.panel->view().message()));
     keepScreenshot(*shown.panel, QStringLiteral("map-left-out"));
@@ -118,7 +118,7 @@ void MapPanelTest::showsEveryStageOrSaysWhyThereIsNone()
     QVERIFY(shown.settle());
     QTRY_VERIFY(shown.panel->view().map() != nullptr);
 
-    shown.panel->showStage(MapPanel::Stage::Error);
+    shown.panel->showStage(MapStage::Error);
     QVERIFY(shown.panel->view().message().contains(QStringLiteral("Report")));
 }
 
@@ -260,7 +260,7 @@ void MapPanelTest::showsTheErrorOfAMethod()
     EnvironmentMap error(MapLayout{Parameterization::Cube, 8, 0});
     error.image.texels[0] = -0.25f;
     shown.workspace.methodError.show(std::make_shared<const EnvironmentMap>(error), QStringLiteral("importance, 256 samples"));
-    QCOMPARE(shown.panel->stage(), MapPanel::Stage::Error);
+    QCOMPARE(shown.panel->stage(), MapStage::Error);
     QVERIFY(shown.settle());
     QCOMPARE(shown.panel->view().coloring().colors, MapColors::Signed);
 }

@@ -47,7 +47,7 @@ struct ShownPanel {
     }
     bool settle()
     {
-        return QTest::qWaitFor([&] { return panel->isSurveyed() && !workspace.library.isBusy(); }, patience);
+        return QTest::qWaitFor([&] { return panel->details().isSurveyed() && !workspace.library.isBusy(); }, patience);
     }
     void click(const QString& name)
     {
@@ -118,9 +118,9 @@ void ProbesPanelTest::tellsTheFactsOfTheProbe()
     FileOpener opener(shown.workspace);
     DropTarget target(*shown.panel, opener);
     opener.open({QString::fromStdString((folder / "facts.exr").string())});
-    QTRY_VERIFY_WITH_TIMEOUT(shown.panel->factsText().contains(QStringLiteral("64 × 32")), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(shown.panel->details().factsText().contains(QStringLiteral("64 × 32")), patience);
     for (const char* fact : {"2:1, taken for a latlong", "1 NaN", "brightest 0.01 %", "beyond 65504"})
-        QVERIFY2(shown.panel->factsText().contains(QLatin1String(fact)), qPrintable(shown.panel->factsText()));
+        QVERIFY2(shown.panel->details().factsText().contains(QLatin1String(fact)), qPrintable(shown.panel->details().factsText()));
 }
 
 void ProbesPanelTest::takesAFileThatIsDropped()
@@ -182,9 +182,9 @@ void ProbesPanelTest::offersAPictureOfEachGuess()
     FileOpener opener(shown.workspace);
     DropTarget target(*shown.panel, opener);
     opener.open({file});
-    QTRY_COMPARE_WITH_TIMEOUT(shown.panel->guesses().size(), 3, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(shown.panel->details().guesses().size(), 3, patience);
     QVERIFY(shown.settle());
-    for (const QToolButton* guess : shown.panel->guesses()) {
+    for (const QToolButton* guess : shown.panel->details().guesses()) {
         QVERIFY(!guess->icon().isNull());
         QCOMPARE(guess->isChecked(), guess->objectName() == QStringLiteral("probes.guess.angular"));
     }
@@ -192,7 +192,7 @@ void ProbesPanelTest::offersAPictureOfEachGuess()
     shown.panel->findChild<QToolButton*>(QStringLiteral("probes.guess.sphere"))->click();
     QCOMPARE(shown.probe().reading.parameterization, std::optional(Parameterization::Sphere));
     QVERIFY(shown.settle());
-    QCOMPARE(shown.panel->guesses().size(), 3); // the choice stays open
+    QCOMPARE(shown.panel->details().guesses().size(), 3); // the choice stays open
     QVERIFY(shown.panel->findChild<QToolButton*>(QStringLiteral("probes.guess.sphere"))->isChecked());
     QCOMPARE(shown.panel->findChild<QComboBox*>(QStringLiteral("probes.read_as"))->currentText(), QStringLiteral("Sphere"));
     shown.workspace.document.undoStack().undo();
@@ -234,7 +234,7 @@ void ProbesPanelTest::namesWhatIsBroken()
     FileOpener opener(shown.workspace);
     DropTarget target(*shown.panel, opener);
     opener.open({QString::fromStdString((folder / "broken.exr").string())});
-    QTRY_VERIFY_WITH_TIMEOUT(shown.panel->factsText().contains(QStringLiteral("broken.exr")), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(shown.panel->details().factsText().contains(QStringLiteral("broken.exr")), patience);
     QVERIFY(shown.settle());
     QTRY_VERIFY(!shown.row(QStringLiteral("broken.exr")).data(ProbeLibrary::ProblemRole).toString().isEmpty());
     shown.panel->list().scrollToBottom();
@@ -253,7 +253,7 @@ void ProbesPanelTest::readsAProbeAgainThatChangedOnDisk()
     QTRY_VERIFY_WITH_TIMEOUT(shown.workspace.live.isUpToDate() && shown.workspace.live.made()->environment->image.height == 32, patience);
     writeProbe(folder, "live.exr", "sky", {Parameterization::Latlong, 64, 0}); // written beside it and renamed into place
     QTRY_VERIFY_WITH_TIMEOUT(shown.workspace.live.made()->environment->image.height == 64, patience);
-    QTRY_VERIFY_WITH_TIMEOUT(shown.panel->factsText().contains(QStringLiteral("128 × 64")), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(shown.panel->details().factsText().contains(QStringLiteral("128 × 64")), patience);
     QFile::remove(file);
     QTRY_VERIFY_WITH_TIMEOUT(!shown.workspace.live.made()->problem.empty(), patience);
     writeProbe(folder, "live.exr", "sky");

@@ -10,11 +10,8 @@
 #include "core/spheremap/document/presets.h"
 #include "core/spheremap/document/sphere_map_file.h"
 
-#include <QAction>
 #include <QDir>
 #include <QDockWidget>
-#include <QLineEdit>
-#include <QMimeData>
 #include <QPointingDevice>
 #include <QSignalSpy>
 #include <QTabletEvent>
@@ -157,91 +154,6 @@ void SphereMapPanelTest::givesUpAStrokeByEscape()
     QVERIFY(!painting.editor().isPainting());
 }
 
-void SphereMapPanelTest::hidesRenamesReordersAndDeletesLayers()
-{
-    Painting painting;
-    LayerList& list = painting.panel().layers();
-    QAbstractItemModel* model = list.model();
-    QCOMPARE(model->rowCount(), 2);
-    QCOMPARE(model->index(0, 0).data().toString(), QStringLiteral("Paint")); // the top one first
-    QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualRect(model->index(1, 0)).topLeft() + QPoint(12, 18));
-    QVERIFY(!painting.editor().map()->layers[0].visible);
-    painting.document().undoStack().undo();
-    QVERIFY(painting.editor().map()->layers[0].visible);
-    model->setData(model->index(0, 0), QStringLiteral("Shine"), Qt::EditRole);
-    QCOMPARE(painting.editor().map()->layers[1].name, std::string("Shine"));
-    list.setFocus();
-    QTest::keyClick(&list, Qt::Key_Down, Qt::ControlModifier);
-    QCOMPARE(painting.editor().map()->layers[0].name, std::string("Shine"));
-    QCOMPARE(painting.editor().chosen(), 0);
-    QTest::keyClick(&list, Qt::Key_Delete);
-    QCOMPARE(painting.editor().map()->layers.size(), size_t{1});
-    for (int i = 0; i < 3; ++i)
-        painting.document().undoStack().undo();
-    QCOMPARE(painting.editor().map()->layers.size(), size_t{2});
-    QCOMPARE(painting.editor().map()->layers[1].name, std::string("Paint"));
-}
-
-void SphereMapPanelTest::reordersLayersByDropping()
-{
-    Painting painting;
-    painting.editor().addLayer({.name = "Ring", .content = SilhouetteLayer{}});
-    QAbstractItemModel* model = painting.panel().layers().model(); // rows: Ring, Paint, Ground
-    const std::unique_ptr<QMimeData> ring(model->mimeData({model->index(0, 0)}));
-    model->dropMimeData(ring.get(), Qt::MoveAction, 3, 0, {}); // below the last
-    QCOMPARE(painting.editor().map()->layers[0].name, std::string("Ring"));
-    const std::unique_ptr<QMimeData> again(model->mimeData({model->index(2, 0)}));
-    model->dropMimeData(again.get(), Qt::MoveAction, 1, 0, {}); // between Paint and Ground
-    QCOMPARE(painting.editor().map()->layers[1].name, std::string("Ring"));
-    QCOMPARE(painting.editor().map()->layers.size(), size_t{3});
-}
-
-void SphereMapPanelTest::editsParametersOneUndoStepADrag()
-{
-    Painting painting;
-    painting.editor().addLayer({.name = "Ring", .content = SilhouetteLayer{}});
-    auto* width = painting.panel().layerForm().findChild<NumberField*>(QStringLiteral("width"));
-    QVERIFY(width);
-    const int before = painting.steps();
-    for (const double value : {0.2, 0.25, 0.3})
-        emit width->edited(value);
-    emit width->finished();
-    QCOMPARE(painting.steps(), before + 1);
-    QCOMPARE(std::get<SilhouetteLayer>(painting.editor().map()->layers[2].content).width, 0.3);
-    auto* opacity = painting.panel().findChild<NumberField*>(QStringLiteral("layerOpacity"));
-    emit opacity->edited(0.5);
-    emit opacity->finished();
-    QCOMPARE(painting.editor().map()->layers[2].opacity, 0.5);
-    painting.document().undoStack().undo();
-    painting.document().undoStack().undo();
-    QCOMPARE(painting.editor().map()->layers[2].opacity, 1.0);
-    QCOMPARE(std::get<SilhouetteLayer>(painting.editor().map()->layers[2].content).width, SilhouetteLayer{}.width);
-    QCOMPARE(width->value(), SilhouetteLayer{}.width);
-}
-
-void SphereMapPanelTest::editsGradientStops()
-{
-    Painting painting;
-    painting.editor().choose(0);
-    auto* editor = painting.panel().layerForm().findChild<GradientEditor*>();
-    QVERIFY(editor);
-    GradientBar& bar = editor->bar();
-    QTRY_COMPARE(bar.height(), bar.sizeHint().height()); // a layout places what is new in it when events are next handled
-    QVERIFY(bar.isVisible());
-    const auto stops = [&] { return std::get<GradientLayer>(painting.editor().map()->layers[0].content).stops; };
-    const int before = painting.steps();
-    const auto place = [&](double position, int y) { return QPoint(static_cast<int>(std::lround(bar.placeOf(position))), y); };
-    const double pixel = 1.0 / (bar.placeOf(1.0) - bar.placeOf(0.0));
-    QTest::mouseDClick(&bar, Qt::LeftButton, {}, place(0.5, 12));
-    QCOMPARE(stops().size(), size_t{3});
-    QVERIFY(std::abs(stops()[2].position - 0.5) < pixel);
-    Painting::drag(&bar, place(0.5, 32), place(0.25, 32));
-    QVERIFY2(std::abs(stops()[2].position - 0.25) < pixel, qPrintable(QString::number(stops()[2].position)));
-    QTest::keyClick(&bar, Qt::Key_Delete);
-    QCOMPARE(stops().size(), size_t{2});
-    QCOMPARE(painting.steps(), before + 3);
-}
-
 void SphereMapPanelTest::showsTheLevels()
 {
     Painting painting;
@@ -343,82 +255,6 @@ void SphereMapPanelTest::choosesABrushOnTheModelAsOnTheDisc()
     QEvent leave(QEvent::Leave);
     QCoreApplication::sendEvent(&preview, &leave);
     QTRY_VERIFY(!painter->ring().isVisible());
-}
-
-void SphereMapPanelTest::masksALayerByPaintingOnItsMask()
-{
-    Painting painting;
-    painting.editor().addLayer({.name = "Cold", .content = FillLayer{.color = {0.1, 0.3, 1.0}}});
-    MaskEditor& mask = painting.panel().mask();
-    mask.kinds().setCurrentIndex(mask.kinds().findText(QStringLiteral("Paint")));
-    emit mask.kinds().activated(mask.kinds().currentIndex());
-    const auto layer = [&]() -> const Layer& { return painting.editor().map()->layers[2]; };
-    QVERIFY(layer().mask && layer().mask->channel == MaskChannel::Opacity);
-    const int before = painting.steps();
-    painting.drag(painting.at(-0.3, 0.0), painting.at(0.3, 0.0));
-    QCOMPARE(painting.steps(), before + 1);
-    QCOMPARE(std::get<PaintLayer>(layer().mask->content).strokes.size(), size_t{1});
-    painting.waitForPicture();
-    QVERIFY(painting.editor().picture() == evaluate(*painting.editor().map(), {.size = painting.editor().size()}));
-    painting.document().undoStack().undo();
-    QVERIFY(std::get<PaintLayer>(layer().mask->content).strokes.empty());
-    mask.findChild<QCheckBox*>(QStringLiteral("maskInvert"))->click();
-    QVERIFY(layer().mask->invert);
-    mask.kinds().setCurrentIndex(0);
-    emit mask.kinds().activated(0);
-    QVERIFY(!layer().mask);
-    painting.panel().findChild<QSpinBox*>(QStringLiteral("firstLevel"))->setValue(2);
-    QCOMPARE(layer().firstLevel, 2);
-}
-
-void SphereMapPanelTest::editsListsOfLights()
-{
-    Painting painting;
-    painting.editor().addLayer({.name = "Lights", .content = PhongLightsLayer{}});
-    SettingsForm& form = painting.panel().layerForm();
-    auto* chooser = form.findChild<ItemChooser*>(QStringLiteral("lights"));
-    QVERIFY(chooser);
-    const auto lights = [&] { return std::get<PhongLightsLayer>(painting.editor().map()->layers[2].content).lights; };
-    QCOMPARE(chooser->count(), 1);
-    chooser->addButton().click();
-    QCOMPARE(lights().size(), size_t{2});
-    QCOMPARE(chooser->chosen(), 1);
-    auto* azimuth = form.findChild<NumberField*>(QStringLiteral("azimuth"));
-    QVERIFY(azimuth);
-    emit azimuth->edited(30.0);
-    emit azimuth->finished();
-    QCOMPARE(lights()[1].azimuthDeg, 30.0);
-    QCOMPARE(lights()[0].azimuthDeg, PhongLight{}.azimuthDeg);
-    chooser->choose(0);
-    QCOMPARE(azimuth->value(), PhongLight{}.azimuthDeg);
-    chooser->removeButton().click();
-    QCOMPARE(lights().size(), size_t{1});
-    QCOMPARE(azimuth->value(), 30.0);
-    painting.document().undoStack().undo();
-    QCOMPARE(lights().size(), size_t{2});
-}
-
-void SphereMapPanelTest::linesUpTheControlsOfAllForms()
-{
-    Painting painting;
-    painting.editor().addLayer({.name = "Lights", .content = PhongLightsLayer{}}); // a light's fields stand in a form of their own
-    const auto left = [&](const char* name) {
-        const auto* control = painting.panel().findChild<QWidget*>(QLatin1String(name));
-        return control->mapTo(&painting.panel(), QPoint()).x();
-    };
-    QTRY_COMPARE(left("intensity"), left("lights"));
-    for (const char* name : {"exponent", "model", "ambient", "maskKind"})
-        QCOMPARE(left(name), left("lights"));
-}
-
-void SphereMapPanelTest::offersFilesToLayersThatReadThem()
-{
-    Painting painting;
-    for (const char* kind : {"image", "probe"}) {
-        painting.editor().addLayer({.content = makeContent(kind)});
-        auto* source = painting.panel().layerForm().findChild<QLineEdit*>(QStringLiteral("source"));
-        QVERIFY(source && source->findChild<QAction*>(QStringLiteral("chooseFile")));
-    }
 }
 
 void SphereMapPanelTest::followsHandMadeLevelsWhileAStrokeIsDrawn()

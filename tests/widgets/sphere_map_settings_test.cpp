@@ -17,7 +17,6 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QMenu>
-#include <QScrollBar>
 #include <QTimer>
 
 #include <map>
@@ -34,14 +33,6 @@ template <typename T>
 T* named(QWidget& root, const char* name)
 {
     return root.findChild<T*>(QLatin1String(name));
-}
-
-void pick(QWidget& root, const char* name, int index)
-{
-    auto* list = named<QComboBox>(root, name);
-    QVERIFY2(list, name);
-    list->setCurrentIndex(index);
-    emit list->activated(index);
 }
 
 QAction* actionNamed(QWidget& window, const QString& name) { return window.findChild<QAction*>(name); }
@@ -70,12 +61,6 @@ void answerFileDialog(const QString& path)
         dialog->selectFile(path);
         QMetaObject::invokeMethod(dialog, "accept");
     });
-}
-
-bool isShown(Painting& painting, const char* field)
-{
-    const QWidget* control = painting.panel().layerForm().control(QLatin1String(field));
-    return control && control->isVisibleTo(&painting.panel().layerForm());
 }
 
 /// The paths of all that a file can set.
@@ -203,9 +188,9 @@ void SphereMapSettingsTest::aDoubleClickOnALabelResetsTheField()
     QVERIFY(painting.document().scene().material.sphereMap.space == MapSpace::Eye);
     painting.panel().tabs().setCurrentIndex(0);
     painting.editor().addLayer(makeLayer("toon"));
-    auto* count = painting.panel().layerForm().findChild<QSpinBox*>(QStringLiteral("count"));
+    auto* count = painting.panel().layers().form().findChild<QSpinBox*>(QStringLiteral("count"));
     count->setValue(7);
-    auto* layout = painting.panel().layerForm().findChild<QFormLayout*>();
+    auto* layout = painting.panel().layers().form().findChild<QFormLayout*>();
     QTest::mouseDClick(layout->labelForField(count), Qt::LeftButton);
     QCOMPARE(std::get<ToonLayer>(painting.editor().chosenLayer()->content).count, ToonLayer{}.count);
 }
@@ -380,82 +365,6 @@ void SphereMapSettingsTest::anImageLayerIsAddedWithItsFile()
     QCOMPARE(painting.editor().chosenLayer()->name, std::string("ball"));
     painting.waitForPicture();
     QVERIFY(painting.window()->workspace().notices.all().isEmpty());
-}
-
-void SphereMapSettingsTest::parametersWithoutEffectAreHidden()
-{
-    Painting painting;
-    painting.editor().addLayer({.content = ProbeLayer{.lobe = ProbeLobe::Mirror}});
-    for (const char* field : {"exponent", "roughness", "index", "metal", "share"})
-        QVERIFY2(!isShown(painting, field), field);
-    pick(painting.panel().layerForm(), "fresnel", static_cast<int>(FresnelKind::Conductor));
-    QVERIFY(isShown(painting, "metal") && isShown(painting, "share") && !isShown(painting, "index"));
-    pick(painting.panel().layerForm(), "lobe", static_cast<int>(ProbeLobe::Phong));
-    QVERIFY(isShown(painting, "exponent") && !isShown(painting, "roughness"));
-    painting.editor().addLayer({.content = GradientLayer{}});
-    QVERIFY(isShown(painting, "azimuth") && !isShown(painting, "angle") && !isShown(painting, "center-x") && !isShown(painting, "radius"));
-    pick(painting.panel().layerForm(), "shape", static_cast<int>(GradientShape::Linear));
-    QVERIFY(!isShown(painting, "azimuth") && isShown(painting, "angle") && isShown(painting, "center-x"));
-    painting.editor().addLayer({.content = ColorgramLayer{}});
-    QVERIFY(isShown(painting, "rings") && !isShown(painting, "pitch"));
-    pick(painting.panel().layerForm(), "source", static_cast<int>(ColorgramSource::Grating));
-    QVERIFY(!isShown(painting, "rings") && isShown(painting, "pitch") && !isShown(painting, "groove-angle"));
-}
-
-void SphereMapSettingsTest::namesThatThereAreAreOffered()
-{
-    Painting painting;
-    painting.editor().addLayer({.content = ProbeLayer{.fresnel = FresnelKind::Conductor}});
-    auto* metal = painting.panel().layerForm().findChild<QComboBox*>(QStringLiteral("metal"));
-    QVERIFY(metal && metal->count() > 3);
-    QCOMPARE(metal->currentData().toString(), QStringLiteral("gold"));
-    const int other = metal->findData(QStringLiteral("copper"));
-    QVERIFY(other >= 0);
-    pick(painting.panel().layerForm(), "metal", other);
-    QCOMPARE(std::get<ProbeLayer>(painting.editor().chosenLayer()->content).metal, std::string("copper"));
-    auto* source = painting.panel().layerForm().findChild<QLineEdit*>(QStringLiteral("source"));
-    QAction* offer = source->findChild<QAction*>(QStringLiteral("chooseSuggestion"));
-    QVERIFY(offer);
-    QTimer::singleShot(0, qApp, [] {
-        if (auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget()))
-            for (QAction* action : menu->actions())
-                if (action->text() == QStringLiteral("builtin:sky")) {
-                    menu->setActiveAction(action);
-                    QTest::keyClick(menu, Qt::Key_Return);
-                }
-    });
-    offer->trigger();
-    QCOMPARE(std::get<ProbeLayer>(painting.editor().chosenLayer()->content).source, std::string("builtin:sky"));
-}
-
-void SphereMapSettingsTest::anotherLayersParametersBeginAtTheirTop()
-{
-    Painting painting;
-    painting.editor().addLayer({.content = ToonLayer{}, .mask = Mask{}});
-    painting.editor().addLayer({.content = ToonLayer{}, .mask = Mask{}});
-    QScrollBar* bar = nullptr;
-    for (QWidget* up = &painting.panel().layerForm(); up && !bar; up = up->parentWidget())
-        if (auto* scroll = qobject_cast<QScrollArea*>(up))
-            bar = scroll->verticalScrollBar();
-    QVERIFY(bar);
-    QTRY_VERIFY2(bar->maximum() > 100, qPrintable(QString::number(bar->maximum())));
-    bar->setValue(bar->maximum());
-    painting.editor().choose(2);
-    QCOMPARE(bar->value(), 0);
-    bar->setValue(bar->maximum());
-    painting.editor().addLayer({.content = HatchingLayer{}});
-    QCOMPARE(bar->value(), 0);
-}
-
-// A dock of a screen 1080 pixels high; the parameters of a fill need little room.
-void SphereMapSettingsTest::theListShowsTheLayersThatThereAre()
-{
-    Painting painting;
-    painting.window()->dock(QStringLiteral("sphere-map"))->resize(380, 1000);
-    for (int i = 0; i < 5; ++i)
-        painting.editor().addLayer({.blend = BlendMode::Darken, .content = FillLayer{}});
-    LayerList& list = painting.panel().layers();
-    QTRY_VERIFY2(list.viewport()->height() >= 6 * list.sizeHintForRow(0), qPrintable(QString::number(list.viewport()->height())));
 }
 
 /// For people to look at: MIRRORBALL_SCREENSHOTS.

@@ -21,10 +21,6 @@ private slots:
     void aLinkedMapStaysInItsFileUntilItIsCopied();
     void newLayersAreBlendedAsTheirKindIs();
     void anImageLayerIsAddedWithItsFile();
-    void parametersWithoutEffectAreHidden();
-    void namesThatThereAreAreOffered();
-    void anotherLayersParametersBeginAtTheirTop();
-    void theListShowsTheLayersThatThereAre();
     void looksWell();
 };
 

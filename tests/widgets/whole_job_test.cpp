@@ -79,8 +79,8 @@ void WholeJobTest::fromADroppedProbeToTheMapsThatTheCommandLineWrites()
     ExportDialog dialog(window->workspace(), &*window);
     dialog.setFolder(fromPath(folder / "here"));
     dialog.show();
-    dialog.addTarget(ExportKind::Specular);
-    dialog.addTarget(ExportKind::Diffuse);
+    dialog.list().add(ExportKind::Specular);
+    dialog.list().add(ExportKind::Diffuse);
     QVERIFY(window->files().saveAs(fromPath(folder / "job.mirrorball")));
     QSignalSpy exported(&dialog, &ExportDialog::exported);
     dialog.startExport();

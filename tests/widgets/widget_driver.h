@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QByteArray>
+#include <QComboBox>
 #include <QDir>
 #include <QDropEvent>
 #include <QMimeData>
@@ -50,6 +51,15 @@ inline QStringList unexplained(const QWidget& root)
             names << QStringLiteral("%1 (%2)").arg(widget->objectName(), QString::fromLatin1(widget->metaObject()->className()));
     }
     return names;
+}
+
+/// Chooses an item of a list, as a user does.
+inline void pick(QWidget& root, const char* name, int index)
+{
+    auto* list = root.findChild<QComboBox*>(QLatin1String(name));
+    QVERIFY2(list, name);
+    list->setCurrentIndex(index);
+    emit list->activated(index);
 }
 
 /// Keeps a picture of a widget in the folder of the environment variable MIRRORBALL_SCREENSHOTS, for people to look at; does nothing

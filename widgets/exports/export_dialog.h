@@ -1,27 +1,21 @@
 #pragma once
 
 #include "engine_card.h"
-#include "export_format.h"
+#include "export_form.h"
+#include "export_list.h"
+#include "export_place.h"
 #include "widgets/workspace/job_runner.h"
 #include "widgets/workspace/workspace.h"
 
 #include "core/scene/export.h"
 #include "core/scene/export_estimate.h"
 
-#include <QAction>
-#include <QCheckBox>
-#include <QComboBox>
 #include <QDialog>
-#include <QFormLayout>
-#include <QGridLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QStackedWidget>
-#include <QTreeWidget>
 
 #include <functional>
 #include <vector>
@@ -37,10 +31,10 @@ public:
     explicit ExportDialog(Workspace& workspace, QWidget* parent = nullptr);
     ~ExportDialog() override;
 
-    void setFolder(const QString& folder);
-    QString folder() const;
+    void setFolder(const QString& folder) { m_place->setFolder(folder); }
+    QString folder() const { return m_place->folder(); }
     /// The command that writes the same bytes, or why there is none yet.
-    QString command() const { return m_command->text(); }
+    QString command() const { return m_place->command(); }
     QString estimateText() const { return m_total->text(); }
     QString statusText() const { return m_status->text(); }
     bool isExporting() const { return m_isExporting; }
@@ -48,15 +42,14 @@ public:
 
     QSize sizeHint() const override { return {1060, 620}; }
 
+    /// The scene's own maps.
+    ExportList& list() { return *m_list; }
     /// The engine that is exported for; null where the scene's own list is.
     const EngineProfile* engine() const { return m_engine; }
 
 public slots:
     /// Turns to an engine by its word, or with an empty one to the scene's own list.
     void chooseEngine(const QString& word);
-    void addTarget(mirrorball::ExportKind kind);
-    void duplicateTarget();
-    void removeTarget();
     void startExport();
     void cancelExport();
     void reject() override;
@@ -67,17 +60,14 @@ signals:
     void exported(const QStringList& files);
 
 private:
+    QLayout* makeTop();
     QWidget* makeGallery();
-    QWidget* makeList();
-    QWidget* makeForm();
-    QWidget* makeFolderRow();
-    void offerKinds();
-    void addCommandRow(QGridLayout& layout);
-    const ExportTarget* selected() const;
-    int selectedRow() const;
-    void selectRow(int row);
+    QLayout* makeBottom();
+    void followParts();
+    void followJobs();
+    void followDocument();
+    void offerPainted();
     void change(const QString& label, const std::function<void(ExportTarget&)>& change);
-    void listTargets();
     void showTarget();
     void estimate();
     void estimateEngine();
@@ -88,7 +78,6 @@ private:
     void showCommand();
     void say(const QString& message, bool isProblem = false);
     void setExporting(bool exporting);
-    std::vector<std::string> checkedNames() const;
 
     Workspace& m_workspace;
     JobRunner m_runner;
@@ -98,28 +87,15 @@ private:
     QListWidget* m_gallery;
     QStackedWidget* m_pages; ///< the scene's own list; the engine's card
     EngineCard* m_card;
-    QTreeWidget* m_list;
-    QAction* m_addPainted;
-    QPushButton *m_duplicate, *m_remove;
-    QWidget* m_form;
-    QFormLayout* m_rows;
-    QLineEdit* m_name;
-    QComboBox *m_kind, *m_parameterization, *m_format;
-    QSpinBox *m_size, *m_border, *m_levels;
-    QCheckBox *m_faces, *m_mips, *m_levelFiles;
-    QLineEdit* m_file;
-    QLabel* m_files;
-    QLineEdit* m_folder;
+    ExportList* m_list;
+    ExportForm* m_form;
+    ExportPlace* m_place;
     QLabel* m_total;
-    QLineEdit* m_command;
-    QPushButton *m_copy, *m_save;
-    QLabel* m_commandNote;
     QProgressBar* m_progress;
     QLabel* m_status;
     QPushButton *m_export, *m_cancel, *m_close, *m_open;
     std::vector<ExportEstimate> m_estimates;
     double m_sharedSeconds = 0.0; ///< of reading the probe, once for all that need it
-    QStringList m_unchecked;      ///< names of targets that are not to be written now
 };
 
 } // namespace mirrorball::studio

@@ -1,20 +1,19 @@
 #pragma once
 
+#include "map_layout_row.h"
+#include "map_look.h"
+#include "map_stage.h"
 #include "map_view.h"
 #include "widgets/controls/color_scale_bar.h"
-#include "widgets/controls/number_field.h"
 #include "widgets/workspace/workspace.h"
 
 #include <QComboBox>
 #include <QLabel>
 #include <QSpinBox>
 #include <QSplitter>
-#include <QToolButton>
 #include <QWidget>
 
 #include <memory>
-#include <optional>
-#include <vector>
 
 namespace mirrorball::studio {
 
@@ -23,12 +22,10 @@ class MapPanel : public QWidget {
     Q_OBJECT
 
 public:
-    enum class Stage { Probe, Specular, Diffuse, Background, Error };
-
     explicit MapPanel(Workspace& workspace, QWidget* parent = nullptr);
 
-    void showStage(Stage stage);
-    Stage stage() const;
+    void showStage(MapStage stage);
+    MapStage stage() const;
     /// The view of the chosen parameterization, of the other one, and of their difference.
     MapView& view() { return *m_view; }
     MapView& otherView() { return *m_otherView; }
@@ -41,19 +38,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    /// What a stage shows now.
-    struct Shown {
-        std::vector<std::shared_ptr<const EnvironmentMap>> levels{};
-        QString why{}; ///< why there are none
-    };
-    struct Comparison;
-
     QWidget* makeStageRow();
-    QWidget* makeLayoutRow();
-    QWidget* makeViewRow();
-    QToolButton* makeButton(const QString& icon, const QString& text, const QString& help);
-    Shown shown() const;
-    QString whyLeftOut(const char* stageName) const;
     MapLayout layoutFor(const EnvironmentMap& map) const;
     void readScene();
     void showMaps();
@@ -69,16 +54,8 @@ private:
     QComboBox* m_stage;
     QSpinBox* m_level;
     QLabel* m_levelOf;
-    QComboBox* m_kind;
-    QSpinBox* m_size;
-    QSpinBox* m_border;
-    QLabel* m_borderLabel;
-    QComboBox* m_compare;
-    QComboBox* m_colors;
-    QComboBox* m_tint;
-    QToolButton* m_grid;
-    QToolButton* m_seams;
-    NumberField* m_exposure;
+    MapLayoutRow* m_layoutRow;
+    MapLook* m_look;
     QSplitter* m_views;
     MapView *m_view, *m_otherView, *m_differenceView;
     ColorScaleBar *m_scale, *m_differenceScale, *m_tintScale;

@@ -2,7 +2,7 @@
 
 #include "widgets/controls/color_scale_bar.h"
 #include "widgets/controls/keep_place.h"
-#include "widgets/controls/options_form.h"
+#include "widgets/controls/scrolled.h"
 #include "widgets/controls/text.h"
 
 #include "core/report/report_forecast.h"
@@ -11,9 +11,6 @@
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QHBoxLayout>
-#include <QHeaderView>
-#include <QScrollArea>
-#include <QSignalBlocker>
 #include <QSplitter>
 #include <QStyle>
 #include <QVBoxLayout>
@@ -29,63 +26,48 @@ constexpr double longWait = 3.0; ///< seconds of filtering that nobody starts by
 constexpr int restTime = 1000;   ///< ms: who looks for a value is not disturbed by measurements of those on the way
 constexpr int measuredSize = 64; ///< texels: small enough to measure every method while one waits
 
-enum Column { MethodColumn, TimeColumn, ErrorColumn, SettingColumn, ColumnCount };
-
-QString secondsText(double seconds)
-{
-    if (seconds < 1e-3)
-        return QStringLiteral("%1 us").arg(1e6 * seconds, 0, 'f', 0);
-    if (seconds < 1.0)
-        return QStringLiteral("%1 ms").arg(1e3 * seconds, 0, 'f', seconds < 0.01 ? 2 : 1);
-    return QStringLiteral("%1 s").arg(seconds, 0, 'f', seconds < 10.0 ? 2 : 0);
-}
-
-QString stateText(MeasurementState state)
-{
-    switch (state) {
-    case MeasurementState::Refused:
-        return ReportPanel::tr("refused");
-    case MeasurementState::LeftOut:
-        return ReportPanel::tr("too slow");
-    case MeasurementState::Failed:
-        return ReportPanel::tr("failed");
-    default:
-        return {};
-    }
-}
-
-/// Rows sort by their figures, not by their texts.
-class Row : public QTreeWidgetItem {
-public:
-    using QTreeWidgetItem::QTreeWidgetItem;
-    bool operator<(const QTreeWidgetItem& other) const override
-    {
-        const int column = treeWidget()->sortColumn();
-        const QVariant mine = data(column, Qt::UserRole + 1), theirs = other.data(column, Qt::UserRole + 1);
-        return mine.isValid() && theirs.isValid() ? mine.toDouble() < theirs.toDouble() : text(column) < other.text(column);
-    }
-};
-
 } // namespace
 
 ReportPanel::ReportPanel(Workspace& workspace, QWidget* parent)
     : QWidget(parent), m_workspace(workspace), m_runner(this), m_errorRunner(this), m_splitter(new QSplitter), m_chart(new MethodChart),
-      m_table(new QTreeWidget), m_status(new QLabel), m_facts(new QLabel), m_progress(new QProgressBar),
+      m_table(new MethodTable), m_status(new QLabel), m_facts(new QLabel), m_progress(new QProgressBar),
       m_again(new QPushButton(tr("Measure &again"))), m_stop(new QPushButton(tr("&Stop"))), m_copy(new QPushButton(tr("&Copy command"))),
       m_use(new QPushButton(tr("&Use it anyway")))
 {
     m_chart->setObjectName(QStringLiteral("report.chart"));
-    m_table->setObjectName(QStringLiteral("report.table"));
-    m_table->setAccessibleName(tr("Methods"));
-    m_table->setRootIsDecorated(false);
-    m_table->setUniformRowHeights(true);
-    m_table->setHeaderLabels({tr("Method"), tr("Time"), tr("rel_rms"), tr("Setting")});
-    m_table->header()->setStretchLastSection(false);
-    m_table->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->header()->setSectionResizeMode(SettingColumn, QHeaderView::Stretch);
-    m_table->setSortingEnabled(true);
-    m_table->sortByColumn(TimeColumn, Qt::AscendingOrder);
-    m_table->setToolTip(tr("Picks the method of a row; refused and slow ones say why when pointed at"));
+    // Side by side below the picture, one above the other in a narrow dock.
+    m_splitter->setChildrenCollapsible(false);
+    m_splitter->addWidget(m_chart);
+    m_splitter->addWidget(m_table);
+    m_splitter->addWidget(makeSide());
+    m_splitter->setStretchFactor(0, 2);
+    m_splitter->setStretchFactor(1, 1);
+    m_splitter->setStretchFactor(2, 0);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 8, 8, 8);
+    layout->addWidget(m_splitter);
+
+    connect(m_chart, &MethodChart::picked, this, &ReportPanel::pick);
+    connect(m_table, &MethodTable::picked, this, &ReportPanel::pick);
+    connect(m_again, &QPushButton::clicked, this, &ReportPanel::measure);
+    connect(m_use, &QPushButton::clicked, this, &ReportPanel::use);
+    connect(m_stop, &QPushButton::clicked, this, &ReportPanel::stop);
+    connect(m_copy, &QPushButton::clicked, this, &ReportPanel::copyCommand);
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(restTime);
+    connect(&m_rest, &QTimer::timeout, this, &ReportPanel::goOn);
+    connect(&workspace.document, &Document::changed, this, &ReportPanel::giveWay);
+    connect(&workspace.live, &LiveScene::updated, this, &ReportPanel::follow);
+    connect(&workspace.document, &Document::dragFinished, this, &ReportPanel::follow);
+    connect(&m_runner, &JobRunner::failed, this, &ReportPanel::finish);
+    connect(&m_errorRunner, &JobRunner::failed, m_facts, &QLabel::setText);
+    m_stop->hide();
+    m_status->setText(waitingText());
+}
+
+/// What stands beside chart and table: the state, the knobs of the scene's method, what is known of the picked one.
+QScrollArea* ReportPanel::makeSide()
+{
     m_status->setWordWrap(true);
     m_status->setObjectName(QStringLiteral("report.status"));
     m_facts->setWordWrap(true);
@@ -105,23 +87,9 @@ ReportPanel::ReportPanel(Workspace& workspace, QWidget* parent)
     m_use->setObjectName(QStringLiteral("report.use"));
     m_use->setToolTip(tr("Filters the scene by this method though it takes long"));
     m_use->hide();
-
     for (QPushButton* button : {m_again, m_stop, m_copy, m_use})
         button->setAccessibleName(button->text().remove(u'&'));
-    m_table->setMinimumHeight(60);
 
-    auto* form = new OptionsForm(workspace.document);
-    const auto isMethod = [](Method method) { return [method](const Scene& scene) { return scene.filter.method == method; }; };
-    form->addFields("filter", [](auto& scene) -> auto& { return scene.filter; },
-                    {{"tolerance", {.isHidden = true}},
-                     {"samples", {.isShown = isMethod(Method::Importance)}},
-                     {"mip_filtering", {.label = tr("Mip filtering"), .isShown = isMethod(Method::Mip)}},
-                     {"paraboloid", {.label = tr("Kernels"), .isShown = isMethod(Method::Paraboloid)}},
-                     {"paraboloid_clamp", {.label = tr("Clamp"), .isShown = isMethod(Method::Paraboloid)}},
-                     {"paraboloid_kernel", {.label = tr("Largest kernel"), .isShown = isMethod(Method::Paraboloid)}},
-                     {"paraboloid_half", {.label = tr("Half"), .isShown = isMethod(Method::Paraboloid)}},
-                     {"paraboloid_border", {.label = tr("Border"), .isShown = isMethod(Method::Paraboloid)}}});
-    addTolerance(*form);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_copy);
     buttons->addWidget(m_use);
@@ -134,69 +102,31 @@ ReportPanel::ReportPanel(Workspace& workspace, QWidget* parent)
     column->setSpacing(6);
     column->addWidget(m_status);
     column->addWidget(m_progress);
-    column->addWidget(form);
+    column->addWidget(makeForm());
     column->addWidget(m_facts);
     column->addLayout(buttons);
     column->addStretch(1);
-    auto* scroll = new QScrollArea;
-    scroll->setWidget(side);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    QScrollArea* scroll = scrolled(side);
     scroll->setMinimumWidth(std::max(216, side->minimumSizeHint().width() + style()->pixelMetric(QStyle::PM_ScrollBarExtent) + 2));
     scroll->setMinimumHeight(90);
-    // Side by side below the picture, one above the other in a narrow dock.
-    m_splitter->setChildrenCollapsible(false);
-    m_splitter->addWidget(m_chart);
-    m_splitter->addWidget(m_table);
-    m_splitter->addWidget(scroll);
-    m_splitter->setStretchFactor(0, 2);
-    m_splitter->setStretchFactor(1, 1);
-    m_splitter->setStretchFactor(2, 0);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 8, 8, 8);
-    layout->addWidget(m_splitter);
-
-    connect(m_chart, &MethodChart::picked, this, &ReportPanel::pick);
-    connect(m_table, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* item) {
-        if (item)
-            pick(item->data(MethodColumn, Qt::UserRole).toInt());
-    });
-    connect(m_again, &QPushButton::clicked, this, &ReportPanel::measure);
-    connect(m_use, &QPushButton::clicked, this, &ReportPanel::use);
-    connect(m_stop, &QPushButton::clicked, this, &ReportPanel::stop);
-    connect(m_copy, &QPushButton::clicked, this, [this] {
-        const RacePoint& point = m_points[static_cast<size_t>(m_picked)];
-        const QString probe = QString::fromStdString(resolved(m_measured, m_measured.probe.source));
-        QGuiApplication::clipboard()->setText(
-            QString::fromStdString(filterCommand(probe.toStdString(), point.setting.options(m_race->lobe(), m_race->options().target))));
-    });
-    m_rest.setSingleShot(true);
-    m_rest.setInterval(restTime);
-    connect(&m_rest, &QTimer::timeout, this, &ReportPanel::goOn);
-    connect(&workspace.document, &Document::changed, this, &ReportPanel::giveWay);
-    connect(&workspace.live, &LiveScene::updated, this, &ReportPanel::follow);
-    connect(&workspace.document, &Document::dragFinished, this, &ReportPanel::follow);
-    connect(&m_runner, &JobRunner::failed, this, &ReportPanel::finish);
-    connect(&m_errorRunner, &JobRunner::failed, m_facts, &QLabel::setText);
-    m_stop->hide();
-    m_status->setText(waitingText());
+    return scroll;
 }
 
-QString ReportPanel::waitingText() { return tr("Methods are measured once the material has come to rest."); }
-
-void ReportPanel::resizeEvent(QResizeEvent*)
+OptionsForm* ReportPanel::makeForm()
 {
-    // A low dock, as beside the plan, has no height to share among three.
-    const bool isLow = width() > 480 && 2 * width() > 3 * height();
-    const Qt::Orientation orientation = width() > 640 || isLow ? Qt::Horizontal : Qt::Vertical;
-    if (orientation == m_splitter->orientation() && m_isArranged)
-        return;
-    m_isArranged = true;
-    m_splitter->setOrientation(orientation);
-    constexpr int table = 290; // method, time and error are seen without scrolling
-    const int side = m_splitter->widget(2)->minimumWidth();
-    m_splitter->setSizes(orientation == Qt::Horizontal ? QList<int>{width() - table - side, table, side} : QList<int>{300, 200, 170});
+    auto* form = new OptionsForm(m_workspace.document);
+    const auto isMethod = [](Method method) { return [method](const Scene& scene) { return scene.filter.method == method; }; };
+    form->addFields("filter", [](auto& scene) -> auto& { return scene.filter; },
+                    {{"tolerance", {.isHidden = true}},
+                     {"samples", {.isShown = isMethod(Method::Importance)}},
+                     {"mip_filtering", {.label = tr("Mip filtering"), .isShown = isMethod(Method::Mip)}},
+                     {"paraboloid", {.label = tr("Kernels"), .isShown = isMethod(Method::Paraboloid)}},
+                     {"paraboloid_clamp", {.label = tr("Clamp"), .isShown = isMethod(Method::Paraboloid)}},
+                     {"paraboloid_kernel", {.label = tr("Largest kernel"), .isShown = isMethod(Method::Paraboloid)}},
+                     {"paraboloid_half", {.label = tr("Half"), .isShown = isMethod(Method::Paraboloid)}},
+                     {"paraboloid_border", {.label = tr("Border"), .isShown = isMethod(Method::Paraboloid)}}});
+    addTolerance(*form);
+    return form;
 }
 
 /// A list of decades: what a slider of such small numbers would be moved to anyway.
@@ -224,6 +154,22 @@ void ReportPanel::addTolerance(OptionsForm& form)
         const double value = tolerance->currentData().toDouble();
         m_workspace.document.edit(tr("Tolerance of the filter"), {}, [value](Scene& scene) { scene.filter.tolerance = value; });
     });
+}
+
+QString ReportPanel::waitingText() { return tr("Methods are measured once the material has come to rest."); }
+
+void ReportPanel::resizeEvent(QResizeEvent*)
+{
+    // A low dock, as beside the plan, has no height to share among three.
+    const bool isLow = width() > 480 && 2 * width() > 3 * height();
+    const Qt::Orientation orientation = width() > 640 || isLow ? Qt::Horizontal : Qt::Vertical;
+    if (orientation == m_splitter->orientation() && m_isArranged)
+        return;
+    m_isArranged = true;
+    m_splitter->setOrientation(orientation);
+    constexpr int table = 290; // method, time and error are seen without scrolling
+    const int side = m_splitter->widget(2)->minimumWidth();
+    m_splitter->setSizes(orientation == Qt::Horizontal ? QList<int>{width() - table - side, table, side} : QList<int>{300, 200, 170});
 }
 
 void ReportPanel::showEvent(QShowEvent*) { follow(); }
@@ -347,24 +293,7 @@ void ReportPanel::measureNext(size_t setting)
 void ReportPanel::add(const RacePoint& point)
 {
     m_points.push_back(point);
-    const bool isMeasured = point.state == MeasurementState::Measured;
-    const QSignalBlocker blocker(m_table);
-    auto* row =
-        new Row(QStringList{fieldText(name(point.setting.method)), isMeasured ? secondsText(point.seconds) : stateText(point.state),
-                            !isMeasured || point.setting.method == Method::Reference ? QString() : shortNumberText(point.error.relRms),
-                            toQString(point.setting.label)});
-    row->setData(MethodColumn, Qt::UserRole, static_cast<int>(m_points.size()) - 1);
-    row->setData(TimeColumn, Qt::UserRole + 1, isMeasured ? point.seconds : 1e9);
-    row->setData(ErrorColumn, Qt::UserRole + 1, isMeasured ? point.error.relRms : 1e9);
-    row->setTextAlignment(TimeColumn, Qt::AlignRight | Qt::AlignVCenter);
-    row->setTextAlignment(ErrorColumn, Qt::AlignRight | Qt::AlignVCenter);
-    row->setForeground(MethodColumn, isMeasured ? methodColor(point.setting.method) : palette().color(QPalette::PlaceholderText));
-    if (!isMeasured)
-        for (int column = TimeColumn; column < ColumnCount; ++column)
-            row->setForeground(column, palette().color(QPalette::PlaceholderText));
-    for (int column = MethodColumn; column < ColumnCount; ++column)
-        row->setToolTip(column, toQString(point.why));
-    m_table->addTopLevelItem(row);
+    m_table->add(point);
     m_chart->setPoints(m_points);
 }
 
@@ -385,6 +314,14 @@ double ReportPanel::secondsAtFullSize(const RacePoint& point) const
     const auto made = m_workspace.live.made();
     const ProbeTraits probe{.width = made ? 2 * latlongHeight(made->probeLayout) : 1024};
     return refusal(options.method, options, probe).empty() ? planPrefilter(options, probe).predictedSeconds : 0.0;
+}
+
+void ReportPanel::copyCommand()
+{
+    const RacePoint& point = m_points[static_cast<size_t>(m_picked)];
+    const QString probe = QString::fromStdString(resolved(m_measured, m_measured.probe.source));
+    QGuiApplication::clipboard()->setText(
+        QString::fromStdString(filterCommand(probe.toStdString(), point.setting.options(m_race->lobe(), m_race->options().target))));
 }
 
 void ReportPanel::use()
@@ -431,12 +368,7 @@ void ReportPanel::showPicked()
 {
     const RacePoint& point = m_points[static_cast<size_t>(m_picked)];
     m_chart->setPicked(m_picked);
-    {
-        const QSignalBlocker blocker(m_table);
-        for (int row = 0; row < m_table->topLevelItemCount(); ++row)
-            if (m_table->topLevelItem(row)->data(MethodColumn, Qt::UserRole).toInt() == m_picked)
-                m_table->setCurrentItem(m_table->topLevelItem(row));
-    }
+    m_table->setPicked(m_picked);
     QString text = describe(point) + QStringLiteral(": ");
     if (point.state != MeasurementState::Measured)
         text += toQString(point.why);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "method_chart.h"
+#include "method_table.h"
 #include "widgets/controls/options_form.h"
 #include "widgets/workspace/job_runner.h"
 #include "widgets/workspace/workspace.h"
@@ -11,9 +12,9 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSplitter>
 #include <QTimer>
-#include <QTreeWidget>
 #include <QWidget>
 
 #include <memory>
@@ -56,6 +57,8 @@ protected:
 
 private:
     static QString waitingText();
+    QScrollArea* makeSide();
+    OptionsForm* makeForm();
     void addTolerance(OptionsForm& form);
     void follow();
     void start();
@@ -65,6 +68,7 @@ private:
     void add(const RacePoint& point);
     void finish(const QString& status);
     void showPicked();
+    void copyCommand();
     QString describe(const RacePoint& point) const;
     double secondsAtFullSize(const RacePoint& point) const;
 
@@ -73,7 +77,7 @@ private:
     JobRunner m_errorRunner; ///< the signed error of what was picked
     QSplitter* m_splitter;
     MethodChart* m_chart;
-    QTreeWidget* m_table;
+    MethodTable* m_table;
     QLabel *m_status, *m_facts;
     QProgressBar* m_progress;
     QPushButton *m_again, *m_stop, *m_copy, *m_use;

@@ -1,5 +1,7 @@
 #include "sphere_map_editor.h"
 
+#include "live_sphere_map.h"
+
 #include "core/spheremap/document/sphere_map_file.h"
 
 #include <algorithm>
@@ -10,18 +12,6 @@ namespace mirrorball::studio {
 
 namespace {
 constexpr int paintingSize = 1024; ///< texels: what a map is painted at unless the scene asks for more
-
-/// The scene's own map as it was last made for the model, for a map of so many texels; null where there is none. While something is
-/// dragged it may have fewer: half as many, or a quarter.
-SphereMapChain shownMap(const LiveScene& live, int size)
-{
-    const auto made = live.made();
-    if (!made || made->plan.sphereMaps.empty() || !made->plan.sphereMaps.front().document || made->maps.sphereMaps.empty())
-        return nullptr;
-    const SphereMapChain& chain = made->maps.sphereMaps.front();
-    const int width = chain->levels.front().width, drawn = made->plan.sphereMaps.front().drawnSize;
-    return made->plan.sphereMaps.front().size == size && (width == size || width == drawn) ? chain : nullptr;
-}
 
 /// The strokes of a layer or of its mask; null where there are none.
 template <typename Map>
@@ -80,7 +70,7 @@ void SphereMapEditor::follow()
         m_recorder.reset();
     const int before = m_chosen, count = m_map ? static_cast<int>(m_map->layers.size()) : 0;
     m_chosen = count == 0 ? -1 : m_chosen < 0 ? count - 1 : std::min(m_chosen, count - 1);
-    m_awaitsLive = m_map && m_document.isDragging() && !m_recorder && shownMap(m_live, m_size);
+    m_awaitsLive = m_map && m_document.isDragging() && !m_recorder && liveSphereMap(m_live, m_size);
     if (!m_map)
         showOnly(std::nullopt);
     m_hasSkipped = m_hasSkipped || m_awaitsLive;
@@ -96,7 +86,7 @@ void SphereMapEditor::followLive()
 {
     if (!m_awaitsLive)
         return;
-    const SphereMapChain chain = shownMap(m_live, m_size);
+    const SphereMapChain chain = liveSphereMap(m_live, m_size);
     if (!chain) { // it could not be made, or is shown no more
         request();
         return;
@@ -108,9 +98,8 @@ void SphereMapEditor::followLive()
             const Image& picture = chain->levels.front();
             Patch patch{
                 .rect = {0, 0, picture.width, picture.width}, .size = picture.width, .image = picture, .screen = onScreen(picture, job)};
-            const auto isSmallEnough = [wanted = size >> only](const Image& image) { return image.width <= std::max(1, wanted); };
-            if (only > 0) // of a chain without its finest levels the level of that size, or the finest it has
-                patch.only = *std::find_if(chain->levels.begin(), chain->levels.end() - 1, isSmallEnough);
+            if (only > 0)
+                patch.only = levelOf(*chain, size, only);
             return patch;
         },
         [this](Patch patch) { show(std::move(patch)); }, Running::Finish);

@@ -1,24 +1,18 @@
 #pragma once
 
-#include "content_form.h"
-#include "layer_list.h"
+#include "layers_page.h"
 #include "levels_view.h"
-#include "mask_editor.h"
+#include "paint_tools.h"
 #include "sphere_map_canvas.h"
 #include "sphere_map_form.h"
-#include "widgets/controls/settings_form.h"
 #include "widgets/panels/preset_gallery.h"
 #include "widgets/workspace/workspace.h"
 
-#include <QActionGroup>
-#include <QComboBox>
 #include <QLabel>
 #include <QMenu>
-#include <QScrollArea>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QTabWidget>
-#include <QToolBar>
 #include <QToolButton>
 
 namespace mirrorball::studio {
@@ -32,10 +26,7 @@ public:
     explicit SphereMapPanel(Workspace& workspace, QWidget* parent = nullptr);
 
     SphereMapCanvas& canvas() { return *m_canvas; }
-    LayerList& layers() { return *m_layers; }
-    SettingsForm& layerForm() { return *m_layerForm; }
-    MaskEditor& mask() { return *m_mask; }
-    SettingsForm& brushForm() { return *m_brushForm; }
+    LayersPage& layers() { return *m_layers; }
     LevelsView& levels() { return *m_levels; }
     SphereMapForm& mapForm() { return *m_mapForm; }
     QTabWidget& tabs() { return *m_tabs; }
@@ -52,51 +43,29 @@ protected:
 private:
     QWidget* makeStart();
     QWidget* makeWork();
-    QToolBar* makeTools();
+    PaintTools* makeTools();
     QWidget* makeLinked();
     QMenu* makeMapMenu(QToolButton& button);
-    QWidget* makeLayersPage();
-    QWidget* makeBrushPage();
-    QMenu* makeKindsMenu();
-    void addLayer(const LayerKind& kind);
     void askAndOpen();
     void askAndLink();
     void choosePreset(const QString& name);
     void ownLinkedMap();
     void removeMap();
     void showMap();
-    void showLayer();
-    void divideLayers();
-    void showBrush();
 
     Workspace& m_workspace;
     SphereMapEditor& m_editor;
     QStackedWidget* m_pages;
     SphereMapCanvas* m_canvas = nullptr;
-    QSplitter* m_split = nullptr;      ///< canvas over tabs
-    bool m_splitIsChosen = false;      ///< by the user
-    QSplitter* m_layerSplit = nullptr; ///< list over parameters
-    bool m_layerSplitIsChosen = false;
-    QWidget* m_layerTop = nullptr; ///< the list with its buttons
-    QScrollArea* m_parameters = nullptr;
-    size_t m_shownKind = SIZE_MAX; ///< of the layer's content
-    QToolBar* m_bar = nullptr;
+    QSplitter* m_split = nullptr; ///< canvas over tabs
+    bool m_splitIsChosen = false; ///< by the user
+    PaintTools* m_bar = nullptr;
     QWidget* m_linked = nullptr; ///< what stands above a map that stays in its file
     QLabel* m_linkedText = nullptr;
     SphereMapForm* m_mapForm = nullptr;
     QTabWidget* m_tabs = nullptr;
-    LayerList* m_layers = nullptr;
-    QComboBox* m_blend = nullptr;
-    NumberField* m_opacity = nullptr;
-    ContentForm* m_layerForm = nullptr;
-    MaskEditor* m_mask = nullptr;
-    QLabel* m_layerNote = nullptr;
-    SettingsForm* m_brushForm = nullptr;
-    SettingsForm* m_symmetryForm = nullptr;
-    ColorButton* m_color = nullptr;
-    QActionGroup* m_tools = nullptr;
+    LayersPage* m_layers = nullptr;
     LevelsView* m_levels = nullptr;
-    QVector<QWidget*> m_layerControls{}; ///< need a chosen layer
 };
 
 } // namespace mirrorball::studio

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/image/color.h"
+#include "core/image/daylight.h"
 
 #include <gtest/gtest.h>
 
