@@ -4,6 +4,7 @@
 
 #include "support/temporary_folder.h"
 #include "widgets/exports/export_dialog.h"
+#include "widgets/exports/export_format.h"
 
 #include <QClipboard>
 #include <QFileInfo>
