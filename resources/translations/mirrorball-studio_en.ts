@@ -2988,6 +2988,17 @@
     </message>
 </context>
 <context>
+    <name>mirrorball::studio::BrushPage</name>
+    <message>
+        <source>Symmetry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right drag changes radius and hardness, [ and ] step the radius, Alt picks a color on the disc.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>mirrorball::studio::ColorButton</name>
     <message>
         <source>Copy %1</source>
@@ -3576,51 +3587,98 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Maps to export</source>
+        <source>The command line is on the clipboard.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Name</source>
+        <source>one level</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Map</source>
+        <source>%1 levels</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Layout</source>
+        <source>The scene exports nothing yet. Add a map to begin.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Size</source>
+        <source>No estimate yet.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Add</source>
+        <source>No map is checked.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Adds a map to the list</source>
+        <source>%1, about %2 in all%3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Duplicate</source>
+        <source>Name the folder that the files go to.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Adds a copy of the selected map</source>
+        <source>Exporting ...</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Remove</source>
+        <source>Wrote %1, %2.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Takes the selected map off the list; files on disk stay</source>
+        <source>%1, %2: about %3; %4 of texels before compression</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Sphere map, as it is painted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; computed in less than 0.1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; computed in about %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What to export for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An engine gets the scene&apos;s light as it takes it; below them, the maps that the scene lists itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not proven</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Maps of the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>chosen one by one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, about %2 in all</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::ExportForm</name>
     <message>
         <source>six files, one a face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coarser levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one file a level</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3668,6 +3726,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Texels between a disc and the edge of the picture; Blender shows a matcap&apos;s outline whole with 2 at 512</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>&amp;Format</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3677,6 +3739,14 @@
     </message>
     <message>
         <source>Cube: px, nx, py, ny, pz and nz instead of one stack</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mip levels: each the halving of the one before, across seams; a painted map&apos;s as it makes them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Numbered files instead of one that holds all levels; %d in the file&apos;s name stands for the number</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3692,7 +3762,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>File name; %s in a cube&apos;s stands for the six faces, %d for the number of a level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Six files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One file a level</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3705,6 +3783,10 @@
     </message>
     <message>
         <source>Export map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export file</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3731,10 +3813,76 @@
         <source>Export levels</source>
         <translation type="unfinished"></translation>
     </message>
+</context>
+<context>
+    <name>mirrorball::studio::ExportList</name>
     <message>
-        <source>Export file</source>
+        <source>Maps to export</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adds a map to the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adds a copy of the selected map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes the selected map off the list; files on disk stay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The material&apos;s sphere map, for programs that take matcaps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The material has no sphere map</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::ExportPlace</name>
     <message>
         <source>Folder</source>
         <translation type="unfinished"></translation>
@@ -3788,139 +3936,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The command line is on the clipboard.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Add export</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Duplicate export</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Remove export</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>one level</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 levels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The scene exports nothing yet. Add a map to begin.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No estimate yet.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No map is checked.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1, about %2 in all%3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Writes the same bytes as Export.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The command line reads the saved scene: save it first, then both write the same bytes.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Name the folder that the files go to.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Exporting ...</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Wrote %1, %2.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1, %2: about %3; %4 of texels before compression</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sphere map, as it is painted</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>coarser levels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>one file a level</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Texels between a disc and the edge of the picture; Blender shows a matcap&apos;s outline whole with 2 at 512</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mip levels: each the halving of the one before, across seams; a painted map&apos;s as it makes them</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Numbered files instead of one that holds all levels; %d in the file&apos;s name stands for the number</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>File name; %s in a cube&apos;s stands for the six faces, %d for the number of a level</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>One file a level</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The material&apos;s sphere map, for programs that take matcaps</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The material has no sphere map</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>; computed in less than 0.1 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>; computed in about %1 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What to export for</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>An engine gets the scene&apos;s light as it takes it; below them, the maps that the scene lists itself</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>not proven</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Maps of the scene</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>chosen one by one</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1, about %2 in all</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4315,6 +4335,85 @@
     </message>
 </context>
 <context>
+    <name>mirrorball::studio::LayersPage</name>
+    <message>
+        <source>Blend mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the layer meets what lies below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change blend mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Layer opacity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much of the layer shows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change opacity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a layer above the chosen one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the chosen layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the chosen layer up (Ctrl+Up)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the chosen layer down (Ctrl+Down)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the chosen layer (Delete)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No layers yet: add one with +.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This version does not know layers of the kind &quot;%1&quot;. It is kept as it is, and left out of the picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw on the disc, or on the model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>mirrorball::studio::LevelsView</name>
     <message>
         <source>Levels of the mip chain</source>
@@ -4564,59 +4663,7 @@
     </message>
 </context>
 <context>
-    <name>mirrorball::studio::MapPanel</name>
-    <message>
-        <source>Map to compare with</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Difference of both maps</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Texel under the cursor</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stage</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Which map of the scene is shown</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Probe</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Specular: reflection, filtered</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Diffuse: irradiance</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Background</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Error of a method</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Level</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Level of the mip chain; 0 is the largest</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>level </source>
-        <translation type="unfinished"></translation>
-    </message>
+    <name>mirrorball::studio::MapLayoutRow</name>
     <message>
         <source>Parameterization</source>
         <translation type="unfinished"></translation>
@@ -4669,8 +4716,23 @@
         <source>Map border</source>
         <translation type="unfinished"></translation>
     </message>
+</context>
+<context>
+    <name>mirrorball::studio::MapLook</name>
+    <message>
+        <source>Colors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As a display shows it, or luminance in false colors</source>
+        <translation type="unfinished"></translation>
+    </message>
     <message>
         <source>Display</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>False color</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4726,7 +4788,66 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Brightness of the map here; in false colors it moves the scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Exposure</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::MapPanel</name>
+    <message>
+        <source>Map to compare with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Difference of both maps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Texel under the cursor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which map of the scene is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Specular: reflection, filtered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diffuse: irradiance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error of a method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Level of the mip chain; 0 is the largest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>level </source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4780,22 +4901,6 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
     </message>
     <message>
         <source>, shown at %1%</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Colors</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>As a display shows it, or luminance in false colors</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>False color</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Brightness of the map here; in false colors it moves the scale</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5093,6 +5198,45 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
     </message>
 </context>
 <context>
+    <name>mirrorball::studio::MethodTable</name>
+    <message>
+        <source>refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too slow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Methods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rel_rms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picks the method of a row; refused and slow ones say why when pointed at</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>mirrorball::studio::ModelPainter</name>
     <message>
         <source>radius %1, hardness %2</source>
@@ -5149,6 +5293,89 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
     </message>
     <message>
         <source>Choose a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::PaintTools</name>
+    <message>
+        <source>Paint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint. A pen&apos;s pressure counts; its eraser end erases</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Erase what was painted on this layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smudge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Push what was painted on this layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pick a color</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pick a color from the map; Alt does it with every tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint on the model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint on the model in the preview; Alt and left drag then turns it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brush color</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Color of the paint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Repeat strokes around the center, or mirror them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirror left and right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirror top and bottom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirror both ways</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 times around</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More...</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5526,11 +5753,14 @@ The picture shows what was read before. It follows when the file is there again;
     </message>
 </context>
 <context>
-    <name>mirrorball::studio::ProbesPanel</name>
+    <name>mirrorball::studio::ProbeDelegate</name>
     <message>
         <source>cannot be read</source>
         <translation type="unfinished"></translation>
     </message>
+</context>
+<context>
+    <name>mirrorball::studio::ProbeDetails</name>
     <message>
         <source>%1 to %2</source>
         <translation type="unfinished"></translation>
@@ -5539,6 +5769,109 @@ The picture shows what was read before. It follows when the file is there again;
         <source> (%1 stops)</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>luminance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sun</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the brightest 0.01 % hold %1 % of the energy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>texels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>half float</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 value beyond 65504</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 values beyond 65504</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Facts of the probe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading the probe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read as</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the file shows the sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shape fits several kinds. The right one has a level horizon and straight verticals:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read as %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finds a mirror ball in the photograph and reads it as a sphere map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reads the file as this kind of map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read probe as</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (built in)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mirrorball::studio::ProbesPanel</name>
     <message>
         <source>Probes</source>
         <translation type="unfinished"></translation>
@@ -5592,22 +5925,6 @@ The picture shows what was read before. It follows when the file is there again;
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Facts of the probe</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reading the probe</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Read as</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How the file shows the sphere</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>All probes</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5640,82 +5957,6 @@ The picture shows what was read before. It follows when the file is there again;
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Reading ...</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>size</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>kind</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>luminance</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>mean</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>sun</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the brightest 0.01 % hold %1 % of the energy</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>texels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>half float</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>1 value beyond 65504</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 values beyond 65504</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The shape fits several kinds. The right one has a level horizon and straight verticals:</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Read as %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reads the file as this kind of map</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Read probe as</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 (built in)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>note</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Finds a mirror ball in the photograph and reads it as a sphere map</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Click a probe, or press Enter on it, to light the scene with it; Delete takes a single file off the list</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5725,14 +5966,6 @@ The picture shows what was read before. It follows when the file is there again;
     </message>
     <message>
         <source>Remove missing files from the list</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Turn</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Brightness</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5763,18 +5996,6 @@ The picture shows what was read before. It follows when the file is there again;
 <context>
     <name>mirrorball::studio::ReportPanel</name>
     <message>
-        <source>refused</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>too slow</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>failed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Measure &amp;again</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5788,30 +6009,6 @@ The picture shows what was read before. It follows when the file is there again;
     </message>
     <message>
         <source>&amp;Use it anyway</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Methods</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Setting</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>rel_rms</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Picks the method of a row; refused and slow ones say why when pointed at</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6200,70 +6397,6 @@ The picture shows what was read before. It follows when the file is there again;
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Paint</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Paint. A pen&apos;s pressure counts; its eraser end erases</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Erase</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Erase what was painted on this layer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Smudge</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Push what was painted on this layer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Paint on the model</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Paint on the model in the preview; Alt and left drag then turns it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Symmetry</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Repeat strokes around the center, or mirror them</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mirror left and right</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mirror top and bottom</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mirror both ways</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 times around</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>More...</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6297,82 +6430,6 @@ The picture shows what was read before. It follows when the file is there again;
     </message>
     <message>
         <source>Remove the sphere map</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Add layer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Add a layer above the chosen one</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Duplicate layer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Copy the chosen layer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Move up</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Move the chosen layer up (Ctrl+Up)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Move down</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Move the chosen layer down (Ctrl+Down)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Delete layer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Delete the chosen layer (Delete)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Blend mode</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How the layer meets what lies below</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change blend mode</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Layer opacity</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How much of the layer shows</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change opacity</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No layers yet: add one with +.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This version does not know layers of the kind &quot;%1&quot;. It is kept as it is, and left out of the picture.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Draw on the disc, or on the model.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6441,26 +6498,6 @@ The picture shows what was read before. It follows when the file is there again;
     </message>
     <message>
         <source>Export the picture...</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pick a color</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pick a color from the map; Alt does it with every tool</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Brush color</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Color of the paint</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Right drag changes radius and hardness, [ and ] step the radius, Alt picks a color on the disc.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
