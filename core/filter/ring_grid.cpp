@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace mirrorball {
 
@@ -130,6 +132,24 @@ std::vector<std::array<float, 4>> cubics(const std::vector<double>& line)
     return result;
 }
 
+/// RingGrid::m_zonal and m_zonalBeyond.
+/// @param longer  k followed further, for the norm
+std::pair<std::vector<std::array<float, 4>>, std::vector<std::array<float, 4>>>
+zonalLines(const Spectrum& spectrum, const std::vector<double>& k, const std::vector<double>& longer, int normLimit)
+{
+    std::vector<double> line = poleToPole(spectrum, longer, normLimit), beyond;
+    if (normLimit >= static_cast<int>(k.size())) { // most norms end within the band limit
+        const std::vector<double> within = poleToPole(spectrum, k, normLimit);
+        for (size_t i = 0; i < within.size(); ++i)
+            beyond.push_back(line[i] - within[i]);
+    }
+    for (double& value : line)
+        value -= 1.0;
+    const bool isFlat =
+        beyond.empty() && std::all_of(line.begin(), line.end(), [](double value) { return std::abs(value) < negligibleZonal; });
+    return {isFlat ? std::vector<std::array<float, 4>>() : cubics(line), cubics(beyond)};
+}
+
 /// Root mean square of what the rings get wrong of the zonal norm.
 double zonalInterpolationError(const Spectrum& spectrum, const std::vector<double>& k, int rings)
 {
@@ -195,22 +215,8 @@ RingGrid::RingGrid(const Spectrum& spectrum, const std::vector<double>& k, int r
             filtered.rgb[static_cast<size_t>(c)][i] += filtered.mean[c] * (filtered.norm[i] - 1.0);
         filtered.norm[i] -= zonal[i / static_cast<size_t>(samples)];
     }
-    if (hasLine) {
-        std::vector<double> line = poleToPole(spectrum, factors, normLimit);
-        if (normLimit >= static_cast<int>(k.size())) { // most norms end within the band limit
-            const std::vector<double> within = poleToPole(spectrum, k, normLimit);
-            std::vector<double> beyond;
-            for (size_t i = 0; i < within.size(); ++i)
-                beyond.push_back(line[i] - within[i]);
-            m_zonalBeyond = cubics(beyond);
-        }
-        for (double& value : line)
-            value -= 1.0;
-        const bool isFlat =
-            m_zonalBeyond.empty() && std::all_of(line.begin(), line.end(), [](double value) { return std::abs(value) < negligibleZonal; });
-        if (!isFlat)
-            m_zonal = cubics(line);
-    }
+    if (hasLine)
+        std::tie(m_zonal, m_zonalBeyond) = zonalLines(spectrum, k, factors, normLimit);
 
     m_texels.resize(4 * static_cast<size_t>(rings + haloBefore + haloAfter) * static_cast<size_t>(m_stride));
     const auto at = [&](int row, int x) {

@@ -101,25 +101,31 @@ void Renderer::Resources::drawMaterial(const RenderSettings& settings, const Ren
         drawObject(settings, maps, output);
 }
 
+/// What of a material is compiled, but for what the maps themselves say.
+static std::vector<ShaderDefine> materialDefines(const MaterialSettings& material, const NeededMaps& needed, bool hasMarker)
+{
+    return {{"HAS_SPECULAR", needed.specular ? "1" : "0"},
+            {"HAS_DIFFUSE", needed.diffuse ? "1" : "0"},
+            {"FRESNEL", number(static_cast<int>(material.fresnel.kind))},
+            {"CLEAR_COAT", needed.clearCoat ? "1" : "0"},
+            {"COAT", material.combine == Combine::Coat ? "1" : "0"},
+            {"LAMBDA_BY_ANGLE", material.lambda > 0.0f && material.lambdaGrazing > 0.0f ? "1" : "0"},
+            {"MARKER", hasMarker ? "1" : "0"},
+            {"HAS_TEXCOORD", needed.diffusePicture || needed.fleckPattern ? "1" : "0"},
+            {"DIFFUSE_PICTURE", needed.diffusePicture ? "1" : "0"},
+            {"FLECK_PATTERN", needed.fleckPattern ? "1" : "0"},
+            {"SPHERE_USE", number(static_cast<int>(material.paint.use))},
+            {"SPHERE_VERTEX", needed.sphereMap && material.paint.place == PlaceAt::Vertex ? "1" : "0"}};
+}
+
 void Renderer::Resources::drawObject(const RenderSettings& settings, const RenderMaps& maps, Output output)
 {
     const MaterialSettings& material = settings.material;
     const NeededMaps needed = neededMaps(settings);
     const bool hasMarker = settings.marker.has_value() && output == Output::Display;
-    std::vector<ShaderDefine> defines = {{"HAS_SPECULAR", needed.specular ? "1" : "0"},
-                                         {"HAS_DIFFUSE", needed.diffuse ? "1" : "0"},
-                                         {"FRESNEL", number(static_cast<int>(material.fresnel.kind))},
-                                         {"CLEAR_COAT", needed.clearCoat ? "1" : "0"},
-                                         {"COAT", material.combine == Combine::Coat ? "1" : "0"},
-                                         {"LAMBDA_BY_ANGLE", material.lambda > 0.0f && material.lambdaGrazing > 0.0f ? "1" : "0"},
-                                         {"MARKER", hasMarker ? "1" : "0"},
-                                         {"HAS_TEXCOORD", needed.diffusePicture || needed.fleckPattern ? "1" : "0"},
-                                         {"DIFFUSE_PICTURE", needed.diffusePicture ? "1" : "0"},
-                                         {"FLECK_PATTERN", needed.fleckPattern ? "1" : "0"}};
+    std::vector<ShaderDefine> defines = materialDefines(material, needed, hasMarker);
     const PaintSettings& paint = material.paint;
     const bool hasFlecks = needed.sphereMap && paint.flecks.density > 0.0f;
-    defines.emplace_back("SPHERE_USE", number(static_cast<int>(paint.use)));
-    defines.emplace_back("SPHERE_VERTEX", needed.sphereMap && paint.place == PlaceAt::Vertex ? "1" : "0");
     if (needed.sphereMap) {
         sphereMaps[0].update(maps.sphereMaps.empty() ? nullptr : maps.sphereMaps[0], "sphere map");
         const SphereMapTexels& texels = *sphereMaps[0].source();
