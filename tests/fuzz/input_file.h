@@ -7,13 +7,30 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include <unistd.h>
 
 namespace mirrorball::fuzz {
+
+/// Files that go when the program ends.
+class InputFiles {
+public:
+    ~InputFiles()
+    {
+        std::error_code ignored;
+        for (const std::filesystem::path& path : m_paths)
+            std::filesystem::remove(path, ignored);
+    }
+    void add(const std::filesystem::path& path) { m_paths.insert(path); }
+
+private:
+    std::set<std::filesystem::path> m_paths;
+};
 
 /// The input as a file in memory, for readers that take a path.
 inline std::filesystem::path fileOf(const std::uint8_t* bytes, std::size_t size, std::string_view extension)
@@ -21,6 +38,8 @@ inline std::filesystem::path fileOf(const std::uint8_t* bytes, std::size_t size,
     static const std::filesystem::path folder =
         std::filesystem::exists("/dev/shm") ? std::filesystem::path("/dev/shm") : std::filesystem::temp_directory_path();
     std::filesystem::path path = folder / ("mirrorball-fuzz-" + std::to_string(::getpid()) + std::string(extension));
+    static InputFiles files;
+    files.add(path);
     std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(size));
     return path;
 }
