@@ -2,6 +2,7 @@
 #include "core/preview/scene_settings.h"
 
 #include "gl_fixture.h"
+#include "scene_picture.h"
 #include "test_environments.h"
 
 #include "core/base/error.h"
@@ -52,24 +53,6 @@ EnvironmentMap whiteSky()
     return environmentFrom({Parameterization::Latlong, 32, 0}, [](const glm::dvec3&) { return glm::vec3(1.0f); });
 }
 
-struct Picture {
-    Image radiance;
-    GeometryBuffers buffers;
-    glm::dvec3 toViewer;
-};
-
-Picture draw(const Scene& scene, const EnvironmentMap& probe)
-{
-    const Plan plan = makePlan(scene, probe.layout);
-    SceneProbe opened{.source = FilterSource(probe, {})};
-    const SceneMaps maps = buildMaps(scene, plan, opened);
-    RenderSettings settings = renderSettings(scene, plan);
-    settings.samples = 1;
-    Renderer renderer(TexelFormat::Float);
-    return {renderer.renderRadiance(settings, renderMaps(maps)), renderer.renderBuffers(settings),
-            glm::normalize(glm::dmat3(settings.camera.cameraToWorld()) * glm::dvec3(0.0, 0.0, 1.0))};
-}
-
 glm::dvec3 at(const Image& image, int x, int y)
 {
     const float* t = image.texel(x, y);
@@ -77,7 +60,7 @@ glm::dvec3 at(const Image& image, int x, int y)
 }
 
 /// The share of the picture's light that is wrong, root mean square over every third pixel seen at views of [from, to) degrees.
-double errorOf(const Picture& picture, const Brdf& brdf, const EnvironmentMap& probe, double from, double to)
+double errorOf(const ScenePicture& picture, const Brdf& brdf, const EnvironmentMap& probe, double from, double to)
 {
     double wrong = 0.0, right = 0.0;
     int seen = 0;
@@ -109,7 +92,7 @@ TEST_F(BrdfMaterial, UnderAWhiteSkyShowsItsDirectionalAlbedo)
     const std::string model = "ggx:roughness=0.6,f0=0.7";
     const Brdf brdf = brdfFromText(model);
     for (const int lookups : {0, 3, 5}) {
-        const Picture picture = draw(ballOf(model, lookups), white);
+        const ScenePicture picture = drawScene(ballOf(model, lookups), white);
         int seen = 0;
         for (int y = 0; y < edge; y += 2)
             for (int x = 0; x < edge; x += 2) {
@@ -132,7 +115,7 @@ TEST_F(BrdfMaterial, OfAnEngineInAFurnaceVanishesInTheSky)
     for (const LookupKind kind : {LookupKind::Three, LookupKind::Filament}) {
         Scene scene = ballOf("ggx:roughness=0.8", 5);
         scene.material.brdf.kind = kind;
-        const Picture picture = draw(scene, whiteSky());
+        const ScenePicture picture = drawScene(scene, whiteSky());
         for (int y = 0; y < edge; y += 3)
             for (int x = 0; x < edge; x += 3)
                 if (picture.buffers.normal.texel(x, y)[3] == 1.0f && glm::dot(at(picture.buffers.normal, x, y), picture.toViewer) > 0.05) {
@@ -147,7 +130,7 @@ TEST_F(BrdfMaterial, IsNearTheIntegralWhereTheSplitSumIsFar)
     const EnvironmentMap probe = smallProbe();
     for (const char* model : {"ggx:roughness=0.5,metal=gold", "ggx:roughness=0.7"}) {
         const Brdf brdf = brdfFromText(model);
-        const Picture lookups = draw(ballOf(model, 5), probe), split = draw(ballOf(model, 0), probe);
+        const ScenePicture lookups = drawScene(ballOf(model, 5), probe), split = drawScene(ballOf(model, 0), probe);
         EXPECT_LT(errorOf(lookups, brdf, probe, 0.0, 45.0), 0.03) << model;
         const double ours = errorOf(lookups, brdf, probe, 45.0, 75.0), theirs = errorOf(split, brdf, probe, 45.0, 75.0);
         EXPECT_LT(ours, 0.06) << model;
@@ -162,7 +145,7 @@ TEST_F(BrdfMaterial, ACoatLeavesTheRestOfTheLightToThePaint)
     Scene scene = ballOf("ggx:roughness=0.45,ior=1.5", 5);
     scene.material.combine = Combine::Coat;
     scene.material.diffuse = {.weight = 1.0, .color = glm::dvec3(1.0)};
-    const Picture picture = draw(scene, white);
+    const ScenePicture picture = drawScene(scene, white);
     for (int y = 0; y < edge; y += 3)
         for (int x = 0; x < edge; x += 3)
             if (picture.buffers.normal.texel(x, y)[3] == 1.0f) {

@@ -1,10 +1,8 @@
-#include "core/filter/filter_source.h"
-#include "core/preview/renderer.h"
-#include "core/preview/scene_settings.h"
-#include "core/scene/scene_maps.h"
+#include "core/scene/plan.h"
 #include "core/shading/fresnel.h"
 
 #include "gl_fixture.h"
+#include "scene_picture.h"
 #include "test_environments.h"
 
 #include <glm/glm.hpp>
@@ -15,7 +13,6 @@
 namespace mirrorball {
 namespace {
 
-using namespace preview;
 using ClearCoat = test::GlTest;
 
 constexpr int edge = 96;
@@ -40,29 +37,14 @@ EnvironmentMap sky(bool isWhite)
     });
 }
 
-struct Picture {
-    Image radiance{}, normals{};
-};
-
-Picture draw(const Scene& scene, const EnvironmentMap& probe)
-{
-    const Plan plan = makePlan(scene, probe.layout);
-    SceneProbe opened{.source = FilterSource(probe, {})};
-    const SceneMaps maps = buildMaps(scene, plan, opened);
-    RenderSettings settings = renderSettings(scene, plan);
-    settings.samples = 1;
-    Renderer renderer(TexelFormat::Float);
-    return {renderer.renderRadiance(settings, renderMaps(maps)), renderer.renderBuffers(settings).normal};
-}
-
 /// Pixels that lie wholly on the ball, with the cosine between normal and viewer.
 template <typename Use>
-void overTheBall(const Picture& picture, Use use)
+void overTheBall(const test::ScenePicture& picture, Use use)
 {
     int pixels = 0;
     for (int y = 0; y < edge; y += 3)
         for (int x = 0; x < edge; x += 3)
-            if (const float* n = picture.normals.texel(x, y); n[3] == 1.0f && n[2] > 0.1f) {
+            if (const float* n = picture.buffers.normal.texel(x, y); n[3] == 1.0f && n[2] > 0.1f) {
                 ++pixels;
                 use(x, y, static_cast<double>(n[2]));
             }
@@ -78,7 +60,7 @@ TEST_F(ClearCoat, MakesNoLightAndLosesNone)
     for (const double index : {1.1, 4.0})
         for (const double weight : {0.3, 1.0}) {
             scene.material.clearCoat = {.weight = weight, .index = index};
-            const Picture picture = draw(scene, sky(true));
+            const test::ScenePicture picture = test::drawScene(scene, sky(true));
             overTheBall(picture, [&](int x, int y, double) {
                 EXPECT_NEAR(picture.radiance.texel(x, y)[1], 1.0, 2e-3) << index << ' ' << weight << " at " << x << ',' << y;
             });
@@ -93,7 +75,8 @@ TEST_F(ClearCoat, LiesOverAGlossyLobe)
     Scene mirror = ball(), both = below;
     both.material.clearCoat = {.weight = 0.8, .index = 2.0};
     const EnvironmentMap probe = sky(false);
-    const Picture one = draw(below, probe), other = draw(mirror, probe), picture = draw(both, probe);
+    const test::ScenePicture one = test::drawScene(below, probe), other = test::drawScene(mirror, probe),
+                             picture = test::drawScene(both, probe);
     overTheBall(picture, [&](int x, int y, double cosine) {
         const double f = 0.8 * fresnelDielectric(cosine, 2.0);
         for (int c = 0; c < 3; ++c) {
@@ -111,7 +94,7 @@ TEST_F(ClearCoat, HasALobeOfItsOwn)
     coated.material.specular.weight = 0.0;
     coated.material.clearCoat = {.weight = 1.0, .index = 1e6, .lobe = SurfaceLobe::Phong, .exponent = 20.0}; // F is 1 but for 4e-6
     const EnvironmentMap probe = sky(false);
-    const Picture wanted = draw(gloss, probe), picture = draw(coated, probe);
+    const test::ScenePicture wanted = test::drawScene(gloss, probe), picture = test::drawScene(coated, probe);
     overTheBall(picture, [&](int x, int y, double) {
         EXPECT_NEAR(picture.radiance.texel(x, y)[0], wanted.radiance.texel(x, y)[0], 2e-3 * wanted.radiance.texel(x, y)[0])
             << x << ',' << y;
