@@ -4,10 +4,13 @@
 
 #include "core/base/error.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <fstream>
+#include <limits>
 #include <string>
+#include <string_view>
 
 namespace mirrorball::exr {
 namespace {
@@ -34,12 +37,60 @@ std::string name(std::istream& file)
     return text;
 }
 
+struct FixedSize {
+    std::string_view type;
+    int bytes;
+};
+/// Types whose values OpenEXR reads without looking at the size that stands before them.
+constexpr std::array fixedSizes{FixedSize{"box2f", 16},
+                                FixedSize{"box2i", 16},
+                                FixedSize{"chromaticities", 32},
+                                FixedSize{"compression", 1},
+                                FixedSize{"deepImageState", 1},
+                                FixedSize{"double", 8},
+                                FixedSize{"envmap", 1},
+                                FixedSize{"float", 4},
+                                FixedSize{"int", 4},
+                                FixedSize{"keycode", 28},
+                                FixedSize{"lineOrder", 1},
+                                FixedSize{"m33d", 72},
+                                FixedSize{"m33f", 36},
+                                FixedSize{"m44d", 128},
+                                FixedSize{"m44f", 64},
+                                FixedSize{"rational", 8},
+                                FixedSize{"tiledesc", 9},
+                                FixedSize{"timecode", 8},
+                                FixedSize{"v2d", 16},
+                                FixedSize{"v2f", 8},
+                                FixedSize{"v2i", 8},
+                                FixedSize{"v3d", 24},
+                                FixedSize{"v3f", 12},
+                                FixedSize{"v3i", 12}};
+
+/// Bytes that OpenEXR will read of a value that the file stands before. Of channels and previews it goes on past those, as OpenEXR does.
+std::int64_t valueBytes(std::istream& file, std::string_view type, std::uint32_t claimed)
+{
+    if (type == "chlist") { // up to a channel without a name
+        constexpr int channelBytes = 16;
+        while (file && !name(file).empty())
+            file.seekg(channelBytes, std::ios::cur);
+        return 0;
+    }
+    if (type == "preview") {
+        const std::int64_t width = number(file), height = number(file);
+        return height > 0 && width > std::numeric_limits<std::int64_t>::max() / 4 / height ? std::numeric_limits<std::int64_t>::max()
+                                                                                           : 4 * width * height;
+    }
+    const auto fixed = std::find_if(fixedSizes.begin(), fixedSizes.end(), [type](const FixedSize& f) { return f.type == type; });
+    return fixed == fixedSizes.end() ? std::int64_t{claimed} : fixed->bytes;
+}
+
 } // namespace
 
 const std::filesystem::path& withPlausibleAttributes(const std::filesystem::path& path)
 {
     std::error_code unknown;
-    const auto size = static_cast<std::int64_t>(std::filesystem::file_size(path, unknown));
+    const auto fileSize = static_cast<std::int64_t>(std::filesystem::file_size(path, unknown));
     std::ifstream file(path, std::ios::binary);
     number(file); // the signature
     const bool hasManyParts = (number(file) & manyParts) != 0;
@@ -47,8 +98,9 @@ const std::filesystem::path& withPlausibleAttributes(const std::filesystem::path
         const std::string attribute = name(file);
         if (!attribute.empty()) {
             isEmpty = false;
-            name(file); // its type
-            const std::int64_t claimed = number(file), left = size - static_cast<std::int64_t>(file.tellg());
+            const std::string type = name(file);
+            const std::uint32_t size = number(file);
+            const std::int64_t claimed = valueBytes(file, type, size), left = fileSize - static_cast<std::int64_t>(file.tellg());
             if (file && claimed > left)
                 throw FileError(path.string(), "the OpenEXR file is damaged (its attribute " + oneLine(attribute) + " claims " +
                                                    std::to_string(claimed) + " bytes, and " + std::to_string(left) +
