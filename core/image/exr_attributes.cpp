@@ -67,13 +67,26 @@ constexpr std::array fixedSizes{FixedSize{"box2f", 16},
                                 FixedSize{"v3f", 12},
                                 FixedSize{"v3i", 12}};
 
-/// Bytes that OpenEXR will read of a value that the file stands before. Of channels and previews it goes on past those, as OpenEXR does.
-std::int64_t valueBytes(std::istream& file, std::string_view type, std::uint32_t claimed)
+std::int64_t left(std::istream& file, std::int64_t fileSize) { return fileSize - static_cast<std::int64_t>(file.tellg()); }
+
+/// Bytes that OpenEXR will still read of a value that the file stands before. What tells its own size is passed over, as OpenEXR does, up
+/// to where it claims more than is left.
+std::int64_t valueBytes(std::istream& file, std::int64_t fileSize, std::string_view type, std::uint32_t claimed)
 {
     if (type == "chlist") { // up to a channel without a name
         constexpr int channelBytes = 16;
         while (file && !name(file).empty())
             file.seekg(channelBytes, std::ios::cur);
+        return 0;
+    }
+    if (type == "stringvector") { // each text with a size of its own
+        for (std::int64_t passed = 0; file && passed < std::int64_t{claimed};) {
+            const std::int64_t text = number(file);
+            if (text > left(file, fileSize))
+                return text;
+            file.seekg(text, std::ios::cur);
+            passed += 4 + text;
+        }
         return 0;
     }
     if (type == "preview") {
@@ -100,10 +113,10 @@ const std::filesystem::path& withPlausibleAttributes(const std::filesystem::path
             isEmpty = false;
             const std::string type = name(file);
             const std::uint32_t size = number(file);
-            const std::int64_t claimed = valueBytes(file, type, size), left = fileSize - static_cast<std::int64_t>(file.tellg());
-            if (file && claimed > left)
+            const std::int64_t claimed = valueBytes(file, fileSize, type, size), rest = left(file, fileSize);
+            if (file && claimed > rest)
                 throw FileError(path.string(), "the OpenEXR file is damaged (its attribute " + oneLine(attribute) + " claims " +
-                                                   std::to_string(claimed) + " bytes, and " + std::to_string(left) +
+                                                   std::to_string(claimed) + " bytes, and " + std::to_string(rest) +
                                                    " are left); export or download it again");
             file.seekg(claimed, std::ios::cur);
         } else if (hasManyParts && !isEmpty) {

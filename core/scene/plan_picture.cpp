@@ -253,10 +253,16 @@ void Planner::planSurfacePictures()
          whyNoFlecks());
 }
 
-void Planner::applyTolerance(PrefilterOptions& filter) const
+PlannedFilter Planner::withTolerance(PrefilterOptions filter) const
 {
     if (m_detail != MapDetail{})
         filter.tolerance = std::max(filter.tolerance, m_detail.tolerance);
+    PlannedFilter result = planned(filter);
+    if (result.plan.bandLimit > m_detail.longBandLimit && filter.tolerance < m_detail.longTolerance) {
+        filter.tolerance = m_detail.longTolerance;
+        result = planned(filter);
+    }
+    return result;
 }
 
 void Planner::applySize(PrefilterOptions& filter, bool pyramid) const
@@ -271,6 +277,20 @@ void Planner::applySize(PrefilterOptions& filter, bool pyramid) const
         shrink(m_detail.largestSize);
     while (filter.target.size >= 2 * smallestMap && lobeAngle(filter.lobe) > 2.0 * m_detail.texelsPerLobe * texelAngle(filter.target))
         shrink(filter.target.size / 2);
+}
+
+PlannedFilter Planner::reflectionFilter(const PrefilterOptions& wanted, bool pyramid, std::string& note) const
+{
+    PlannedFilter whole = withTolerance(wanted);
+    PrefilterOptions filter = whole.options;
+    if (whole.plan.filtered && whole.plan.method == Method::Spectral && !makesAll()) {
+        const MapLayout enough = withSize(filter.target, sizeForBandLimit(filter.target.kind, whole.plan.bandLimit));
+        if (enough.size < filter.target.size)
+            note += text("; so smooth that size ", enough.size, " shows all of it, ", filter.target.size, " is left out");
+        filter.target = enough;
+    }
+    applySize(filter, pyramid);
+    return filter == whole.options ? std::move(whole) : planned(filter);
 }
 
 void Planner::planSpecular()
@@ -289,22 +309,10 @@ void Planner::planSpecular()
     map.pyramid = lambda > 0.0 || bias > 0.0 || m_scene.map.mips || makesAll();
     PrefilterOptions filter{.lobe = lobe(m_scene.material.specular), .target = mapLayout(), .yaw = bakedYaw()};
     std::string note = chooseMethod(filter);
-    applyTolerance(filter);
-    PlannedFilter whole = planned(filter);
-    if (whole.plan.bandLimit > m_detail.longBandLimit && filter.tolerance < m_detail.longTolerance) {
-        filter.tolerance = m_detail.longTolerance;
-        whole = planned(filter);
-    }
-    if (whole.plan.filtered && whole.plan.method == Method::Spectral && !makesAll()) {
-        const MapLayout enough = withSize(filter.target, sizeForBandLimit(filter.target.kind, whole.plan.bandLimit));
-        if (enough.size < filter.target.size)
-            note += text("; so smooth that size ", enough.size, " shows all of it, ", filter.target.size, " is left out");
-        filter.target = enough;
-    }
-    applySize(filter, map.pyramid);
-    addLevel(map, filter == whole.options ? std::move(whole) : planned(filter), map.name, note,
-             "the surface is a mirror: it shows the environment itself");
-    const bool perFace = m_scene.map.mipFiltering == MipFiltering::PerFace && filter.target.kind == Parameterization::Cube;
+    PlannedFilter level = reflectionFilter(filter, map.pyramid, note);
+    const MapLayout target = level.options.target;
+    addLevel(map, std::move(level), map.name, note, "the surface is a mirror: it shows the environment itself");
+    const bool perFace = m_scene.map.mipFiltering == MipFiltering::PerFace && target.kind == Parameterization::Cube;
     map.filtering = perFace ? MipFiltering::PerFace : MipFiltering::AcrossSeams;
     const std::string stage = "mip levels of specular map";
     if (map.pyramid)
@@ -312,9 +320,9 @@ void Planner::planSpecular()
              text(lambda > 0.0 ? text("lambda ", lambda)
                   : bias > 0.0 ? text("LOD bias ", bias)
                                : "asked for, where reflections shrink",
-                  ": ", plural(levelCount(filter.target), "level"),
+                  ": ", plural(levelCount(target), "level"),
                   perFace ? ", each face halved by itself: seams will show" : ", halved across seams"),
-             pyramidCost(filter.target));
+             pyramidCost(target));
     else
         leaveOut(stage, "lambda is 0: only the finest level is read");
     m_plan.specular = std::move(map);
@@ -351,9 +359,10 @@ void Planner::planDiffuse()
     MapPlan map{.name = "irradiance map"};
     PrefilterOptions filter{
         .lobe = diffuseLobe(), .target = makesAll() ? mapLayout() : withSize(mapLayout(), irradianceSize), .yaw = bakedYaw()};
-    applyTolerance(filter);
+    PlannedFilter whole = withTolerance(filter);
+    filter = whole.options;
     applySize(filter, map.pyramid);
-    addLevel(map, planned(filter), map.name);
+    addLevel(map, filter == whole.options ? std::move(whole) : planned(filter), map.name);
     m_plan.diffuse = std::move(map);
 }
 
@@ -367,10 +376,10 @@ void Planner::planClearCoat()
         leaveOut(map.name, readsMaterial() ? "its index is 1: nothing is reflected" : whyNoMaterial());
         return;
     }
-    PrefilterOptions filter{.lobe = lobe(m_scene.material.clearCoat), .target = mapLayout(), .yaw = bakedYaw()};
-    applyTolerance(filter);
-    applySize(filter, map.pyramid);
-    addLevel(map, planned(filter), map.name, "", "the coat is a mirror: it shows the environment itself");
+    const PrefilterOptions filter{.lobe = lobe(m_scene.material.clearCoat), .target = mapLayout(), .yaw = bakedYaw()};
+    std::string note;
+    PlannedFilter level = reflectionFilter(filter, map.pyramid, note);
+    addLevel(map, std::move(level), map.name, note, "the coat is a mirror: it shows the environment itself");
     m_plan.clearCoat = std::move(map);
 }
 

@@ -59,10 +59,14 @@ private:
     void planSurfacePictures();
     /// The environment's yaw belongs to the picture's lookups, so that turning it makes no map anew; a map in eye space has no such turn.
     double bakedYaw() const { return m_scene.map.space == MapSpace::Eye ? m_scene.probe.yawDeg * pi / 180.0 : 0.0; }
-    void applyTolerance(PrefilterOptions& filter) const;
+    /// A filter of the picture, of the tolerance that the detail asks for.
+    PlannedFilter withTolerance(PrefilterOptions filter) const;
     /// A map without coarser levels may be made smaller: lookups do not notice but for sharpness. Levels are counted from the largest, so
     /// a pyramid keeps its size.
     void applySize(PrefilterOptions& filter, bool pyramid) const;
+    /// What the mirror direction is looked up in: of that tolerance, and no larger than its lobe needs. @param note  is told why, for the
+    /// stage
+    PlannedFilter reflectionFilter(const PrefilterOptions& wanted, bool pyramid, std::string& note) const;
     MapLayout mapLayout() const { return {m_scene.map.parameterization, m_scene.map.size, m_scene.map.border}; }
     void planSpecular();
     void planBrdf();

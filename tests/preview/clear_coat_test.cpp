@@ -129,6 +129,11 @@ TEST_F(ClearCoat, IsPaidForWhereItIsSeenAlone)
     EXPECT_FALSE(makePlan(scene, probe).clearCoat);
     scene.material.sphereMap.use = SphereMapUse::Add;
     EXPECT_TRUE(makePlan(scene, probe).clearCoat);
+    // As with the material's own reflection: no larger than its lobe needs, and in haste where its spectrum is long no better than that.
+    scene.material.clearCoat = {.weight = 1.0, .lobe = SurfaceLobe::Phong, .exponent = 5.0};
+    EXPECT_LT(makePlan(scene, probe).clearCoat->filters.front().options.target.size, scene.map.size);
+    scene.material.clearCoat.exponent = 5000.0;
+    EXPECT_EQ(makePlan(scene, probe, {.detail = coarseDetail}).clearCoat->filters.front().options.tolerance, coarseDetail.longTolerance);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "cut_out.h"
 #include "picture_badges.h"
 #include "preview_painting.h"
+#include "widgets/spheremap/live_sphere_map.h"
 
 #include "core/preview/scene_settings.h"
 #include "core/scene/scene_dependencies.h"
@@ -17,17 +18,6 @@
 namespace mirrorball::studio {
 
 namespace {
-
-/// How many of its finest levels a scene's own sphere map lacks: while something is dragged it is made smaller.
-int levelsLeftOut(const PreparedScene& made)
-{
-    if (made.plan.sphereMaps.empty() || made.maps.sphereMaps.empty() || !made.plan.sphereMaps.front().document)
-        return 0;
-    int levels = 0;
-    for (int size = made.plan.sphereMaps.front().size; size > made.maps.sphereMaps.front()->levels.front().width; size /= 2)
-        ++levels;
-    return levels;
-}
 
 /// What the places of lookups in a painted sphere map depend on.
 preview::RenderSettings placesOnly(const preview::RenderSettings& settings)
@@ -133,8 +123,9 @@ preview::RenderSettings PreviewWidget::settings(const PreparedScene& made) const
     shown.view.height = size.height();
     preview::RenderSettings settings = preview::renderSettings(shown, made.plan, made.mesh, made.display);
     settings.pixelRatio = static_cast<float>(devicePixelRatioF());
-    if (const auto only = m_workspace.sphereMap.onlyLevel())
-        settings.material.paint.onlyLevel = std::max(0, *only - levelsLeftOut(made));
+    settings.material.paint.onlyLevel = m_workspace.sphereMap.onlyLevel();
+    if (auto& only = settings.material.paint.onlyLevel; only && !made.maps.sphereMaps.empty() && made.plan.sphereMaps.front().document)
+        only = std::max(0, *only - levelsLeftOut(*made.maps.sphereMaps.front(), made.plan.sphereMaps.front().size));
     if (m_workspace.document.isDragging() || m_workspace.sphereMap.isPainting()) {
         settings.samples = m_dragSamples;
         settings.smoothEdges = false; // they come with the picture at rest

@@ -14,10 +14,18 @@ SphereMapChain liveSphereMap(const LiveScene& live, int size)
     return made->plan.sphereMaps.front().size == size && (width == size || width == drawn) ? chain : nullptr;
 }
 
+int levelsLeftOut(const SphereMapTexels& chain, int size)
+{
+    int levels = 0;
+    for (; size > chain.levels.front().width; size /= 2)
+        ++levels;
+    return levels;
+}
+
 const Image& levelOf(const SphereMapTexels& chain, int size, int level)
 {
-    const auto isSmallEnough = [wanted = std::max(1, size >> level)](const Image& image) { return image.width <= wanted; };
-    return *std::find_if(chain.levels.begin(), chain.levels.end() - 1, isSmallEnough);
+    const int last = static_cast<int>(chain.levels.size()) - 1;
+    return chain.levels[static_cast<size_t>(std::clamp(level - levelsLeftOut(chain, size), 0, last))];
 }
 
 } // namespace mirrorball::studio

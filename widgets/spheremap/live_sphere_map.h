@@ -11,6 +11,9 @@ namespace mirrorball::studio {
 /// dragged it may have fewer: half as many, or a quarter.
 SphereMapChain liveSphereMap(const LiveScene& live, int size);
 
+/// How many of the finest levels of a map of `size` texels its chain lacks.
+int levelsLeftOut(const SphereMapTexels& chain, int size);
+
 /// The level of a map of `size` texels out of its chain, or out of one that lacks its finest levels: then the finest that is no larger.
 const Image& levelOf(const SphereMapTexels& chain, int size, int level);
 

@@ -159,7 +159,13 @@ TEST_F(HostileFiles, RefusesATextThatIsLongerThanItsFile)
     hidden[hidden.find(list) + list.size()] = 19;
     EXPECT_EQ(errorOf(exr), "");
     EXPECT_EQ(errorOf(hidden), "");
+    // Nor does the size of a list of texts tell that of each.
+    std::string texts = exr;
+    texts.insert(size + 10, std::string("a\0stringvector\0\10\0\0\0\0\0\0\x66"
+                                        "text",
+                                        27));
     const long before = peakKilobytes();
+    EXPECT_THAT(errorOf(texts), HasSubstr("its attribute a claims 1711276032 bytes"));
     for (std::string* bytes : {&exr, &hidden}) {
         (*bytes)[size + 3] = '\x66';
         EXPECT_THAT(errorOf(*bytes), HasSubstr("its attribute mirrorball:note claims 1711276038 bytes"));
