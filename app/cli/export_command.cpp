@@ -103,7 +103,7 @@ void runOne(const Options& o, const JobControl& job)
             "--size, --name, --probe, --yaw, --encode and --zstd: belong to --for ENGINE; a scene's exports say these themselves");
     const Scene scene = sceneOf(o);
     PlannedScene planned = planExports(scene, {.only = o.only});
-    const std::vector<Stage> plan = planned.plan.stages;
+    const std::vector<Stage> plan = planned.plan.stages();
     if (o.explain)
         printStages(plan);
     const ExportOutcome outcome = exportPlanned(std::move(planned), o.folder, job);

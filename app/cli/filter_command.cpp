@@ -228,7 +228,7 @@ void runOne(const Options& o, const JobControl& job)
                                                 .file = o.out,
                                                 .device = std::make_shared<preview::ParaboloidBlur>()}, // starts no GPU before it is asked
                                                job);
-    const std::vector<Stage> plan = planned.plan.stages;
+    const std::vector<Stage> plan = planned.plan.stages();
     if (o.explain)
         printStages(plan);
     BuiltMap built = filterFile(std::move(planned), job);

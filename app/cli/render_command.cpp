@@ -186,7 +186,7 @@ void printAll(const Options& o, const Scene& scene, const std::vector<Stage>& pl
 void drawPicture(const Options& o, const Scene& scene, preview::PictureMaker& maker, const JobControl& job)
 {
     PlannedScene planned = planScene(scene);
-    const std::vector<Stage> plan = planned.plan.stages;
+    const std::vector<Stage> plan = planned.plan.stages();
     if (o.explain)
         printStages(plan);
     const WorkRecord record = preview::savePicture(maker, std::move(planned), o.out, job);
@@ -230,9 +230,10 @@ void drawGrid(const Options& o, const Scene& scene, preview::PictureMaker& maker
     std::vector<Stage> plan;
     for (const Scene& cell : cells) { // what is wrong with one is said before any is drawn
         const PlannedScene planned = planScene(cell);
-        plan.insert(plan.end(), planned.plan.stages.begin(), planned.plan.stages.end());
+        const std::vector<Stage> stages = planned.plan.stages();
+        plan.insert(plan.end(), stages.begin(), stages.end());
         if (o.explain)
-            printStages(planned.plan.stages);
+            printStages(stages);
     }
     WorkRecord record;
     bool hasOpacity = false, isOnePicture = true;

@@ -85,7 +85,7 @@ void bindMaking(py::class_<Scene>& scene)
             "plan",
             [](const Scene& s) {
                 py::list list;
-                for (const Stage& stage : planScene(s).plan.stages)
+                for (const Stage& stage : planScene(s).plan.stages())
                     list.append(py::dict(py::arg("name") = stage.name, py::arg("left_out") = stage.leftOut, py::arg("why") = stage.why));
                 return list;
             },

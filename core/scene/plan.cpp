@@ -21,17 +21,17 @@ Plan Planner::make(const PlanRequest& request)
     return std::move(m_plan);
 }
 
-void Planner::need(std::string name, std::string why, const StageCost& cost)
+void Planner::need(std::string name, Decision why, const StageCost& cost)
 {
     m_later.push_back({.name = std::move(name), .why = std::move(why), .expected = cost});
 }
 
-void Planner::leaveOut(std::string name, std::string why)
+void Planner::leaveOut(std::string name, Decision why)
 {
-    m_later.push_back({.name = std::move(name), .leftOut = true, .why = std::move(why)});
+    m_later.push_back({.name = std::move(name), .isLeftOut = true, .why = std::move(why)});
 }
 
-std::string Planner::chooseMethod(PrefilterOptions& filter) const
+LevelChoice Planner::chooseMethod(PrefilterOptions& filter) const
 {
     const FilterSettings& chosen = m_scene.filter;
     filter.tolerance = chosen.tolerance;
@@ -40,31 +40,28 @@ std::string Planner::chooseMethod(PrefilterOptions& filter) const
         return {};
     PrefilterOptions asked = filter;
     asked.method = chosen.method;
-    const std::string why = refusal(chosen.method, asked, {.width = probeWidth()});
-    if (!why.empty())
-        return text("; ", mirrorball::name(chosen.method), " was asked for but cannot do this: ", why);
-    filter.method = chosen.method;
-    return "; as the scene asks";
+    LevelChoice choice{.asked = chosen.method, .refusal = refusal(chosen.method, asked, {.width = probeWidth()})};
+    if (choice.refusal.empty())
+        filter.method = chosen.method;
+    return choice;
 }
 
-void Planner::addLevel(MapPlan& map, PlannedFilter planned, const std::string& name, const std::string& note, const std::string& whyMirror)
+void Planner::addLevel(MapPlan& map, PlannedFilter planned, const std::string& name, const LevelChoice& choice,
+                       std::optional<Because> whyMirror)
 {
     const PrefilterOptions& filter = planned.options;
-    const PrefilterPlan& prediction = planned.plan;
-    if (prediction.filtered) {
-        const std::string how = prediction.method == Method::Spectral ? text("spectral, band limit ", prediction.bandLimit, " at most")
-                                                                      : text(mirrorball::name(prediction.method));
-        need("filter " + name, text(describe(filter.lobe), " into ", sizeText(filter.target), ": ", how, promiseText(planned), note),
-             planned.filtering);
+    if (planned.plan.filtered) {
+        need("filter " + name, FiltersLevel{planned, choice}, planned.filtering);
     } else {
-        if (!filter.lobe.isMirror() || !whyMirror.empty())
-            leaveOut("filter " + name, filter.lobe.isMirror() ? whyMirror : prediction.why);
+        if (!filter.lobe.isMirror())
+            leaveOut("filter " + name, LooksUp{planned.plan});
+        else if (whyMirror)
+            leaveOut("filter " + name, *whyMirror);
         const bool same = filter.target == m_probe && filter.yaw == 0.0;
         if (same)
-            leaveOut("resample " + name, text("the probe already is ", sizeText(m_probe)));
+            leaveOut("resample " + name, IsProbeAlready{m_probe});
         else
-            need("resample " + name, text(sizeText(m_probe), " to ", sizeText(filter.target), note),
-                 resamplingCost(m_probe, filter.target));
+            need("resample " + name, ResamplesLevel{m_probe, filter.target, choice}, resamplingCost(m_probe, filter.target));
     }
     map.filters.push_back(std::move(planned));
 }
@@ -73,9 +70,9 @@ void Planner::planReading()
 {
     const bool builtin = m_scene.probe.source.starts_with("builtin:");
     const std::string read = builtin ? "compute probe" : "read probe";
-    std::vector<Stage>& stages = m_plan.stages;
+    std::vector<PlannedStage>& stages = m_plan.decisions;
     if (!m_plan.needsProbe()) {
-        stages.push_back({.name = read, .leftOut = true, .why = "no map is needed"});
+        stages.push_back({.name = read, .isLeftOut = true, .why = Because::NoMapIsNeeded});
     } else {
         const std::vector<const PlannedFilter*> filters = m_plan.planned();
         int filtered = 0, spectral = 0, bandLimit = 0;
@@ -93,24 +90,20 @@ void Planner::planReading()
         const bool large = std::int64_t{m_probe.width()} * m_probe.height() > streamedFrom;
         const bool streamed =
             large && m_probe.kind == Parameterization::Latlong && !builtin && filtered == static_cast<int>(filters.size());
-        std::string how = m_scene.probe.source + ", " + sizeText(m_probe);
+        ReadsProbe how{.source = m_scene.probe.source, .layout = m_probe, .isLargeAndWhole = large && !streamed};
         if (streamed) {
-            int kept = 0;
+            how.streamedBandLimit = 0;
             for (const PlannedFilter* filter : filters)
-                kept = std::max(kept, streamedBandLimit(filter->options));
-            how += text("; each row is truncated to band limit ", kept, " while it is read, which is exact");
-        } else if (large)
-            how += "; held whole, because not every map is filtered";
+                how.streamedBandLimit = std::max(*how.streamedBandLimit, streamedBandLimit(filter->options));
+        }
         stages.push_back({.name = read, .why = how, .expected = readingCost(m_probe, builtin, streamed)});
         if (spectral > 0)
-            stages.push_back(
-                {.name = "spectrum", .why = text("one forward transform for ", plural(spectral, "lobe")), .expected = transform});
+            stages.push_back({.name = "spectrum", .why = TransformsOnce{spectral}, .expected = transform});
         else
-            stages.push_back({.name = "spectrum",
-                              .leftOut = true,
-                              .why = filtered == 0 ? "nothing is filtered" : "direct sums are cheaper for these lobes"});
+            stages.push_back(
+                {.name = "spectrum", .isLeftOut = true, .why = filtered == 0 ? Because::NothingIsFiltered : Because::SumsAreCheaper});
     }
-    for (const Stage& stage : stages)
+    for (const PlannedStage& stage : stages)
         m_plan.sharedSeconds += stage.expected.seconds;
     stages.insert(stages.end(), std::make_move_iterator(m_later.begin()), std::make_move_iterator(m_later.end()));
 }

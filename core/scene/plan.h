@@ -1,10 +1,10 @@
 #pragma once
 
-#include "scene.h"
+#include "decision.h"
+#include "map_plan.h"
 #include "surface_picture.h"
 
 #include "core/base/stage.h"
-#include "core/filter/planned_filter.h"
 
 #include <limits>
 #include <optional>
@@ -24,34 +24,6 @@ struct PlannedMaterial {
     double clearCoat = 0.0; ///< its weight; 0: there is none to be seen
     double clearCoatIndex = 1.5;
     bool operator==(const PlannedMaterial&) const = default;
-};
-
-/// One map to make.
-struct MapPlan {
-    std::string name{};                   ///< for stages: "specular map"
-    std::vector<PlannedFilter> filters{}; ///< a filtered level each, largest first; ggx with alpha = 0: the environment itself
-    bool pyramid = false;                 ///< the levels below the first are its halvings
-    MipFiltering filtering = MipFiltering::AcrossSeams; ///< of the pyramid
-    bool operator==(const MapPlan&) const = default;
-};
-
-/// One sphere map to evaluate.
-struct SphereMapPlan {
-    std::string field{}; ///< for messages: "material.sphere_map.source"
-    std::string source{};
-    EmbeddedSphereMap document{}; ///< in place of the source
-    int size = 512;
-    SphereMapLevels levels = SphereMapLevels::Authored;
-    int drawnSize = 0; ///< where only a coarser picture of it is needed: the edge of that, `size` halved; 0: `size`
-    bool operator==(const SphereMapPlan&) const = default;
-};
-
-/// The table of a BRDF's lookups. Its entries stand between the levels of the specular map, a ggx chain by chainRoughness().
-struct BrdfPlan {
-    std::string model{}; ///< as the scene names it
-    LookupChoice lookups{};
-    int columns = 32; ///< angles of view
-    bool operator==(const BrdfPlan&) const = default;
 };
 
 struct ExportPlan {
@@ -107,7 +79,7 @@ struct PlanRequest {
 };
 
 struct Plan {
-    std::vector<Stage> stages{}; ///< in order; seconds are 0
+    std::vector<PlannedStage> decisions{}; ///< in order
     PlannedMaterial material{};
     std::optional<MapPlan> specular{};
     std::optional<BrdfPlan> brdf{}; ///< how the specular map is read
@@ -120,6 +92,8 @@ struct Plan {
     std::vector<ExportPlan> exports{};
     double sharedSeconds = 0.0; ///< of reading the probe and of its spectrum, CPU time, about
 
+    /// The decisions in words; seconds are 0.
+    std::vector<Stage> stages() const;
     bool needsProbe() const;
     /// Every filter of the plan, for openFilterSource.
     std::vector<PrefilterOptions> filters() const;

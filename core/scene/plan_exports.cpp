@@ -31,11 +31,11 @@ Plan Planner::makeFilters(const std::vector<PrefilterOptions>& levels, const std
 {
     MapPlan map{.name = levels.size() == 1 ? describe(levels.front().lobe) : "map"};
     for (size_t i = 0; i < levels.size(); ++i)
-        addLevel(map, planned(levels[i]), levels.size() == 1 ? map.name : text(map.name, " level ", i), "", "the lobe is a mirror");
+        addLevel(map, planned(levels[i]), levels.size() == 1 ? map.name : text(map.name, " level ", i), {}, Because::LobeIsMirror);
     if (levels.size() == 1)
-        leaveOut("mip levels of " + map.name, "not asked for");
+        leaveOut("mip levels of " + map.name, Because::NotAskedFor);
     m_plan.exports.push_back({.map = std::move(map)});
-    need("save map", file, savingStage(file, m_plan.exports.back()));
+    need("save map", SavesFile{file}, savingStage(file, m_plan.exports.back()));
     planReading();
     return std::move(m_plan);
 }
@@ -51,7 +51,7 @@ void Planner::planExports(const std::vector<std::string>& only)
         }
     for (const ExportTarget& target : m_scene.exports)
         if (!isAskedFor(target, only)) {
-            leaveOut("export " + target.name, "not among those asked for");
+            leaveOut("export " + target.name, Because::NotAmongThoseAskedFor);
         } else {
             const size_t firstStage = m_later.size();
             if (target.kind == ExportKind::Painted)
@@ -59,7 +59,7 @@ void Planner::planExports(const std::vector<std::string>& only)
             else
                 planExport(target);
             ExportPlan& planned = m_plan.exports.back();
-            need("save " + target.name, target.fileName(), savingStage(target.fileName(), planned));
+            need("save " + target.name, SavesFile{target.fileName()}, savingStage(target.fileName(), planned));
             for (size_t i = firstStage; i < m_later.size(); ++i)
                 planned.seconds += m_later[i].expected.seconds;
         }
@@ -89,7 +89,7 @@ void Planner::planPainted(const ExportTarget& target)
     const SphereMapPlan painted{"material.sphere_map.source", map.source, map.document, target.size - 2 * target.border, map.levels};
     const SphereMapDocument* document = documentAtHand(painted);
     const bool isAuthored = target.mips && document && map.levels == SphereMapLevels::Authored && hasAuthoredLevels(*document);
-    need("paint " + target.name, paintedText(painted, target),
+    need("paint " + target.name, PaintsFile{painted, target},
          paintingCost(painted.size, document ? document->layers.size() : 1, isAuthored));
     m_plan.exports.push_back({.map = {.name = target.name}, .target = target, .painted = painted});
 }
@@ -119,19 +119,18 @@ void Planner::planExport(const ExportTarget& target)
             PrefilterOptions level = filter;
             level.lobe = ggxLobe(roughness * roughness);
             level.target = levelLayout(filter.target, i);
-            addLevel(map, planned(level), text(target.name, " level ", i), "", "roughness 0: the level is the environment itself");
+            addLevel(map, planned(level), text(target.name, " level ", i), {}, Because::RoughnessIsZero);
         }
     } else {
-        const std::string note = target.kind == ExportKind::Specular ? chooseMethod(filter) : std::string();
-        addLevel(map, planned(filter), map.name, note, target.kind == ExportKind::Specular ? "the surface is a mirror" : "");
+        const bool isSpecular = target.kind == ExportKind::Specular;
+        const LevelChoice choice = isSpecular ? chooseMethod(filter) : LevelChoice{};
+        addLevel(map, planned(filter), map.name, choice, isSpecular ? std::optional(Because::ExportIsOfMirror) : std::nullopt);
         const bool held = holdsMips(target.fileName()) || namesLevels(target.fileName());
         map.pyramid = target.mips && held;
         if (map.pyramid)
-            need("mip levels of " + map.name, plural(levelCount(filter.target), "level"), pyramidCost(filter.target));
+            need("mip levels of " + map.name, HalvesForExport{levelCount(filter.target)}, pyramidCost(filter.target));
         else
-            leaveOut("mip levels of " + map.name,
-                     target.mips ? target.fileName() + " holds none; .exr and .tif do, and a %d in the name makes one file a level"
-                                 : "not asked for");
+            leaveOut("mip levels of " + map.name, target.mips ? Decision(FileHoldsNoLevels{target.fileName()}) : Because::NotAskedFor);
     }
     m_plan.exports.push_back({.map = std::move(map), .target = target});
 }

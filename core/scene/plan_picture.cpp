@@ -83,20 +83,20 @@ PlannedMaterial planMaterial(const Material& material, PlanExtent extent)
     return planned;
 }
 
-std::string Planner::whyNoSpecular() const
+Because Planner::whyNoSpecular() const
 {
     const Material& material = m_scene.material;
     if (material.specular.weight == 0.0)
-        return "specular weight is 0";
-    return isBlack(material.specular.color) ? "specular color is black" : "the index of refraction is 1: nothing is reflected";
+        return Because::SpecularWeightIsZero;
+    return isBlack(material.specular.color) ? Because::SpecularColorIsBlack : Because::IndexIsOne;
 }
 
-std::string Planner::whyNoDiffuse() const
+Because Planner::whyNoDiffuse() const
 {
     const Material& material = m_scene.material;
     if (material.diffuse.weight == 0.0)
-        return "diffuse weight is 0";
-    return isBlack(material.diffuse.color) ? "diffuse color is black" : "the coat mirrors everything: no light gets below it";
+        return Because::DiffuseWeightIsZero;
+    return isBlack(material.diffuse.color) ? Because::DiffuseColorIsBlack : Because::CoatMirrorsAll;
 }
 
 bool Planner::readsMaterial() const
@@ -106,11 +106,11 @@ bool Planner::readsMaterial() const
     return showsMaterial() && !isHidden && !isWindow();
 }
 
-std::string Planner::whyNoMaterial() const
+Decision Planner::whyNoMaterial() const
 {
     if (showsMaterial())
-        return isWindow() ? "a room with a window has no material" : "the sphere map stands in for the reflection";
-    return text("the view shows ", words(Shading{})[static_cast<size_t>(m_scene.view.shading)], " and not the material");
+        return isWindow() ? Because::RoomHasNoMaterial : Because::SphereMapReplaces;
+    return ShowsDebugView{m_scene.view.shading};
 }
 
 void Planner::planPicture()
@@ -129,18 +129,18 @@ void Planner::planPicture()
     if (!reads)
         leaveOut("fresnel term", whyNoMaterial());
     else if (!m_scene.material.brdf.isNone())
-        leaveOut("fresnel term", "the BRDF has its own, inside its integral");
+        leaveOut("fresnel term", Because::BrdfHoldsFresnel);
     else if (makesAll() && m_scene.material.fresnel.kind == FresnelKind::None)
-        need("fresnel term", "everything is asked for: evaluated at every pixel");
+        need("fresnel term", Because::EverythingIsAskedFor);
     else if (m_plan.material.fresnel.kind != FresnelKind::None)
         need("fresnel term", m_plan.material.fresnel.kind == FresnelKind::Dielectric
-                                 ? text("index ", m_scene.material.fresnel.index, ": evaluated at every pixel")
-                                 : text("metal ", m_scene.material.fresnel.metal, ": evaluated at every pixel"));
+                                 ? Decision(DielectricAtEveryPixel{m_scene.material.fresnel.index})
+                                 : MetalAtEveryPixel{m_scene.material.fresnel.metal});
     else if (m_scene.material.fresnel.kind == FresnelKind::None)
-        leaveOut("fresnel term", "none: F is 1 at every angle");
+        leaveOut("fresnel term", Because::ReflectanceIsOne);
     else
         leaveOut("fresnel term", m_scene.material.fresnel.kind == FresnelKind::Dielectric && m_scene.material.fresnel.index == 1.0
-                                     ? "the index is 1: F is 0 at every angle"
+                                     ? Because::ReflectanceIsZero
                                      : whyNoSpecular());
     planSphereMaps();
     planSurfacePictures();
@@ -148,17 +148,13 @@ void Planner::planPicture()
     if (makesAll()) {
         planOthers();
     } else if (m_plan.specular || m_plan.diffuse || m_plan.clearCoat) {
-        std::string others;
-        for (const Parameterization p : allParameterizations)
-            if (p != m_scene.map.parameterization)
-                others += (others.empty() ? "" : ", ") + std::string(name(p));
-        leaveOut("other maps", text("the picture reads ", name(m_scene.map.parameterization), ": no ", others, " is built"));
+        leaveOut("other maps", ReadsOneParameterization{m_scene.map.parameterization});
     }
     if (isBuiltinGeometry(m_scene.view.geometry))
-        leaveOut("read mesh", text("the ", m_scene.view.geometry, " is built in"));
+        leaveOut("read mesh", MeshIsBuiltin{m_scene.view.geometry});
     else
-        need("read mesh", m_scene.view.geometry);
-    need("draw", text(m_scene.view.geometry, ", ", m_scene.view.width, " x ", m_scene.view.height),
+        need("read mesh", ReadsMesh{m_scene.view.geometry});
+    need("draw", Draws{m_scene.view.geometry, m_scene.view.width, m_scene.view.height},
          drawingCost(m_scene.view.width, m_scene.view.height));
 }
 
@@ -167,11 +163,11 @@ void Planner::planLambda()
     const Material& material = m_scene.material;
     const std::string stage = "lambda by angle";
     if (!m_plan.specular || material.lambda == 0.0)
-        leaveOut(stage, "lambda is 0: no level is held");
+        leaveOut(stage, Because::LambdaHoldsNoLevel);
     else if (material.lambdaGrazing == 0.0)
-        leaveOut(stage, "lambda_grazing is 0: lambda is the same at every angle");
+        leaveOut(stage, Because::LambdaIsTheSame);
     else
-        need(stage, text("lambda_grazing ", material.lambdaGrazing, ": evaluated at every pixel"));
+        need(stage, LambdaAtEveryPixel{material.lambdaGrazing});
 }
 
 void Planner::planOthers()
@@ -181,7 +177,7 @@ void Planner::planOthers()
             continue;
         MapPlan map{.name = text(name(p), " map"), .pyramid = true};
         const PrefilterOptions filter{.lobe = lobe(m_scene.material.specular), .target = {p, m_scene.map.size, 0}, .yaw = bakedYaw()};
-        addLevel(map, planned(filter), map.name, "; everything is asked for");
+        addLevel(map, planned(filter), map.name, {.isForCompleteness = true});
         m_plan.others.push_back(std::move(map));
     }
 }
@@ -192,7 +188,7 @@ void Planner::planSphereMap(const std::string& name, const std::string& field, c
     const SphereMapSettings& map = m_scene.material.sphereMap;
     const bool isNone = source.empty() && !document;
     if (!showsMaterial() || isNone) {
-        leaveOut(name, isNone ? "none is named" : whyNoMaterial());
+        leaveOut(name, isNone ? Because::NoneIsNamed : whyNoMaterial());
         return;
     }
     SphereMapPlan planned{field, source, document, map.size, levels};
@@ -202,7 +198,7 @@ void Planner::planSphereMap(const std::string& name, const std::string& field, c
         for (int half = map.size; half % 2 == 0 && half / 2 >= pixels; planned.drawnSize = half)
             half /= 2;
     m_plan.sphereMaps.push_back(std::move(planned));
-    need(name, sphereMapText(m_plan.sphereMaps.back()));
+    need(name, EvaluatesSphereMap{m_plan.sphereMaps.back()});
 }
 
 void Planner::planSphereMaps()
@@ -215,38 +211,41 @@ void Planner::planSphereMaps()
     if (isWindow()) {
         planSphereMap("sphere map, middle", "view.window.middle", window.middle, SphereMapLevels::Plain);
         planSphereMap("sphere map, far", "view.window.far", window.far, SphereMapLevels::Plain);
-    } else if (const std::string why = whyNoFlecks(); why.empty()) {
-        need("flecks", text("density ", map.flecks.density, ", cells of ", map.flecks.size));
+    } else if (const std::optional<Decision> why = whyNoFlecks()) {
+        leaveOut("flecks", *why);
     } else {
-        leaveOut("flecks", why);
+        need("flecks", FlecksAtEveryPixel{map.flecks.density, map.flecks.size});
     }
 }
 
-std::string Planner::whyNoFlecks() const
+std::optional<Decision> Planner::whyNoFlecks() const
 {
     const SphereMapSettings& map = m_scene.material.sphereMap;
     if (!showsMaterial() || isWindow())
         return whyNoMaterial();
-    return map.isNone() ? "there is no sphere map that they look up" : map.flecks.density == 0.0 ? "density is 0" : "";
+    if (map.isNone())
+        return Because::NoSphereMapForFlecks;
+    return map.flecks.density == 0.0 ? std::optional<Decision>(Because::FleckDensityIsZero) : std::nullopt;
 }
 
 // Where none is named nothing is said: most scenes have none.
 void Planner::planSurfacePictures()
 {
     const Material& material = m_scene.material;
-    const auto plan = [&](std::optional<SurfacePicturePlan>& picture, const SurfacePicturePlan& named, const std::string& whyNot) {
+    const auto plan = [&](std::optional<SurfacePicturePlan>& picture, const SurfacePicturePlan& named,
+                          const std::optional<Decision>& whyNot) {
         if (named.source.empty())
             return;
-        if (!whyNot.empty()) {
-            leaveOut("read " + named.name, whyNot);
+        if (whyNot) {
+            leaveOut("read " + named.name, *whyNot);
             return;
         }
         picture = named;
-        need("read " + named.name, named.source + ", by the mesh's texture coordinates");
+        need("read " + named.name, ReadsSurfacePicture{named.source});
     };
     plan(m_plan.diffusePicture, {"diffuse picture", "material.diffuse.picture", material.diffuse.picture, SurfacePictureUse::Color},
-         m_plan.diffuse    ? ""
-         : readsMaterial() ? whyNoDiffuse()
+         m_plan.diffuse    ? std::nullopt
+         : readsMaterial() ? std::optional<Decision>(whyNoDiffuse())
                            : whyNoMaterial());
     plan(m_plan.fleckPattern,
          {"fleck pattern", "material.sphere_map.flecks.pattern", material.sphereMap.flecks.pattern, SurfacePictureUse::Share},
@@ -279,14 +278,14 @@ void Planner::applySize(PrefilterOptions& filter, bool pyramid) const
         shrink(filter.target.size / 2);
 }
 
-PlannedFilter Planner::reflectionFilter(const PrefilterOptions& wanted, bool pyramid, std::string& note) const
+PlannedFilter Planner::reflectionFilter(const PrefilterOptions& wanted, bool pyramid, LevelChoice& choice) const
 {
     PlannedFilter whole = withTolerance(wanted);
     PrefilterOptions filter = whole.options;
     if (whole.plan.filtered && whole.plan.method == Method::Spectral && !makesAll()) {
         const MapLayout enough = withSize(filter.target, sizeForBandLimit(filter.target.kind, whole.plan.bandLimit));
         if (enough.size < filter.target.size)
-            note += text("; so smooth that size ", enough.size, " shows all of it, ", filter.target.size, " is left out");
+            choice.askedSize = filter.target.size;
         filter.target = enough;
     }
     applySize(filter, pyramid);
@@ -308,23 +307,18 @@ void Planner::planSpecular()
     const double bias = m_scene.material.lodBias;
     map.pyramid = lambda > 0.0 || bias > 0.0 || m_scene.map.mips || makesAll();
     PrefilterOptions filter{.lobe = lobe(m_scene.material.specular), .target = mapLayout(), .yaw = bakedYaw()};
-    std::string note = chooseMethod(filter);
-    PlannedFilter level = reflectionFilter(filter, map.pyramid, note);
+    LevelChoice choice = chooseMethod(filter);
+    PlannedFilter level = reflectionFilter(filter, map.pyramid, choice);
     const MapLayout target = level.options.target;
-    addLevel(map, std::move(level), map.name, note, "the surface is a mirror: it shows the environment itself");
+    addLevel(map, std::move(level), map.name, choice, Because::SurfaceIsMirror);
     const bool perFace = m_scene.map.mipFiltering == MipFiltering::PerFace && target.kind == Parameterization::Cube;
     map.filtering = perFace ? MipFiltering::PerFace : MipFiltering::AcrossSeams;
     const std::string stage = "mip levels of specular map";
     if (map.pyramid)
-        need(stage,
-             text(lambda > 0.0 ? text("lambda ", lambda)
-                  : bias > 0.0 ? text("LOD bias ", bias)
-                               : "asked for, where reflections shrink",
-                  ": ", plural(levelCount(target), "level"),
-                  perFace ? ", each face halved by itself: seams will show" : ", halved across seams"),
+        need(stage, HalvesForPicture{.lambda = lambda, .lodBias = bias, .levels = levelCount(target), .perFace = perFace},
              pyramidCost(target));
     else
-        leaveOut(stage, "lambda is 0: only the finest level is read");
+        leaveOut(stage, Because::FinestLevelIsEnough);
     m_plan.specular = std::move(map);
 }
 
@@ -341,13 +335,11 @@ void Planner::planBrdf()
         const double roughness = chainRoughness(i, levels);
         const PrefilterOptions filter{
             .lobe = ggxLobe(roughness * roughness), .target = levelLayout(largest, i), .tolerance = chainTolerance, .yaw = bakedYaw()};
-        addLevel(map, planned(filter), text(map.name, " level ", i), "", "roughness 0: the level is the environment itself");
+        addLevel(map, planned(filter), text(map.name, " level ", i), {}, Because::RoughnessIsZero);
     }
     m_plan.specular = std::move(map);
-    const LookupChoice choice = brdf.choice();
-    m_plan.brdf = BrdfPlan{brdf.model, choice, m_detail.brdfColumns};
-    need("BRDF lookups", choice.kind == LookupKind::Fitted ? text(brdf.model, ": ", plural(choice.count, "lookup"), " at each pixel")
-                                                           : text(brdf.model, ": ", describe(choice), ", as an engine shows it"));
+    m_plan.brdf = BrdfPlan{brdf.model, brdf.choice(), m_detail.brdfColumns};
+    need("BRDF lookups", BrdfAtEveryPixel{*m_plan.brdf});
 }
 
 void Planner::planDiffuse()
@@ -373,13 +365,13 @@ void Planner::planClearCoat()
     if (m_scene.material.clearCoat.weight == 0.0)
         return;
     if (!readsMaterial() || m_plan.material.clearCoat == 0.0) {
-        leaveOut(map.name, readsMaterial() ? "its index is 1: nothing is reflected" : whyNoMaterial());
+        leaveOut(map.name, readsMaterial() ? Because::CoatIndexIsOne : whyNoMaterial());
         return;
     }
     const PrefilterOptions filter{.lobe = lobe(m_scene.material.clearCoat), .target = mapLayout(), .yaw = bakedYaw()};
-    std::string note;
-    PlannedFilter level = reflectionFilter(filter, map.pyramid, note);
-    addLevel(map, std::move(level), map.name, note, "the coat is a mirror: it shows the environment itself");
+    LevelChoice choice;
+    PlannedFilter level = reflectionFilter(filter, map.pyramid, choice);
+    addLevel(map, std::move(level), map.name, choice, Because::CoatIsMirror);
     m_plan.clearCoat = std::move(map);
 }
 
@@ -394,10 +386,10 @@ void Planner::planBackground()
     }
     switch (background.kind) {
     case Backdrop::Color:
-        leaveOut("background", "one color: no map");
+        leaveOut("background", Because::BackdropIsOneColor);
         return;
     case Backdrop::None:
-        leaveOut("background", "none: the picture is transparent beside the object");
+        leaveOut("background", Because::BackdropIsNone);
         return;
     case Backdrop::Environment:
         addLevel(map, planned({.lobe = ggxLobe(0.0), .target = withSize(m_probe, tallestBackground)}), map.name);

@@ -31,31 +31,31 @@ public:
 private:
     bool makesAll() const { return m_extent == PlanExtent::Everything; }
     int probeWidth() const { return 2 * latlongHeight(m_probe); }
-    void need(std::string name, std::string why, const StageCost& cost = {});
-    void leaveOut(std::string name, std::string why);
+    void need(std::string name, Decision why, const StageCost& cost = {});
+    void leaveOut(std::string name, Decision why);
     /// Why the material shows no reflection, or no diffuse light.
-    std::string whyNoSpecular() const;
-    std::string whyNoDiffuse() const;
+    Because whyNoSpecular() const;
+    Because whyNoDiffuse() const;
     PlannedFilter planned(const PrefilterOptions& filter) const { return planFilter(filter, probeWidth()); }
-    /// The scene's choice of method. What that refuses is left to auto; @return a note for the stage, empty where nothing was chosen
-    std::string chooseMethod(PrefilterOptions& filter) const;
+    /// The scene's choice of method. What that refuses is left to auto.
+    LevelChoice chooseMethod(PrefilterOptions& filter) const;
     /// Adds the stages of one level and remembers what it takes. A map that never was to be filtered has no stage for that.
-    void addLevel(MapPlan& map, PlannedFilter planned, const std::string& name, const std::string& note = "",
-                  const std::string& whyMirror = "");
+    void addLevel(MapPlan& map, PlannedFilter planned, const std::string& name, const LevelChoice& choice = {},
+                  std::optional<Because> whyMirror = {});
     /// A debug view shows what the material is computed from, and not the material.
     bool showsMaterial() const { return m_scene.view.shading == Shading::Material; }
     bool isWindow() const { return m_scene.view.geometry == "window"; }
     /// Nor does a sphere map that replaces the material show it, nor a room.
     bool readsMaterial() const;
-    std::string whyNoMaterial() const;
+    Decision whyNoMaterial() const;
     void planPicture();
     void planLambda();
     void planOthers();
     void planSphereMap(const std::string& name, const std::string& field, const std::string& source, SphereMapLevels levels,
                        const EmbeddedSphereMap& document = {});
     void planSphereMaps();
-    /// Why no flecks are shown; empty where they are.
-    std::string whyNoFlecks() const;
+    /// Why no flecks are shown; nothing where they are.
+    std::optional<Decision> whyNoFlecks() const;
     void planSurfacePictures();
     /// The environment's yaw belongs to the picture's lookups, so that turning it makes no map anew; a map in eye space has no such turn.
     double bakedYaw() const { return m_scene.map.space == MapSpace::Eye ? m_scene.probe.yawDeg * pi / 180.0 : 0.0; }
@@ -64,9 +64,8 @@ private:
     /// A map without coarser levels may be made smaller: lookups do not notice but for sharpness. Levels are counted from the largest, so
     /// a pyramid keeps its size.
     void applySize(PrefilterOptions& filter, bool pyramid) const;
-    /// What the mirror direction is looked up in: of that tolerance, and no larger than its lobe needs. @param note  is told why, for the
-    /// stage
-    PlannedFilter reflectionFilter(const PrefilterOptions& wanted, bool pyramid, std::string& note) const;
+    /// What the mirror direction is looked up in: of that tolerance, and no larger than its lobe needs.
+    PlannedFilter reflectionFilter(const PrefilterOptions& wanted, bool pyramid, LevelChoice& choice) const;
     MapLayout mapLayout() const { return {m_scene.map.parameterization, m_scene.map.size, m_scene.map.border}; }
     void planSpecular();
     void planBrdf();
@@ -85,7 +84,7 @@ private:
     PlanExtent m_extent = PlanExtent::Needed;
     MapDetail m_detail{};
     Plan m_plan{};
-    std::vector<Stage> m_later{};
+    std::vector<PlannedStage> m_later{};
     bool m_isWriterLoaded = false;
 };
 

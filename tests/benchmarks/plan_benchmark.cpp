@@ -104,9 +104,10 @@ void pictureOf(benchmark::State& state, Scene (*make)(), PlanExtent extent)
         peak = std::max(peak, kilobytes("VmHWM:") - before);
         state.ResumeTiming();
     }
-    const auto leftOut = std::count_if(plan.stages.begin(), plan.stages.end(), [](const Stage& stage) { return stage.leftOut; });
+    const auto leftOut =
+        std::count_if(plan.decisions.begin(), plan.decisions.end(), [](const PlannedStage& stage) { return stage.isLeftOut; });
     state.counters["peak_MB"] = peak / 1024.0;
-    state.counters["stages"] = static_cast<double>(plan.stages.size()) - static_cast<double>(leftOut);
+    state.counters["stages"] = static_cast<double>(plan.decisions.size()) - static_cast<double>(leftOut);
     state.counters["left_out"] = static_cast<double>(leftOut);
 }
 

@@ -104,12 +104,12 @@ TEST_F(ClearCoat, HasALobeOfItsOwn)
 TEST_F(ClearCoat, IsPaidForWhereItIsSeenAlone)
 {
     const MapLayout probe{Parameterization::Latlong, 512, 0};
-    const auto stage = [&](const Scene& scene) -> const Stage* {
+    const auto stage = [&](const Scene& scene) -> const PlannedStage* {
         static Plan plan;
         plan = makePlan(scene, probe);
-        const auto found = std::find_if(plan.stages.begin(), plan.stages.end(),
-                                        [](const Stage& s) { return s.name.find("clear coat") != std::string::npos; });
-        return found == plan.stages.end() ? nullptr : &*found;
+        const auto found = std::find_if(plan.decisions.begin(), plan.decisions.end(),
+                                        [](const PlannedStage& s) { return s.name.find("clear coat") != std::string::npos; });
+        return found == plan.decisions.end() ? nullptr : &*found;
     };
     Scene scene;
     EXPECT_FALSE(stage(scene)) << "of what there is not nothing is said";
@@ -118,12 +118,12 @@ TEST_F(ClearCoat, IsPaidForWhereItIsSeenAlone)
     EXPECT_TRUE(makePlan(scene, probe).clearCoat);
     scene.material.clearCoat.index = 1.0;
     ASSERT_TRUE(stage(scene));
-    EXPECT_TRUE(stage(scene)->leftOut);
+    EXPECT_TRUE(stage(scene)->isLeftOut);
     EXPECT_FALSE(makePlan(scene, probe).clearCoat);
     scene.material.clearCoat.index = 1.5;
     scene.view.shading = mirrorball::Shading::Normals;
     ASSERT_TRUE(stage(scene));
-    EXPECT_TRUE(stage(scene)->leftOut);
+    EXPECT_TRUE(stage(scene)->isLeftOut);
     scene.view.shading = mirrorball::Shading::Material;
     scene.material.sphereMap = {.source = "jade", .use = SphereMapUse::Replace};
     EXPECT_FALSE(makePlan(scene, probe).clearCoat);

@@ -28,7 +28,7 @@ void PlanViewTest::showsWhatIsLeftOutAndHowLongTheRestTook()
     LiveMaps maps;
     const MadeScene made = maps.update(glossy(), {});
     const std::vector<PlanRow> rows = planRows(made, 0.012);
-    QCOMPARE(rows.size(), made.plan.stages.size());
+    QCOMPARE(rows.size(), made.plan.decisions.size());
     const PlanRow* diffuse = rowNamed(rows, "Irradiance map");
     QVERIFY(diffuse && diffuse->isLeftOut && diffuse->why == QStringLiteral("diffuse weight is 0"));
     for (const char* done : {"Compute probe", "Spectrum", "Filter specular map"}) {

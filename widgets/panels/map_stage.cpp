@@ -1,6 +1,8 @@
 #include "map_stage.h"
 
 #include "map_panel.h"
+
+#include "core/scene/plan_words.h"
 #include "widgets/controls/text.h"
 
 namespace mirrorball::studio {
@@ -10,9 +12,9 @@ namespace {
 /// What the plan says of a map that it leaves out.
 QString whyLeftOut(const char* stageName, const Plan& plan)
 {
-    for (const Stage& s : plan.stages)
-        if (s.name == stageName && s.leftOut)
-            return MapPanel::tr("This map is left out: %1.").arg(toQString(s.why));
+    for (const PlannedStage& s : plan.decisions)
+        if (s.name == stageName && s.isLeftOut)
+            return MapPanel::tr("This map is left out: %1.").arg(toQString(inWords(s.why)));
     return MapPanel::tr("This map is not made.");
 }
 

@@ -38,7 +38,8 @@ QString timeText(double seconds)
 std::vector<PlanRow> planRows(const MadeScene& made, double drawSeconds)
 {
     std::vector<PlanRow> rows;
-    for (const Stage& planned : made.plan.stages) {
+    const std::vector<Stage> plan = made.plan.stages();
+    for (const Stage& planned : plan) {
         PlanRow row{.name = labelText(planned.name), .why = toQString(planned.why), .isLeftOut = planned.leftOut};
         if (planned.name == "draw") {
             row.seconds = drawSeconds;
@@ -46,7 +47,7 @@ std::vector<PlanRow> planRows(const MadeScene& made, double drawSeconds)
             bool any = false;
             double seconds = 0.0;
             for (const Stage& measured : made.record.stages)
-                if (!measured.leftOut && belongs(measured, planned, made.plan.stages)) {
+                if (!measured.leftOut && belongs(measured, planned, plan)) {
                     any = true;
                     seconds += measured.seconds;
                 }

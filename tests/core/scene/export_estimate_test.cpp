@@ -94,7 +94,7 @@ TEST(ExportEstimate, TimesAddUpToThePlans)
     const Scene scene = manyTargets();
     const Plan plan = makePlan(scene, probeLayout(scene), {.picture = false, .exports = std::vector<std::string>{}});
     double stages = 0.0, exports = plan.sharedSeconds;
-    for (const Stage& stage : plan.stages)
+    for (const PlannedStage& stage : plan.decisions)
         stages += stage.expected.seconds;
     for (const ExportEstimate& estimate : estimateExports(plan)) {
         EXPECT_GT(estimate.seconds, 0.0) << estimate.name; // saving, if nothing else

@@ -33,7 +33,7 @@ TEST_F(FileFilter, IsTheFilterOfTheProbeInTheFile)
 {
     const FileFilterOptions asked = options(file.string());
     PlannedFileFilter planned = planFileFilter(asked);
-    EXPECT_EQ(planned.plan.stages.back().why, "map.exr");
+    EXPECT_EQ(std::get<SavesFile>(planned.plan.decisions.back().why).file, "map.exr");
     const BuiltMap built = filterFile(std::move(planned));
     FilterSource source(probe);
     EXPECT_EQ(built.levels.front().image.texels, prefilter(source, asked.levels.front()).map.image.texels);

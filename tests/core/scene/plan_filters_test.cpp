@@ -56,9 +56,9 @@ TEST(Plan, OfFiltersWithoutASceneTellsWhatWillBeReadFilteredAndSaved)
     ASSERT_EQ(plan.exports.size(), 1u);
     EXPECT_EQ(plan.filters(), levels);
     EXPECT_TRUE(plan.needsProbe() && plan.filtersAny());
-    EXPECT_EQ(plan.stages.front().name, "read probe");
-    EXPECT_EQ(plan.stages.back().name, "save map");
-    EXPECT_EQ(plan.stages.back().why, "out.exr");
+    EXPECT_EQ(plan.decisions.front().name, "read probe");
+    EXPECT_EQ(plan.decisions.back().name, "save map");
+    EXPECT_EQ(std::get<SavesFile>(plan.decisions.back().why).file, "out.exr");
 }
 
 } // namespace

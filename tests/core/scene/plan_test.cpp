@@ -1,4 +1,4 @@
-#include "core/scene/plan.h"
+#include "plan_decisions.h"
 
 #include "core/base/error.h"
 #include "core/filter/source_file.h"
@@ -16,44 +16,26 @@ using testing::HasSubstr;
 
 constexpr MapLayout probe{Parameterization::Latlong, 512, 0};
 
-const Stage& stage(const Plan& plan, const std::string& name)
-{
-    static const Stage none{.name = "none"};
-    const auto found = std::find_if(plan.stages.begin(), plan.stages.end(), [&](const Stage& s) { return s.name == name; });
-    if (found == plan.stages.end())
-        ADD_FAILURE() << "no stage " << name;
-    return found == plan.stages.end() ? none : *found;
-}
-
-void expectLeftOut(const Plan& plan, const std::string& name, const std::string& why)
-{
-    EXPECT_TRUE(stage(plan, name).leftOut) << name;
-    EXPECT_THAT(stage(plan, name).why, HasSubstr(why));
-}
-
-void expectNeeded(const Plan& plan, const std::string& name, const std::string& why)
-{
-    EXPECT_FALSE(stage(plan, name).leftOut) << name;
-    EXPECT_THAT(stage(plan, name).why, HasSubstr(why));
-}
+using test::expectLeftOut;
+using test::leftOut;
+using test::needed;
+using test::stage;
 
 TEST(Plan, AMirrorNeedsNoFilterNoPyramidNoFresnelAndNoIrradiance)
 {
     const Plan plan = makePlan({}, probe);
-    expectNeeded(plan, "compute probe", "builtin:studio, latlong 1024 x 512");
-    expectLeftOut(plan, "spectrum", "nothing is filtered");
-    expectLeftOut(plan, "filter specular map", "mirror");
-    expectNeeded(plan, "resample specular map", "cube 512 x 3072");
-    expectLeftOut(plan, "mip levels of specular map", "lambda is 0");
-    expectLeftOut(plan, "irradiance map", "diffuse weight is 0");
-    expectLeftOut(plan, "resample background", "already is latlong 1024 x 512");
-    expectLeftOut(plan, "fresnel term", "F is 1 at every angle");
-    expectLeftOut(plan, "other maps", "no latlong, sphere, angular, paraboloid, octahedral is built");
+    EXPECT_EQ(needed<ReadsProbe>(plan, "compute probe").layout, probe);
+    expectLeftOut(plan, "spectrum", Because::NothingIsFiltered);
+    expectLeftOut(plan, "filter specular map", Because::SurfaceIsMirror);
+    EXPECT_EQ(needed<ResamplesLevel>(plan, "resample specular map").to, (MapLayout{Parameterization::Cube, 512, 0}));
+    expectLeftOut(plan, "mip levels of specular map", Because::FinestLevelIsEnough);
+    expectLeftOut(plan, "irradiance map", Because::DiffuseWeightIsZero);
+    EXPECT_EQ(leftOut<IsProbeAlready>(plan, "resample background").layout, probe);
+    expectLeftOut(plan, "fresnel term", Because::ReflectanceIsOne);
+    EXPECT_EQ(leftOut<ReadsOneParameterization>(plan, "other maps").kind, Parameterization::Cube);
     EXPECT_FALSE(plan.filtersAny());
     EXPECT_FALSE(plan.diffuse);
     EXPECT_TRUE(plan.exports.empty());
-    for (const Stage& s : plan.stages)
-        EXPECT_FALSE(s.why.empty()) << s.name;
 }
 
 TEST(Plan, AGlossyLobeIsFilteredAtItsBandLimitAndNoLargerThanItShows)
@@ -61,9 +43,11 @@ TEST(Plan, AGlossyLobeIsFilteredAtItsBandLimitAndNoLargerThanItShows)
     Scene scene;
     scene.material.specular = {.lobe = SurfaceLobe::Phong, .exponent = 50.0};
     const Plan plan = makePlan(scene, probe);
-    expectNeeded(plan, "filter specular map", "phong:50 into cube 128 x 768");
-    expectNeeded(plan, "filter specular map", "512 is left out");
-    expectNeeded(plan, "spectrum", "one forward transform for 1 lobe");
+    const auto filters = needed<FiltersLevel>(plan, "filter specular map");
+    EXPECT_EQ(filters.filter.options.target, (MapLayout{Parameterization::Cube, 128, 0}));
+    EXPECT_EQ(filters.filter.options.lobe, phongLobe(50.0));
+    EXPECT_EQ(filters.choice.askedSize, 512);
+    EXPECT_EQ(needed<TransformsOnce>(plan, "spectrum").lobes, 1);
     EXPECT_TRUE(plan.filtersAny());
     EXPECT_EQ(plan.specular->filters.front().options.target.size, 128);
 }
@@ -73,8 +57,8 @@ TEST(Plan, AnUnresolvedLobeIsALookup)
     Scene scene;
     scene.material.specular = {.lobe = SurfaceLobe::Phong, .exponent = 1e7};
     const Plan plan = makePlan(scene, probe);
-    expectLeftOut(plan, "filter specular map", "texels wide at half maximum, under 1.5");
-    expectLeftOut(plan, "spectrum", "nothing is filtered");
+    EXPECT_FALSE(leftOut<LooksUp>(plan, "filter specular map").plan.filtered);
+    expectLeftOut(plan, "spectrum", Because::NothingIsFiltered);
 }
 
 TEST(Plan, LambdaAsksForAPyramid)
@@ -82,21 +66,23 @@ TEST(Plan, LambdaAsksForAPyramid)
     Scene scene;
     scene.material.lambda = 2.5;
     const Plan plan = makePlan(scene, probe);
-    expectNeeded(plan, "mip levels of specular map", "lambda 2.5: 10 levels");
+    const auto halves = needed<HalvesForPicture>(plan, "mip levels of specular map");
+    EXPECT_EQ(halves.lambda, 2.5);
+    EXPECT_EQ(halves.levels, 10);
     EXPECT_TRUE(plan.specular->pyramid);
 
     Scene shrinking;
     shrinking.map.mips = true;
-    expectNeeded(makePlan(shrinking, probe), "mip levels of specular map", "where reflections shrink: 10 levels");
+    EXPECT_EQ(needed<HalvesForPicture>(makePlan(shrinking, probe), "mip levels of specular map").lambda, 0.0);
 }
 
 TEST(Plan, ALevelBiasUpwardsAsksForAPyramid)
 {
     Scene scene;
     scene.material.lodBias = 1.5;
-    expectNeeded(makePlan(scene, probe), "mip levels of specular map", "LOD bias 1.5");
+    EXPECT_EQ(needed<HalvesForPicture>(makePlan(scene, probe), "mip levels of specular map").lodBias, 1.5);
     scene.material.lodBias = -1.0; // sharper than the finest there is not
-    expectLeftOut(makePlan(scene, probe), "mip levels of specular map", "only the finest");
+    expectLeftOut(makePlan(scene, probe), "mip levels of specular map", Because::FinestLevelIsEnough);
 }
 
 TEST(Plan, ADebugViewNeedsNoMaterial)
@@ -108,8 +94,8 @@ TEST(Plan, ADebugViewNeedsNoMaterial)
         scene.view.shading = shading;
         const Plan plan = makePlan(scene, probe);
         EXPECT_FALSE(plan.needsProbe());
-        expectLeftOut(plan, "specular map", "and not the material");
-        expectLeftOut(plan, "irradiance map", "and not the material");
+        EXPECT_EQ(leftOut<ShowsDebugView>(plan, "specular map").shading, shading);
+        EXPECT_EQ(leftOut<ShowsDebugView>(plan, "irradiance map").shading, shading);
     }
     scene.view.shading = Shading::Mips;
     EXPECT_TRUE(makePlan(scene, probe).specular);
@@ -119,50 +105,21 @@ TEST(Plan, ASphereMapThatReplacesTheReflectionNeedsNoEnvironment)
 {
     Scene scene;
     scene.view.background.kind = Backdrop::None;
-    expectLeftOut(makePlan(scene, probe), "sphere map", "none is named");
+    expectLeftOut(makePlan(scene, probe), "sphere map", Because::NoneIsNamed);
     scene.material.sphereMap = {.source = "silhouette", .size = 256};
     for (const SphereMapUse use : {SphereMapUse::Replace, SphereMapUse::Multiply}) {
         scene.material.sphereMap.use = use;
         const Plan plan = makePlan(scene, probe);
         EXPECT_FALSE(plan.needsProbe());
-        expectLeftOut(plan, "specular map", "stands in for the reflection");
-        expectNeeded(plan, "sphere map", "silhouette, 256 x 256, authored levels");
-        expectLeftOut(plan, "flecks", "density is 0");
+        expectLeftOut(plan, "specular map", Because::SphereMapReplaces);
+        EXPECT_EQ(needed<EvaluatesSphereMap>(plan, "sphere map").map.size, 256);
+        expectLeftOut(plan, "flecks", Because::FleckDensityIsZero);
         ASSERT_EQ(plan.sphereMaps.size(), 1u);
     }
     for (const SphereMapUse use : {SphereMapUse::Over, SphereMapUse::Tint, SphereMapUse::Add}) {
         scene.material.sphereMap.use = use;
         EXPECT_TRUE(makePlan(scene, probe).specular);
     }
-}
-
-TEST(Plan, SaysHowTheLevelsOfASphereMapAreMade)
-{
-    Scene scene;
-    SphereMapSettings& map = scene.material.sphereMap;
-    const auto why = [&] {
-        for (const Stage& stage : makePlan(scene, probe).stages)
-            if (stage.name == "sphere map")
-                return stage.why;
-        return std::string();
-    };
-    map = {.source = "silhouette", .size = 64}; // a line of three pixels in each level
-    EXPECT_EQ(why(), "silhouette, 64 x 64, authored levels");
-    map.levels = SphereMapLevels::Plain;
-    EXPECT_EQ(why(), "silhouette, 64 x 64, plain levels");
-    map = {.source = "jade", .size = 64};
-    EXPECT_EQ(why(), "jade, 64 x 64, plain levels, for no layer is made for levels");
-    SphereMapDocument own;
-    own.layers = {{.content = FillLayer{}}};
-    map = {.document = {std::make_shared<const SphereMapDocument>(own)}, .size = 64};
-    EXPECT_EQ(why(), "the scene's own, 64 x 64, plain levels, for no layer is made for levels");
-    own.layers[0].firstLevel = 2;
-    map.document = {std::make_shared<const SphereMapDocument>(own)};
-    EXPECT_EQ(why(), "the scene's own, 64 x 64, authored levels");
-    map = {.source = "no-such/map.spheremap", .size = 64}; // not opened to make a plan
-    EXPECT_EQ(why(), "no-such/map.spheremap, 64 x 64, authored levels where the file has them");
-    map = {.source = "no-such/matcap.png", .size = 64};
-    EXPECT_EQ(why(), "no-such/matcap.png, a picture of its own size, plain levels");
 }
 
 TEST(Plan, AWindowShowsALayerForEachSphereMapNamed)
@@ -174,16 +131,16 @@ TEST(Plan, AWindowShowsALayerForEachSphereMapNamed)
     const Plan plan = makePlan(scene, probe);
     ASSERT_EQ(plan.sphereMaps.size(), 2u);
     EXPECT_EQ(plan.sphereMaps[1].source, "far.spheremap");
-    expectLeftOut(plan, "sphere map, middle", "none is named");
-    expectLeftOut(plan, "specular map", "no material");
+    expectLeftOut(plan, "sphere map, middle", Because::NoneIsNamed);
+    expectLeftOut(plan, "specular map", Because::RoomHasNoMaterial);
 }
 
 TEST(Plan, ReadsAMeshOnlyWhereOneIsNamed)
 {
     Scene scene;
-    expectLeftOut(makePlan(scene, probe), "read mesh", "built in");
+    EXPECT_EQ(leftOut<MeshIsBuiltin>(makePlan(scene, probe), "read mesh").geometry, "teapot");
     scene.view.geometry = "bunny.ply";
-    expectNeeded(makePlan(scene, probe), "read mesh", "bunny.ply");
+    EXPECT_EQ(needed<ReadsMesh>(makePlan(scene, probe), "read mesh").file, "bunny.ply");
 }
 
 TEST(Plan, ConstantFresnelTermsAreFoldedIntoTheColors)
@@ -192,20 +149,20 @@ TEST(Plan, ConstantFresnelTermsAreFoldedIntoTheColors)
     scene.material.diffuse.weight = 1.0;
     scene.material.combine = Combine::Coat;
     Plan plan = makePlan(scene, probe); // F = 1: nothing gets below the coat
-    expectLeftOut(plan, "irradiance map", "the coat mirrors everything");
+    expectLeftOut(plan, "irradiance map", Because::CoatMirrorsAll);
     EXPECT_EQ(plan.material.specular, glm::dvec3(1.0));
 
     scene.material.fresnel = {.kind = FresnelKind::Dielectric, .index = 1.0}; // F = 0
     plan = makePlan(scene, probe);
-    expectLeftOut(plan, "specular map", "index of refraction is 1");
-    expectLeftOut(plan, "fresnel term", "index is 1");
-    expectNeeded(plan, "filter irradiance map", "diffuse into cube 64 x 384");
+    expectLeftOut(plan, "specular map", Because::IndexIsOne);
+    expectLeftOut(plan, "fresnel term", Because::ReflectanceIsZero);
+    EXPECT_EQ(needed<FiltersLevel>(plan, "filter irradiance map").filter.options.target, (MapLayout{Parameterization::Cube, 64, 0}));
     EXPECT_EQ(plan.material.fresnel.kind, FresnelKind::None);
     EXPECT_EQ(plan.material.combine, Combine::Add);
 
     scene.material.fresnel.index = 1.5;
     plan = makePlan(scene, probe);
-    expectNeeded(plan, "fresnel term", "index 1.5");
+    EXPECT_EQ(needed<DielectricAtEveryPixel>(plan, "fresnel term").index, 1.5);
     EXPECT_TRUE(plan.specular && plan.diffuse);
 }
 
@@ -216,11 +173,11 @@ TEST(Plan, WithoutAReflectionAddNeedsNoFresnelTermButACoatDoes)
     scene.material.diffuse.weight = 1.0;
     scene.material.fresnel.kind = FresnelKind::Dielectric;
     Plan plan = makePlan(scene, probe);
-    expectLeftOut(plan, "fresnel term", "specular weight is 0");
-    expectLeftOut(plan, "specular map", "specular weight is 0");
+    expectLeftOut(plan, "fresnel term", Because::SpecularWeightIsZero);
+    expectLeftOut(plan, "specular map", Because::SpecularWeightIsZero);
     scene.material.combine = Combine::Coat;
     plan = makePlan(scene, probe);
-    expectNeeded(plan, "fresnel term", "index 1.5");
+    EXPECT_EQ(needed<DielectricAtEveryPixel>(plan, "fresnel term").index, 1.5);
     EXPECT_FALSE(plan.specular);
 }
 
@@ -231,8 +188,8 @@ TEST(Plan, ABlackMaterialOnAPlainBackgroundDoesNotOpenTheProbe)
     scene.material.specular.color = glm::dvec3(0.0);
     scene.view.background.kind = Backdrop::Color;
     const Plan plan = makePlan(scene, probe);
-    expectLeftOut(plan, "read probe", "no map is needed");
-    expectLeftOut(plan, "background", "one color");
+    expectLeftOut(plan, "read probe", Because::NoMapIsNeeded);
+    expectLeftOut(plan, "background", Because::BackdropIsOneColor);
     EXPECT_FALSE(plan.needsProbe());
 }
 
@@ -243,11 +200,11 @@ TEST(Plan, ALargeProbeIsTruncatedRowByRowWhenEveryMapIsFiltered)
     scene.probe.source = "large.exr";
     scene.material.specular = {.lobe = SurfaceLobe::Phong, .exponent = 50.0};
     scene.view.background.kind = Backdrop::None;
-    expectNeeded(makePlan(scene, large), "read probe",
-                 "truncated to band limit " + std::to_string(streamedBandLimit(makePlan(scene, large).filters().front())));
+    EXPECT_EQ(needed<ReadsProbe>(makePlan(scene, large), "read probe").streamedBandLimit,
+              streamedBandLimit(makePlan(scene, large).filters().front()));
     scene.view.background.kind = Backdrop::Environment;
     const Plan held = makePlan(scene, large);
-    expectNeeded(held, "read probe", "held whole");
+    EXPECT_TRUE(needed<ReadsProbe>(held, "read probe").isLargeAndWhole);
     EXPECT_EQ(held.background->filters.front().options.target.size, 2048) << "no picture shows more";
 }
 
@@ -260,16 +217,16 @@ TEST(Plan, ExportsAreChosenByNameAndTheOthersLeftOut)
                      {.name = "chain", .kind = ExportKind::Chain, .size = 64}};
     const Plan all = makePlan(scene, probe, {.picture = false, .exports = std::vector<std::string>{}});
     EXPECT_EQ(all.exports.size(), 4u);
-    expectNeeded(all, "mip levels of env", "9 levels");
-    expectLeftOut(all, "mip levels of env-hdr", "flat.hdr holds none");
-    expectLeftOut(all, "mip levels of irradiance", "not asked for");
+    EXPECT_EQ(needed<HalvesForExport>(all, "mip levels of env").levels, 9);
+    EXPECT_EQ(leftOut<FileHoldsNoLevels>(all, "mip levels of env-hdr").file, "flat.hdr");
+    expectLeftOut(all, "mip levels of irradiance", Because::NotAskedFor);
     EXPECT_EQ(all.exports[3].map.filters.size(), 7u);
-    expectLeftOut(all, "filter chain level 0", "roughness 0");
-    expectNeeded(all, "filter chain level 6", "ggx:1 into cube 1 x 6");
+    expectLeftOut(all, "filter chain level 0", Because::RoughnessIsZero);
+    EXPECT_EQ(needed<FiltersLevel>(all, "filter chain level 6").filter.options.lobe, ggxLobe(1.0));
 
     const Plan one = makePlan(scene, probe, {.picture = false, .exports = std::vector<std::string>{"irradiance"}});
     ASSERT_EQ(one.exports.size(), 1u);
-    expectLeftOut(one, "export env", "not among those asked for");
+    expectLeftOut(one, "export env", Because::NotAmongThoseAskedFor);
     EXPECT_THROW(makePlan(scene, probe, {.picture = false, .exports = std::vector<std::string>{"irradianse"}}), InvalidArgument);
 }
 
@@ -287,11 +244,11 @@ TEST(Plan, APaintedMapAloneLeavesTheProbeAlone)
     const Plan plan = makePlan(scene, {}, painted);
     EXPECT_FALSE(plan.needsProbe());
     EXPECT_TRUE(plan.filters().empty());
-    expectLeftOut(plan, "compute probe", "no map is needed");
-    expectLeftOut(plan, "export env", "not among those asked for");
-    expectNeeded(plan, "paint chain", "silhouette, 64 x 64, authored levels");
-    expectNeeded(plan, "paint matcap", "silhouette, 64 x 64 with a border of 2, one level");
-    expectNeeded(plan, "save matcap", "m.png");
+    expectLeftOut(plan, "compute probe", Because::NoMapIsNeeded);
+    expectLeftOut(plan, "export env", Because::NotAmongThoseAskedFor);
+    EXPECT_EQ(needed<PaintsFile>(plan, "paint chain").target.name, "chain");
+    EXPECT_EQ(needed<PaintsFile>(plan, "paint matcap").map.size, 60) << "inside its border";
+    EXPECT_EQ(needed<SavesFile>(plan, "save matcap").file, "m.png");
     EXPECT_TRUE(makePlan(scene, probe, all).needsProbe());
 
     scene.material.sphereMap = {};
@@ -320,11 +277,11 @@ TEST(Plan, LambdaByAngleIsEvaluatedOnlyWhereAskedForAndWhereLambdaHoldsALevel)
 {
     Scene scene;
     scene.material.lambdaGrazing = 1.0;
-    expectLeftOut(makePlan(scene, probe), "lambda by angle", "lambda is 0");
+    expectLeftOut(makePlan(scene, probe), "lambda by angle", Because::LambdaHoldsNoLevel);
     scene.material.lambda = 3.0;
-    expectNeeded(makePlan(scene, probe), "lambda by angle", "lambda_grazing 1");
+    EXPECT_EQ(needed<LambdaAtEveryPixel>(makePlan(scene, probe), "lambda by angle").grazing, 1.0);
     scene.material.lambdaGrazing = 0.0;
-    expectLeftOut(makePlan(scene, probe), "lambda by angle", "the same at every angle");
+    expectLeftOut(makePlan(scene, probe), "lambda by angle", Because::LambdaIsTheSame);
 }
 
 TEST(Plan, FacesAreHalvedByThemselvesWhereAskedForAndWhereThereAreFaces)
@@ -333,11 +290,11 @@ TEST(Plan, FacesAreHalvedByThemselvesWhereAskedForAndWhereThereAreFaces)
     scene.material.lambda = 3.0;
     scene.map.mipFiltering = MipFiltering::PerFace;
     Plan plan = makePlan(scene, probe);
-    expectNeeded(plan, "mip levels of specular map", "seams will show");
+    EXPECT_TRUE(needed<HalvesForPicture>(plan, "mip levels of specular map").perFace);
     EXPECT_EQ(plan.specular->filtering, MipFiltering::PerFace);
     scene.map.parameterization = Parameterization::Octahedral;
     plan = makePlan(scene, probe);
-    expectNeeded(plan, "mip levels of specular map", "halved across seams");
+    EXPECT_FALSE(needed<HalvesForPicture>(plan, "mip levels of specular map").perFace);
     EXPECT_EQ(plan.specular->filtering, MipFiltering::AcrossSeams);
 }
 
@@ -345,8 +302,8 @@ TEST(Plan, FacesAreHalvedByThemselvesWhereAskedForAndWhereThereAreFaces)
 StageCost total(const Plan& plan)
 {
     StageCost sum;
-    for (const Stage& s : plan.stages)
-        if (!s.leftOut) {
+    for (const PlannedStage& s : plan.decisions)
+        if (!s.isLeftOut) {
             sum.seconds += s.expected.seconds;
             sum.bytes += s.expected.bytes;
         }
@@ -365,8 +322,8 @@ TEST(Plan, EverythingCanBeAskedForAndLeavesOutNothingThatAMapOrShaderCouldNeed)
         EXPECT_EQ(all.diffuse->filters.front().options.target.size, scene.map.size);
         EXPECT_EQ(all.others.size(), allParameterizations.size() - 1);
         EXPECT_EQ(all.material.fresnel.kind == FresnelKind::None, all.brdf.has_value()) << "a BRDF has its own";
-        EXPECT_EQ(stage(all, "fresnel term").leftOut, all.brdf.has_value());
-        EXPECT_FALSE(stage(all, "spectrum").leftOut);
+        EXPECT_EQ(stage(all, "fresnel term").isLeftOut, all.brdf.has_value());
+        EXPECT_FALSE(stage(all, "spectrum").isLeftOut);
         EXPECT_TRUE(needed.others.empty());
         EXPECT_GT(total(all).seconds, total(needed).seconds) << preset.name;
         EXPECT_GT(total(all).bytes, total(needed).bytes) << preset.name;
@@ -387,8 +344,8 @@ TEST(Plan, TellsWhatItsStagesAreExpectedToCost)
     // What a stage leaves behind: three floats a texel, and a third as much again for the levels below.
     EXPECT_EQ(stage(plan, "filter irradiance map").expected.bytes, 64 * 384 * 12);
     EXPECT_EQ(stage(plan, "mip levels of env").expected.bytes, 256 * 1536 * 12 / 3);
-    for (const Stage& s : plan.stages)
-        if (s.leftOut) {
+    for (const PlannedStage& s : plan.decisions)
+        if (s.isLeftOut) {
             EXPECT_EQ(s.expected, StageCost{}) << s.name << ": what is left out costs nothing";
         }
 }
@@ -423,9 +380,9 @@ TEST(Plan, LeavesToAutoWhatTheChosenMethodRefuses)
     scene.filter.method = Method::Sh9; // diffuse only
     const Plan plan = makePlan(scene, {Parameterization::Latlong, 512, 0});
     EXPECT_EQ(plan.specular->filters.front().options.method, Method::Auto);
-    const auto stage = std::find_if(plan.stages.begin(), plan.stages.end(), [](const Stage& s) { return s.name == "filter specular map"; });
-    ASSERT_NE(stage, plan.stages.end());
-    EXPECT_NE(stage->why.find("sh9 was asked for but cannot do this"), std::string::npos) << stage->why;
+    const LevelChoice choice = needed<FiltersLevel>(plan, "filter specular map").choice;
+    EXPECT_EQ(choice.asked, Method::Sh9);
+    EXPECT_FALSE(choice.refusal.empty());
 }
 
 } // namespace

@@ -1,9 +1,10 @@
 #include "core/scene/surface_picture.h"
 
+#include "plan_decisions.h"
+
 #include "core/base/error.h"
 #include "core/image/image_io.h"
 #include "core/scene/live_picture.h"
-#include "core/scene/plan.h"
 #include "support/picture_builders.h"
 #include "support/temporary_folder.h"
 
@@ -73,45 +74,36 @@ TEST_F(SurfacePicture, ThatCannotBeReadIsToldInOneLineWithFieldAndFile)
     }
 }
 
-const Stage* stage(const Plan& plan, const std::string& name)
-{
-    const auto found = std::find_if(plan.stages.begin(), plan.stages.end(), [&](const Stage& s) { return s.name == name; });
-    return found == plan.stages.end() ? nullptr : &*found;
-}
-
 TEST_F(SurfacePicture, IsReadOnlyWhereTheMaterialShowsIt)
 {
     const MapLayout probe{Parameterization::Latlong, 64, 0};
-    EXPECT_EQ(stage(makePlan(scene, probe), "read diffuse picture"), nullptr) << "none is named";
+    EXPECT_EQ(test::findStage(makePlan(scene, probe), "read diffuse picture"), nullptr) << "none is named";
     scene.material.diffuse.picture = "checker.png";
     scene.material.sphereMap.flecks.pattern = "stripes.png";
-    const auto leftOut = [&](const std::string& name, const std::string& why) {
+    const auto leftOut = [&](const std::string& name, Because because) {
         const Plan plan = makePlan(scene, probe);
-        const Stage* found = stage(plan, name);
-        ASSERT_TRUE(found) << name;
-        EXPECT_TRUE(found->leftOut);
-        EXPECT_THAT(found->why, HasSubstr(why));
+        test::expectLeftOut(plan, name, because);
         EXPECT_FALSE(name == "read diffuse picture" ? plan.diffusePicture : plan.fleckPattern);
     };
-    leftOut("read diffuse picture", "diffuse weight is 0");
-    leftOut("read fleck pattern", "there is no sphere map");
+    leftOut("read diffuse picture", Because::DiffuseWeightIsZero);
+    leftOut("read fleck pattern", Because::NoSphereMapForFlecks);
     scene.material.diffuse.weight = 1.0;
     scene.material.sphereMap.source = "jade";
-    leftOut("read diffuse picture", "the sphere map stands in for the reflection");
-    leftOut("read fleck pattern", "density is 0");
+    leftOut("read diffuse picture", Because::SphereMapReplaces);
+    leftOut("read fleck pattern", Because::FleckDensityIsZero);
     scene.material.sphereMap.use = SphereMapUse::Add;
     scene.material.sphereMap.flecks.density = 0.5;
     const Plan plan = makePlan(scene, probe);
     ASSERT_TRUE(plan.diffusePicture && plan.fleckPattern);
-    EXPECT_FALSE(stage(plan, "read diffuse picture")->leftOut);
+    EXPECT_EQ(test::needed<ReadsSurfacePicture>(plan, "read diffuse picture").source, "checker.png");
     EXPECT_EQ(plan.fleckPattern->source, "stripes.png");
     scene.view.shading = Shading::Normals;
-    leftOut("read diffuse picture", "the view shows normals");
-    leftOut("read fleck pattern", "the view shows normals");
+    for (const char* name : {"read diffuse picture", "read fleck pattern"})
+        EXPECT_EQ(test::leftOut<ShowsDebugView>(makePlan(scene, probe), name).shading, Shading::Normals);
     scene.view.shading = Shading::Material;
     scene.view.geometry = "window";
-    leftOut("read diffuse picture", "a room with a window has no material");
-    leftOut("read fleck pattern", "a room with a window has no material");
+    leftOut("read diffuse picture", Because::RoomHasNoMaterial);
+    leftOut("read fleck pattern", Because::RoomHasNoMaterial);
 }
 
 TEST_F(SurfacePicture, IsReadAgainOnceItsFileIsAnotherAndStaysWhenThatBreaks)
