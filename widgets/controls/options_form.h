@@ -17,6 +17,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 
@@ -82,16 +83,20 @@ class OptionsForm : public QWidget {
 public:
     explicit OptionsForm(Document& document, QWidget* parent = nullptr);
 
-    /// Adds a row for every field that has a control.
+    /// Adds a row for every field that has a control. Where a struct's fields stand in two places, one place names its few by onlyFields()
+    /// and the other hides those, so that a field that is added to the struct appears once.
     /// @param path    of the struct in the scene: "material.specular"
     /// @param select  [](auto& scene) -> auto& { return scene.material.specular; }, for a Scene and a const Scene alike
+    /// @throws std::logic_error for the style of a field that the struct does not have
     template <typename Select>
     void addFields(const std::string& path, Select select, const FieldStyles& styles = {})
     {
         using Settings = std::remove_cvref_t<decltype(select(std::declval<Scene&>()))>;
         const Settings initial;
+        size_t styled = 0;
         Settings::visitFields(initial, [&](const Field& field, const auto& value) {
             using T = std::remove_cvref_t<decltype(value)>;
+            styled += styles.count(field.name);
             const auto found = styles.find(field.name);
             const FieldStyle style = found == styles.end() ? FieldStyle{} : found->second;
             if (style.isHidden)
@@ -117,6 +122,8 @@ public:
                            [access](Scene& scene, const int& to) { access.set(scene, static_cast<T>(to)); }});
             setReset(fieldPath, style, field, [access, value](Scene& scene) { access.set(scene, value); });
         });
+        if (styled != styles.size())
+            throw std::logic_error("a style is given for a field that " + path + " does not have");
     }
 
     /// A control made elsewhere, as a row like the others. @param show shows the scene's value in it

@@ -291,8 +291,7 @@ void MaterialPanel::addFresnel()
         {.isShown = fresnelIs(FresnelKind::Conductor)}, metals,
         [metals](const Scene& scene) { metals->setCurrentIndex(metals->findData(toQString(scene.material.fresnel.metal))); });
     const FieldStyle component{.step = 0.05, .isShown = isCustomMetal};
-    m_form->addFields("material.fresnel", fresnelOf,
-                      {{"kind", {.isHidden = true}}, {"index", {.isHidden = true}}, {"n", component}, {"k", component}});
+    m_form->addFields("material.fresnel", fresnelOf, onlyFields<FresnelSettings>({{"n", component}, {"k", component}}));
     m_form->addRow(new FresnelCurve(m_workspace.document), OptionsForm::Span::Whole,
                    [](const Scene& scene) { return hasNoBrdf(scene) && scene.material.fresnel.kind != FresnelKind::None; });
 }
@@ -302,11 +301,7 @@ void MaterialPanel::addDiffuse()
     m_form->addHeading(tr("Diffuse"));
     m_form->addFields("material.diffuse", diffuseOf,
                       {{"weight", weightStyle()}, {"picture", {.isText = true, .fileFilter = imageFilter()}}});
-    m_form->addFields("material", materialOf,
-                      {{"combine", {.label = tr("Combine")}},
-                       {"lambda", {.isHidden = true}},
-                       {"lambda_grazing", {.isHidden = true}},
-                       {"lod_bias", {.isHidden = true}}});
+    m_form->addFields("material", materialOf, onlyFields<Material>({{"combine", {.label = tr("Combine")}}}));
 }
 
 void MaterialPanel::addClearCoat()

@@ -89,13 +89,11 @@ ViewPanel::ViewPanel(Workspace& workspace, QWidget* parent) : QWidget(parent), m
     m_form->addHeading(tr("Object"));
     addGeometry();
     addWindow();
-    m_form->addFields("view", viewOf,
-                      {{"tessellation", {.label = tr("Tessellation"), .isShown = [](const Scene& scene) { return !showsWindow(scene); }}},
-                       {"tone", hidden},
-                       {"exposure", hidden},
-                       {"width", hidden},
-                       {"height", hidden},
-                       {"shading", {.label = tr("Shading")}}});
+    m_form->addFields(
+        "view", viewOf,
+        onlyFields<ViewSettings>(
+            {{"tessellation", {.label = tr("Tessellation"), .isShown = [](const Scene& scene) { return !showsWindow(scene); }}},
+             {"shading", {.label = tr("Shading")}}}));
     m_form->addHeading(tr("Environment"));
     m_form->addFields(
         "probe", probeOf,
