@@ -15,9 +15,6 @@ namespace {
 /// texels drawn at random and at those around the brightest place, which carry most of the root mean square.
 TEST(RealProbes, AreFilteredWithinTheTolerance)
 {
-    const auto paths = test::sharedProbes1k();
-    if (paths.empty())
-        GTEST_SKIP() << "needs the probes in " << test::sharedDataFolder() << ", which is not beside this checkout";
     const MapLayout cube{Parameterization::Cube, 128, 0};
     struct Case {
         Lobe lobe;
@@ -28,10 +25,13 @@ TEST(RealProbes, AreFilteredWithinTheTolerance)
                                   {ggxLobe(0.01), 1e-4, 1.0},   {ggxLobe(0.09), 1e-4, 1.0},    {ggxLobe(0.36), 1e-4, 1.0},
                                   {ggxLobe(1.0), 1e-4, 1.0}};
     std::mt19937 generator(1);
-    for (const auto& path : paths) {
-        const EnvironmentMap probe({Parameterization::Latlong, 512, 0}, readImage(path));
+    for (const auto& path : test::realProbes()) {
+        Image image = readImage(path);
+        const EnvironmentMap probe({Parameterization::Latlong, image.height, 0}, std::move(image));
         FilterSource source(probe);
         for (const Case& c : cases) {
+            if (isUnresolved(c.lobe, probe.layout.width()))
+                continue; // a lookup, which is not compared with sums
             const EnvironmentMap map = prefilter(source, {.lobe = c.lobe, .target = cube}).map;
             std::vector<int> texels;
             for (int i = 0; i < 50; ++i)

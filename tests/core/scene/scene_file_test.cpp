@@ -333,7 +333,7 @@ TEST_F(SceneFile, MaterialFilesHoldTheMaterialAlone)
 
 TEST(SceneFiles, ThatComeWithTheProgramLoad)
 {
-    const auto resources = std::filesystem::path(MIRRORBALL_TEST_DATA).parent_path().parent_path() / "resources";
+    const auto resources = std::filesystem::path(MIRRORBALL_RESOURCES);
     const Scene scene = loadScene(resources / "scenes" / "showroom.mirrorball");
     EXPECT_EQ(scene.exports.size(), 4u);
     EXPECT_TRUE(scene.unknown.empty()) << "a misspelt key would be kept as unknown";
