@@ -107,7 +107,9 @@ static std::vector<ShaderDefine> materialDefines(const MaterialSettings& materia
     return {{"HAS_SPECULAR", needed.specular ? "1" : "0"},
             {"HAS_DIFFUSE", needed.diffuse ? "1" : "0"},
             {"FRESNEL", number(static_cast<int>(material.fresnel.kind))},
-            {"CLEAR_COAT", needed.clearCoat ? "1" : "0"},
+            {"CLEAR_COAT", !needed.clearCoat                             ? "0"
+                           : material.clearCoat.combine == Combine::Coat ? "1"
+                                                                         : "2"},
             {"COAT", material.combine == Combine::Coat ? "1" : "0"},
             {"LAMBDA_BY_ANGLE", material.lambda > 0.0f && material.lambdaGrazing > 0.0f ? "1" : "0"},
             {"MARKER", hasMarker ? "1" : "0"},

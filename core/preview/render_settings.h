@@ -67,11 +67,12 @@ struct PaintSettings {
 /// What a lookup beside the edge of a cube map's face reads: across it, or the face's own last texels, as the hardware of 2002 did.
 enum class FaceEdges { Seamless, Clamped };
 
-/// A clear layer over the material: w F L_c + (1 - w F) L, with F of a dielectric and L_c the clear coat's map looked up by the mirror
-/// direction.
+/// A clear layer over the material: w F L_c + (1 - w F) L, or for Add w F L_c + L, with F of a dielectric and L_c the clear coat's map
+/// looked up by the mirror direction.
 struct ClearCoat {
     float weight = 0.0f; ///< w, [0, 1]; 0: there is none, and its map is left out
     double index = 1.5;  ///< of refraction, > 0
+    Combine combine = Combine::Coat;
     bool operator==(const ClearCoat&) const = default;
 };
 

@@ -165,10 +165,12 @@ struct SphereMapSettings {
 
 /// A clear layer over all of the material below: w F L_c + (1 - w F) L, with w its weight, F of a dielectric and L_c the light that its own
 /// lobe reflects. What it reflects the layers below do not get; the light's way through it is left out. Source: 000 section 3.1.1, of two
-/// layers that both reflect.
+/// layers that both reflect. Or one lobe more, which takes nothing from them: w F L_c + L. Source: 000 section 3.2, of several prefiltered
+/// maps that are added.
 struct ClearCoatSettings {
     double weight = 0.0;
     double index = 1.5;
+    Combine combine = Combine::Coat;
     SurfaceLobe lobe = SurfaceLobe::Mirror;
     double exponent = 5000.0;
     double roughness = 0.1;
@@ -180,6 +182,7 @@ struct ClearCoatSettings {
     {
         visit(Field{"weight", "share of the surface that has it; 0: none", 0, 1}, self.weight);
         visit(Field{"index", "index of refraction of the layer", 1e-3, 1e9}, self.index);
+        visit(Field{"combine", "coat: what it reflects does not get below it; add: its light comes on top, a lobe more"}, self.combine);
         visit(Field{"lobe", "mirror, or how a glossy layer spreads the reflection"}, self.lobe);
         visit(Field{"exponent", "phong: the larger, the sharper", 0, 1e9}, self.exponent);
         visit(Field{"roughness", "ggx: 0 is a mirror, 1 fully rough; alpha is its square", 0, 1}, self.roughness);

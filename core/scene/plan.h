@@ -23,6 +23,7 @@ struct PlannedMaterial {
     Combine combine = Combine::Add;
     double clearCoat = 0.0; ///< its weight; 0: there is none to be seen
     double clearCoatIndex = 1.5;
+    Combine clearCoatCombine = Combine::Coat;
     bool operator==(const PlannedMaterial&) const = default;
 };
 

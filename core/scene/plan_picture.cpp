@@ -64,7 +64,8 @@ PlannedMaterial planMaterial(const Material& material, PlanExtent extent)
                             .fresnel = material.brdf.isNone() ? fresnelTerm(material.fresnel) : Fresnel{},
                             .combine = material.combine,
                             .clearCoat = material.clearCoat.index == 1.0 ? 0.0 : material.clearCoat.weight,
-                            .clearCoatIndex = material.clearCoat.index};
+                            .clearCoatIndex = material.clearCoat.index,
+                            .clearCoatCombine = material.clearCoat.combine};
     if (extent == PlanExtent::Everything)
         planned = withNothingFolded(planned);
     if (!material.brdf.isNone()) // its albedo takes the place of F, and changes with the view

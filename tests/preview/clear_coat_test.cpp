@@ -86,6 +86,24 @@ TEST_F(ClearCoat, LiesOverAGlossyLobe)
     });
 }
 
+// As one lobe more it takes nothing from what is below: the sum of both pictures.
+TEST_F(ClearCoat, AddsALobeWhereAskedTo)
+{
+    Scene below = ball();
+    below.material.specular = {.lobe = SurfaceLobe::Ggx, .roughness = 0.6, .color = {0.9, 0.4, 0.2}};
+    Scene mirror = ball(), both = below;
+    both.material.clearCoat = {.weight = 0.8, .index = 2.0, .combine = Combine::Add};
+    const EnvironmentMap probe = sky(false);
+    const test::ScenePicture one = test::drawScene(below, probe), other = test::drawScene(mirror, probe),
+                             picture = test::drawScene(both, probe);
+    overTheBall(picture, [&](int x, int y, double cosine) {
+        for (int c = 0; c < 3; ++c) {
+            const double wanted = 0.8 * fresnelDielectric(cosine, 2.0) * other.radiance.texel(x, y)[c] + one.radiance.texel(x, y)[c];
+            EXPECT_NEAR(picture.radiance.texel(x, y)[c], wanted, 3e-3 * wanted) << x << ',' << y;
+        }
+    });
+}
+
 // A glossy coat over a mirror is as blurred as a glossy material, and the map is made for it.
 TEST_F(ClearCoat, HasALobeOfItsOwn)
 {

@@ -311,6 +311,7 @@ void MaterialPanel::addClearCoat()
         "material.clear_coat", clearCoatOf,
         {{"weight", {.step = 0.05}},
          {"index", {.sliderLow = 1.0, .sliderHigh = 4.0, .isShown = hasClearCoat}},
+         {"combine", {.isShown = hasClearCoat}},
          {"lobe", {.isShown = hasClearCoat}},
          {"exponent", {.sliderLow = 0.1, .sliderHigh = 1e6, .scale = Scale::Logarithmic, .isShown = clearCoatIs(SurfaceLobe::Phong)}},
          {"roughness", {.digits = 3, .isShown = clearCoatIs(SurfaceLobe::Ggx)}}});

@@ -1,5 +1,5 @@
 // The material: a map looked up by reflection, a map looked up by normal, the Fresnel term between them. What a material lacks is
-// not compiled: HAS_SPECULAR, HAS_DIFFUSE (0 or 1), FRESNEL (0 none, 1 dielectric, 2 conductor), COAT (0 add, 1 coat), CLEAR_COAT (0 or 1), LAMBDA_BY_ANGLE,
+// not compiled: HAS_SPECULAR, HAS_DIFFUSE (0 or 1), FRESNEL (0 none, 1 dielectric, 2 conductor), COAT (0 add, 1 coat), CLEAR_COAT (0 none, 1 coat, 2 add), LAMBDA_BY_ANGLE,
 // MARKER (0 or 1), BRDF_LOOKUPS (how many stand for specular map and Fresnel term; 0: none), SPHERE_USE (a painted sphere map: 0 none, 1 replace, 2 multiply, 3 over, 4 tint, 5 add), FLECKS (0 or 1),
 // DIFFUSE_PICTURE and FLECK_PATTERN (0 or 1: a picture on the mesh).
 #include "lib/fresnel.glsl"
@@ -182,8 +182,12 @@ void main()
     vec3 radiance = f * mirrored + diffuse;
 #endif
 #if CLEAR_COAT
-    // What it reflects does not get below it.
-    radiance = mix(radiance, clearCoatRadiance(clearCoatRotation * p.r, 0.0), clearCoatWeight * fresnelDielectric(p.c, clearCoatN2m1));
+    float coatShare = clearCoatWeight * fresnelDielectric(p.c, clearCoatN2m1);
+    vec3 coatLight = coatShare * clearCoatRadiance(clearCoatRotation * p.r, 0.0);
+#if CLEAR_COAT == 1 // what it reflects does not get below it
+    radiance *= 1.0 - coatShare;
+#endif
+    radiance += coatLight;
 #endif
 #if SPHERE_USE
 #if SPHERE_VERTEX

@@ -50,6 +50,7 @@ const std::map<std::string, Touches> classes = [] {
                               "material.diffuse.picture",
                               "material.clear_coat.weight",
                               "material.clear_coat.index",
+                              "material.clear_coat.combine",
                               "material.clear_coat.lobe",
                               "material.clear_coat.exponent",
                               "material.clear_coat.roughness",
