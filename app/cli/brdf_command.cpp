@@ -3,9 +3,11 @@
 #include "reading_options.h"
 
 #include "core/base/error.h"
+#include "core/base/field_checks.h"
 #include "core/filter/lookup_table.h"
 #include "core/image/image_format.h"
 #include "core/image/image_io.h"
+#include "core/report/measured_domain.h"
 #include "core/shading/brdf.h"
 #include "core/shading/brdf_table.h"
 #include "core/shading/reflectance_map.h"
@@ -64,19 +66,19 @@ struct TableChoice {
     std::optional<BrdfTable> byFormula{};
     std::optional<LookupChoice> lookups{};
     bool isMirrorMap = false;
-    std::optional<double> hemisphereDeg{};
+    std::optional<double> hemisphereDeg{}, domainDeg{};
 };
 
-/// Degrees after "hemisphere:".
-std::optional<double> hemisphereOf(const std::string& word)
+/// Degrees after "hemisphere:" or "domain:".
+std::optional<double> incidenceOf(const std::string& word, const std::string& prefix)
 {
-    constexpr std::string_view prefix = "hemisphere:";
     if (!word.starts_with(prefix))
         return std::nullopt;
     double angle = -1.0;
     const auto [end, error] = std::from_chars(word.data() + prefix.size(), word.data() + word.size(), angle);
     if (error != std::errc() || end != word.data() + word.size() || !(angle >= 0.0 && angle < 90.0))
-        throw InvalidArgument("--table: hemisphere: must be followed by an angle of at least 0 and below 90 degrees; it is '" + word + "'");
+        throw InvalidArgument("--table: " + prefix + " must be followed by an angle of at least 0 and below 90 degrees; it is '" + word +
+                              "'");
     return angle;
 }
 
@@ -85,16 +87,17 @@ TableChoice parseTable(const std::string& word)
     const TableChoice choice{.byFormula = brdfTableFromName(word),
                              .lookups = word == "lookups" ? LookupChoice{} : lookupChoiceFromWord(word),
                              .isMirrorMap = word == "mirror-map",
-                             .hemisphereDeg = hemisphereOf(word)};
-    if (!choice.byFormula && !choice.lookups && !choice.isMirrorMap && !choice.hemisphereDeg)
-        throw InvalidArgument("--table: '" + word + "' is no table; choose one of " + brdfTableNames() + ", mirror-map, hemisphere:DEG, " +
-                              lookupChoiceHelp());
+                             .hemisphereDeg = incidenceOf(word, "hemisphere:"),
+                             .domainDeg = incidenceOf(word, "domain:")};
+    if (!choice.byFormula && !choice.lookups && !choice.isMirrorMap && !choice.hemisphereDeg && !choice.domainDeg)
+        throw InvalidArgument("--table: '" + word + "' is no table; choose one of " + brdfTableNames() +
+                              ", mirror-map, hemisphere:DEG, domain:DEG, " + lookupChoiceHelp());
     return choice;
 }
 
 void writeTable(const Options& o, const TableChoice& choice, const Brdf& brdf)
 {
-    constexpr int usualMap = 256;
+    constexpr int usualMap = 256, domainEdge = 512;
     const std::string& path = o.out.front();
     const int edge = o.size > 0 ? o.size : usualMap;
     if (choice.hemisphereDeg) {
@@ -103,6 +106,12 @@ void writeTable(const Options& o, const TableChoice& choice, const Brdf& brdf)
             writeImage(path, falseColored(map), {.encoding = Encoding::Display});
         else
             writeImage(path, map);
+    } else if (choice.domainDeg) {
+        const MeasuredBrdf* measured = std::get_if<MeasuredBrdf>(&brdf.model);
+        if (!measured)
+            throw InvalidArgument("--table: domain: shows where a file was measured; " + inQuotes(o.brdf) + " is a formula");
+        writeImage(path, measuredDomainPicture(*measured, radians(*choice.domainDeg), o.size > 0 ? o.size : domainEdge),
+                   {.encoding = Encoding::Display});
     } else if (choice.isMirrorMap) {
         writeImage(path, mirrorReflectanceMap(brdf, edge), {.bytes = ByteEncoding::Srgb});
     } else if (choice.lookups) {

@@ -1,5 +1,7 @@
 #include "curve_picture.h"
 
+#include "picture_canvas.h"
+
 #include "core/base/error.h"
 #include "core/image/text_picture.h"
 
@@ -15,57 +17,6 @@ namespace {
 
 constexpr int leftMargin = 58, rightPad = 14, top = 26, bottom = 38;
 constexpr glm::vec3 ink(0.2f), faint(0.93f), firm(0.8f);
-constexpr float lineWidth = 2.2f, dotRadius = 3.0f; ///< pixels
-
-class Canvas {
-public:
-    Canvas(int width, int height) : m_image(width, height) { std::fill(m_image.texels.begin(), m_image.texels.end(), 1.0f); }
-
-    void blend(int x, int y, const glm::vec3& color, float cover)
-    {
-        if (x < 0 || y < 0 || x >= m_image.width || y >= m_image.height)
-            return;
-        float* texel = m_image.texel(x, y);
-        for (int c = 0; c < 3; ++c)
-            texel[c] += cover * (color[c] - texel[c]);
-    }
-    /// @param at  upper left corner
-    void text(const std::string& words, glm::ivec2 at, const glm::vec3& color)
-    {
-        const Image letters = textPicture(words, 1);
-        for (int y = 0; y < letters.height; ++y)
-            for (int x = 0; x < letters.width; ++x)
-                blend(at.x + x, at.y + y, color, *letters.texel(x, y));
-    }
-    /// A line through the points with a dot on each: each pixel by its distance, so that joints are covered once.
-    void line(const std::vector<glm::vec2>& points, const glm::vec3& color)
-    {
-        std::vector<float> cover(static_cast<size_t>(m_image.width) * static_cast<size_t>(m_image.height), 0.0f);
-        const auto add = [&](const glm::vec2& a, const glm::vec2& b, float radius) {
-            const glm::vec2 low = glm::min(a, b) - radius - 1.0f, high = glm::max(a, b) + radius + 1.0f, along = b - a;
-            for (int y = std::max(static_cast<int>(low.y), 0); y <= std::min(static_cast<int>(high.y), m_image.height - 1); ++y)
-                for (int x = std::max(static_cast<int>(low.x), 0); x <= std::min(static_cast<int>(high.x), m_image.width - 1); ++x) {
-                    const glm::vec2 p = glm::vec2(x, y) + 0.5f - a;
-                    const float length2 = glm::dot(along, along),
-                                t = length2 > 0.0f ? std::clamp(glm::dot(p, along) / length2, 0.0f, 1.0f) : 0.0f;
-                    float& place = cover[static_cast<size_t>(y) * static_cast<size_t>(m_image.width) + static_cast<size_t>(x)];
-                    place = std::max(place, std::clamp(radius + 0.5f - glm::length(p - t * along), 0.0f, 1.0f));
-                }
-        };
-        for (size_t i = 0; i < points.size(); ++i) {
-            add(points[i], points[i], dotRadius);
-            if (i + 1 < points.size())
-                add(points[i], points[i + 1], 0.5f * lineWidth);
-        }
-        for (int y = 0; y < m_image.height; ++y)
-            for (int x = 0; x < m_image.width; ++x)
-                blend(x, y, color, cover[static_cast<size_t>(y) * static_cast<size_t>(m_image.width) + static_cast<size_t>(x)]);
-    }
-    Image take() { return std::move(m_image); }
-
-private:
-    Image m_image;
-};
 
 std::string number(double value)
 {
@@ -113,7 +64,7 @@ Axes axesOf(const CurvePlot& plot, int rightMargin)
     return axes;
 }
 
-void drawGrid(Canvas& canvas, const CurvePlot& plot, const Axes& axes)
+void drawGrid(PictureCanvas& canvas, const CurvePlot& plot, const Axes& axes)
 {
     const int left = static_cast<int>(axes.corner.x), right = left + static_cast<int>(axes.size.x);
     for (int decade = static_cast<int>(axes.y0); decade <= static_cast<int>(axes.y1); ++decade)
@@ -181,7 +132,7 @@ Image curvePicture(const CurvePlot& plot)
     for (const Curve& curve : plot.curves)
         widest = std::max(widest, widthOf(curve.label));
     const Axes axes = axesOf(plot, widest + rightPad + 8);
-    Canvas canvas(plot.width, plot.height);
+    PictureCanvas canvas(plot.width, plot.height);
     drawGrid(canvas, plot, axes);
     const std::vector<int> heights = labelHeights(plot, axes);
     for (size_t i = 0; i < plot.curves.size(); ++i) {
@@ -189,7 +140,7 @@ Image curvePicture(const CurvePlot& plot)
         for (const glm::dvec2& p : plot.curves[i].points)
             if (p.y > 0.0)
                 points.push_back(axes.place(p));
-        canvas.line(points, plot.curves[i].color);
+        canvas.line(points, plot.curves[i].color, {.isDotted = true});
         if (!points.empty())
             canvas.text(plot.curves[i].label, {plot.width - rightPad - widest, heights[i]}, plot.curves[i].color);
     }

@@ -235,7 +235,7 @@ MeasuredBrdf scatteredBrdf(std::string name, std::vector<MeasuredBrdf::Sample> s
         gaps.clamped += clamped;
         points.push_back(point);
     }
-    return {std::move(name), std::make_shared<ScatteredTable>(std::move(points)), gaps};
+    return {std::move(name), std::make_shared<ScatteredTable>(std::move(points)), gaps, std::move(samples)};
 }
 
 } // namespace mirrorball

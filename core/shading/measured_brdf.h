@@ -30,8 +30,10 @@ public:
         virtual glm::dvec3 value(double nl, double nv, double lv) const = 0;
     };
 
-    MeasuredBrdf(std::string name, std::shared_ptr<const Table> table, Gaps gaps)
-        : m_name(std::move(name)), m_table(std::move(table)), m_gaps(gaps)
+    /// @param samples  that the table was made of, where they are scattered ones
+    MeasuredBrdf(std::string name, std::shared_ptr<const Table> table, Gaps gaps, std::vector<Sample> samples = {})
+        : m_name(std::move(name)), m_table(std::move(table)), m_gaps(gaps),
+          m_samples(std::make_shared<const std::vector<Sample>>(std::move(samples)))
     {
     }
 
@@ -40,12 +42,15 @@ public:
     /// What the file is called.
     const std::string& name() const { return m_name; }
     const Gaps& gaps() const { return m_gaps; }
+    /// Empty where all directions of a grid were measured.
+    const std::vector<Sample>& samples() const { return *m_samples; }
     bool operator==(const MeasuredBrdf& other) const { return m_table == other.m_table; }
 
 private:
     std::string m_name;
     std::shared_ptr<const Table> m_table;
     Gaps m_gaps;
+    std::shared_ptr<const std::vector<Sample>> m_samples;
 };
 
 /// A table over the half-angle coordinates, theta_h in 90 steps of its square root, theta_d in 90, phi_d in 180 steps of pi: linear between
