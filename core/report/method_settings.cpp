@@ -103,9 +103,13 @@ std::vector<MethodSetting> methodSettings(Method method, Sweep sweep, double tol
     case Method::Reference:
     case Method::Sh9:
         return {{.method = method}};
-    default:
-        return toleranceSweep(method, sweep, tolerance);
+    case Method::Auto:
+    case Method::Spectral:
+    case Method::Direct:
+    case Method::Hierarchical:
+        break;
     }
+    return toleranceSweep(method, sweep, tolerance);
 }
 
 std::string exactNumber(double value)
@@ -171,8 +175,7 @@ std::string filterCommand(const std::string& probe, const PrefilterOptions& opti
     for (size_t i = 0; i < chosen.size(); ++i)
         if (chosen[i] != usual[i])
             command << chosen[i];
-    if (std::array withoutTolerance{Method::Importance, Method::Mip, Method::Paraboloid, Method::Reference, Method::Sh9};
-        std::find(withoutTolerance.begin(), withoutTolerance.end(), options.method) == withoutTolerance.end())
+    if (followsTolerance(options.method))
         command << " --tolerance " << shortNumber(options.tolerance);
     return command.str();
 }
