@@ -1,5 +1,6 @@
 #include "direct.h"
 #include "hierarchical.h"
+#include "lobe_row.h"
 #include "method_parts.h"
 #include "prefilter.h"
 #include "reference.h"
@@ -19,7 +20,7 @@ double termsOf(const PrefilterOptions& options, int width)
 {
     const double most = directTaps(options.lobe, width, {.level = 0.1 * options.tolerance});
     const double peak = std::min(most, 2000.0 * std::pow(1e-2 / options.tolerance, 0.75));
-    const double tail = options.lobe.kind == LobeKind::Ggx ? 5000.0 * std::pow(1e-2 / options.tolerance, 0.27) : 0.0;
+    const double tail = rowOf(options.lobe.kind).hasLongTail ? 5000.0 * std::pow(1e-2 / options.tolerance, 0.27) : 0.0;
     return std::max(peak, std::min(tail, 0.25 * width * width)); // no more than all above the horizon
 }
 

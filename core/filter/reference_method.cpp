@@ -1,3 +1,4 @@
+#include "lobe_row.h"
 #include "method_parts.h"
 #include "prefilter.h"
 #include "reference.h"
@@ -9,8 +10,7 @@ namespace {
 double seconds(const PrefilterOptions& options, const ProbeTraits& probe)
 {
     constexpr double power = 1e-8, products = 2e-9; // a texel of the probe under a texel of the target
-    const bool isProduct = options.lobe.kind == LobeKind::Diffuse || options.lobe.kind == LobeKind::Ggx;
-    return (isProduct ? products : power) * probeTexels(probe) * targetTexels(options);
+    return (rowOf(options.lobe.kind).isProduct ? products : power) * probeTexels(probe) * targetTexels(options);
 }
 
 double error(const PrefilterOptions&, const ProbeTraits&) { return floatRounding; }

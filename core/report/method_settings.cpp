@@ -1,6 +1,7 @@
 #include "method_settings.h"
 
 #include "core/base/shell_word.h"
+#include "core/filter/lobe_row.h"
 
 #include <algorithm>
 #include <array>
@@ -154,19 +155,12 @@ std::string filterCommand(const std::string& probe, const PrefilterOptions& opti
     std::ostringstream command;
     command.precision(17);
     command << "mirrorball filter " << shellWord(probe) << " -o map.exr --lobe ";
-    switch (options.lobe.kind) {
-    case LobeKind::Phong:
-        command << "phong --exponent " << exactNumber(options.lobe.exponent);
-        break;
-    case LobeKind::Diffuse:
-        command << "diffuse";
-        break;
-    case LobeKind::Ggx:
-        command << "ggx --alpha " << exactNumber(options.lobe.alpha);
-        break;
-    case LobeKind::Tabulated:
+    const LobeRow& lobe = rowOf(options.lobe.kind);
+    if (!lobe.make)
         return {};
-    }
+    command << lobe.word;
+    if (lobe.value)
+        command << " --" << lobe.parameter << ' ' << exactNumber(options.lobe.*lobe.value);
     command << " --to " << name(options.target.kind) << " --size " << options.target.size;
     if (options.target.border > 0)
         command << " --border " << options.target.border;
