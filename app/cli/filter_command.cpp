@@ -30,7 +30,7 @@ struct Options {
     std::optional<double> exponent, roughness, alpha, lambda;
     std::optional<int> samples;
     std::optional<std::string> mipFiltering;
-    std::map<std::string, std::string> paraboloid; ///< by option, as typed
+    std::map<std::string, std::string> knobs; ///< the others, by option, as typed
     int size = 0, border = 0, threads = 0;
     double yawDeg = 0.0, azimuthDeg = 0.0;
     std::optional<double> viewDeg, tolerance; ///< tolerance: 1e-5 of a lobe
@@ -127,6 +127,33 @@ struct KnobParser {
     }
 };
 
+/// "auto, reference, ... or sh9"
+std::string methodWords()
+{
+    std::string text;
+    for (const Method method : allMethods)
+        text += (method == allMethods.front() ? "" : method == allMethods.back() ? " or " : ", ") + std::string(name(method));
+    return text;
+}
+
+/// Knobs whose values are checked as they are typed; the others are read by KnobParser.
+bool isTyped(const Field& knob) { return knob.name == "samples" || knob.name == "lambda" || knob.name == "mip_filtering"; }
+
+/// Refuses knobs that belong to another method.
+void checkKnobs(const Options& o, Method method)
+{
+    std::map<std::string, bool> given{
+        {"--samples", o.samples.has_value()}, {"--lambda", o.lambda.has_value()}, {"--mip-filtering", o.mipFiltering.has_value()}};
+    for (const auto& [option, value] : o.knobs)
+        given[option] = !value.empty();
+    const MethodKnobs knobs;
+    MethodKnobs::visitFields(knobs, [&](const Field& field, const auto&) {
+        const std::string option = optionOf(field);
+        refuse(given.at(option) && !hasKnob(method, field.name), option,
+               "belongs to --method " + ownersOf(field.name) + ", not to '" + o.method + "'");
+    });
+}
+
 /// How many levels are made: one, all of them (--mips), or as many as --levels says of a chain by --law.
 int chainLength(const Options& o, const MapLayout& base)
 {
@@ -153,17 +180,13 @@ std::vector<PrefilterOptions> parseJobs(const Options& o, double yaw)
             known += (known.empty() ? "" : ", ") + std::string(name(m));
         throw InvalidArgument("--method: '" + o.method + "' is no method; choose one of " + known);
     }
-    refuse(o.samples && *method != Method::Importance, "--samples", "belongs to --method importance, not to '" + o.method + "'");
-    refuse(o.lambda && *method != Method::Mip, "--lambda", "belongs to --method mip, not to '" + o.method + "'");
-    refuse(o.mipFiltering && *method != Method::Mip, "--mip-filtering", "belongs to --method mip, not to '" + o.method + "'");
+    checkKnobs(o, *method);
     MethodKnobs knobs{.lambda = o.lambda};
     if (o.samples)
         knobs.samples = *o.samples;
     if (o.mipFiltering)
         knobs.mipFiltering = parseMipFiltering(*o.mipFiltering);
-    for (const auto& [option, value] : o.paraboloid)
-        refuse(!value.empty() && *method != Method::Paraboloid, option, "belongs to --method paraboloid, not to '" + o.method + "'");
-    ParaboloidKnobs::visitFields(knobs.paraboloid, KnobParser{o.paraboloid});
+    MethodKnobs::visitFields(knobs, KnobParser{o.knobs});
     refuse(o.tolerance && !keepsTolerance(*method), "--tolerance",
            "'" + o.method + "' promises none; leave it out, or take auto, spectral, direct, hierarchical or reference");
     const double tolerance = o.tolerance.value_or(1e-5);
@@ -298,8 +321,7 @@ void addFilterCommand(CLI::App& program)
     command->add_flag("--mips", o->mips,
                       "every mip level, down to one texel; ggx without a roughness makes the chain of roughness 0 to 1 from base to top");
     command->add_option("--method", o->method,
-                        "auto, reference, spectral, direct, hierarchical, importance, paraboloid, mip or sh9; brdf: sum, stack, "
-                        "lookups:K, split-sum, three, filament, round or warp:DEG");
+                        methodWords() + "; brdf: sum, stack, lookups:K, split-sum, three, filament, round or warp:DEG");
     command
         ->add_option("--tolerance", o->tolerance,
                      "what is promised, in (0, 1]: rel_rms and median_rel against the reference sum, five times it for p99_rel, and no "
@@ -309,9 +331,10 @@ void addFilterCommand(CLI::App& program)
     command->add_option("--lambda", o->lambda, "mip: least level of detail of the environment; without it matched to the lobe by width")
         ->check(within(0, 32));
     command->add_option("--mip-filtering", o->mipFiltering, "mip: across-seams, or per-face as the hardware of 2002 did");
-    ParaboloidKnobs knobs;
-    ParaboloidKnobs::visitFields(knobs, [&](const Field& field, auto&) {
-        command->add_option(optionOf(field), o->paraboloid[optionOf(field)], std::string(field.help));
+    const MethodKnobs knobs;
+    MethodKnobs::visitFields(knobs, [&](const Field& field, const auto&) {
+        if (!isTyped(field))
+            command->add_option(optionOf(field), o->knobs[optionOf(field)], std::string(field.help));
     });
     command->add_option("--frames", o->frames, "make every frame of a sequence, FIRST-LAST; #### in names stands for the frame's number");
     command->add_option("--threads", o->threads, "threads; 0: one per core")->check(aThreadCount());

@@ -127,10 +127,12 @@ FilterArguments arguments(const py::object& lobe, const std::string& to, int siz
         throw InvalidArgument("method: '" + method + "' is no method");
     if (!(tolerance > 0.0 && tolerance <= 1.0))
         throw InvalidArgument("tolerance: must lie in (0, 1]");
-    if (samples && *known != Method::Importance)
-        throw InvalidArgument("samples: belongs to the method importance, not to '" + method + "'");
-    if (lambda && *known != Method::Mip)
-        throw InvalidArgument("lambda_: belongs to the method mip, not to '" + method + "'");
+    const auto checkKnob = [&](bool isGiven, const std::string& argument, std::string_view knob) {
+        if (isGiven && !hasKnob(*known, knob))
+            throw InvalidArgument(argument + ": belongs to the method " + ownersOf(knob) + ", not to '" + method + "'");
+    };
+    checkKnob(samples.has_value(), "samples", "samples");
+    checkKnob(lambda.has_value(), "lambda_", "lambda");
     if (samples && (*samples < 1 || *samples > (1 << 20)))
         throw InvalidArgument("samples: must lie in 1 to 1048576");
     if (py::isinstance<py::str>(lobe))

@@ -1,6 +1,7 @@
 #include "lobe.h"
 
 #include "lobe_coefficients.h"
+#include "lobe_row.h"
 
 #include "core/base/error.h"
 #include "core/sphere/direction.h"
@@ -166,21 +167,13 @@ Lobe tabulatedLobe(std::vector<double> samples)
 
 std::string describe(const Lobe& lobe)
 {
+    const LobeRow& row = rowOf(lobe.kind);
     std::ostringstream text;
-    switch (lobe.kind) {
-    case LobeKind::Phong:
-        text << "phong:" << lobe.exponent;
-        break;
-    case LobeKind::Diffuse:
-        text << "diffuse";
-        break;
-    case LobeKind::Ggx:
-        text << "ggx:" << lobe.alpha;
-        break;
-    case LobeKind::Tabulated:
-        text << "tabulated:" << lobe.samples.size();
-        break;
-    }
+    text << row.word;
+    if (row.value)
+        text << ':' << lobe.*row.value;
+    else if (lobe.kind == LobeKind::Tabulated)
+        text << ':' << lobe.samples.size();
     return text.str();
 }
 

@@ -7,12 +7,13 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 /// The filtering methods by name, and the knobs that some of them have.
 namespace mirrorball {
 
-/// Each has a file of its own; prefilter.h is the one interface over them.
+/// Each has a file of its own, where its row is (method_row.h); prefilter.h is the one interface over them.
 enum class Method { Auto, Reference, Spectral, Direct, Hierarchical, Importance, Paraboloid, Mip, Sh9 };
 
 inline constexpr std::array allMethods{Method::Auto,       Method::Reference,  Method::Spectral, Method::Direct, Method::Hierarchical,
@@ -22,6 +23,14 @@ inline constexpr std::array allMethods{Method::Auto,       Method::Reference,  M
 std::string_view name(Method method);
 std::optional<Method> methodFromName(std::string_view word);
 
+/// The knobs that belong to a method: names of fields of MethodKnobs.
+std::span<const std::string_view> knobsOf(Method method);
+bool hasKnob(Method method, std::string_view knob);
+/// The methods that a knob belongs to: "importance". Empty where it is no knob.
+std::string ownersOf(std::string_view knob);
+/// Whether a smaller tolerance costs a method more, so that the tolerance is its knob.
+bool followsTolerance(Method method);
+
 /// How the pyramid of the mip method is filtered at the edges of cube faces.
 enum class MipFiltering {
     AcrossSeams, ///< consistently, as 002 asks for
@@ -29,8 +38,8 @@ enum class MipFiltering {
 };
 std::span<const std::string_view> words(MipFiltering); // across-seams per-face
 
-/// What is particular to one method; the others do not look at it. The tolerance, which is the knob of spectral, direct and
-/// hierarchical, belongs to all (PrefilterOptions).
+/// What is particular to one method, whose row names it (knobsOf()); the others do not look at it. The tolerance, which is the knob of
+/// spectral, direct and hierarchical, belongs to all (PrefilterOptions).
 struct MethodKnobs {
     int samples = 1024;             ///< importance: samples of the lobe a texel
     std::optional<double> lambda{}; ///< mip: least level of detail; empty: matched to the lobe by width

@@ -80,6 +80,22 @@ ValueDistribution coarseValues(const SettledNearFar& settled, const BrightLobe& 
     return values;
 }
 
+SplitAt splitOf(const Lobe& lobe)
+{
+    if (isShortPolynomial(lobe))
+        return SplitAt::Nowhere;
+    switch (lobe.kind) {
+    case LobeKind::Phong:
+        return lobe.exponent <= HorizonSplit::largestExponent ? SplitAt::Horizon : SplitAt::Nowhere;
+    case LobeKind::Ggx:
+        return lobe.alpha > 0.0 ? SplitAt::Axis : SplitAt::Nowhere;
+    case LobeKind::Diffuse:
+    case LobeKind::Tabulated:
+        break;
+    }
+    return SplitAt::Nowhere;
+}
+
 double horizonWidth(const NearFarPlan& plan) { return plan.sharpness / plan.bandLimit; }
 
 /// By then the far part's spectrum has fallen below the rounding of floats.
@@ -105,7 +121,7 @@ Parts split(const Lobe& lobe, const NearFarPlan& plan, double strictness, const 
         };
     };
     const int last = kinkReach * plan.bandLimit;
-    if (lobe.kind == LobeKind::Phong) {
+    if (plan.at == SplitAt::Horizon) {
         const HorizonSplit parts(lobe, horizonWidth(plan));
         return {.far = parts.farCoefficients(last), .near = sums(HorizonSum(latlong, bright.changes, parts, job))};
     }
@@ -122,20 +138,20 @@ NearFarPlan planNearFar(const PrefilterOptions& options, const ProbeTraits& prob
     NearFarPlan best;
     const Lobe& lobe = options.lobe;
     const double available = options.tolerance - nearRounding - spectralRounding;
-    const bool ofAxis = lobe.kind == LobeKind::Ggx && lobe.alpha > 0.0,
-               ofHorizon = lobe.kind == LobeKind::Phong && lobe.exponent <= HorizonSplit::largestExponent;
-    if (!(ofAxis || ofHorizon) || isShortPolynomial(lobe) || probe.streamed || available < 0.2 * options.tolerance)
+    const SplitAt at = splitOf(lobe);
+    if (at == SplitAt::Nowhere || probe.streamed || available < 0.2 * options.tolerance)
         return best;
     const double leftOut = std::min(0.1, 0.5 * leftOutShare * available),
                  texels = static_cast<double>(options.target.width()) * options.target.height() + CoarseLook::count;
     const double sharpness = std::max(leastSharpness, usualSharpness(options.tolerance));
     for (int step = 64; step <= largestBandLimit; step *= 2)
         for (const int bandLimit : {step, step * 3 / 2}) { // as FilterSource rounds them
-            if (bandLimit < least || bandLimit > largestBandLimit || (ofHorizon && sharpness > std::min<double>(bandLimit, mostSharpness)))
+            if (bandLimit < least || bandLimit > largestBandLimit ||
+                (at == SplitAt::Horizon && sharpness > std::min<double>(bandLimit, mostSharpness)))
                 continue;
-            NearFarPlan plan{.bandLimit = bandLimit, .leftOut = leftOut, .sharpness = sharpness};
+            NearFarPlan plan{.at = at, .bandLimit = bandLimit, .leftOut = leftOut, .sharpness = sharpness};
             double near = 0.0;
-            if (ofAxis) {
+            if (at == SplitAt::Axis) {
                 const KernelSplit parts(lobe, bandLimit, leftOut);
                 if (!parts.hasReach())
                     continue;
@@ -190,12 +206,12 @@ SettledNearFar settleNearFar(FilterSource& source, const PrefilterOptions& optio
         far.normError = settled.farShare * model.normError(bandLimit);
         far.predicted = spectralErrors(values, far);
         // The bound on what is left out takes light for positive.
-        const bool nonNegative = options.lobe.kind == LobeKind::Phong || far.spectrum->least >= 0.0;
+        const bool nonNegative = plan.at == SplitAt::Horizon || far.spectrum->least >= 0.0;
         far.keeps = nonNegative && far.predicted.within(limits);
         if (far.keeps || !nonNegative)
             return settled;
         const double excess = std::max({kink.r, kink.g, kink.b}) / std::max(interpolationShare * allowed, 1e-300);
-        if (options.lobe.kind == LobeKind::Phong) {
+        if (plan.at == SplitAt::Horizon) {
             // Beyond where the far part's spectrum begins to fall it falls like the sharpness to the power of some -5.
             const double sharpness = plan.sharpness * std::clamp(std::pow(1.5 * excess, 0.2), 1.15, 2.0);
             plan = planNearFar(options, traits(source), 0, sharpness);

@@ -22,11 +22,15 @@ namespace mirrorball {
 /// ggx: near its axis (KernelSplit, NearSum). phong of a small, broken exponent: just above its horizon (HorizonSplit, HorizonSum).
 /// L is the calm part of the probe; the excess of its brightest texels goes through the whole lobe (BrightLobe).
 ///
+/// Where a lobe is split, if it is.
+enum class SplitAt { Nowhere, Axis, Horizon };
+
 /// How the work is shared out.
 struct NearFarPlan {
+    SplitAt at = SplitAt::Nowhere;
     int bandLimit = 0;                                        ///< of the far part
-    double leftOut = 0.0;                                     ///< ggx: see KernelSplit
-    double sharpness = 0.0;                                   ///< phong: the HorizonSplit's width is this over the band limit
+    double leftOut = 0.0;                                     ///< at the axis: see KernelSplit
+    double sharpness = 0.0;                                   ///< at the horizon: the HorizonSplit's width is this over the band limit
     double seconds = std::numeric_limits<double>::infinity(); ///< of one thread; infinite where the lobe or the tolerance does not allow it
 
     bool possible() const { return bandLimit > 0; }

@@ -1,14 +1,8 @@
 #include "prefilter.h"
 
 #include "band_limit.h"
-#include "direct.h"
-#include "hierarchical.h"
-#include "importance.h"
-#include "mip_blur.h"
+#include "method_row.h"
 #include "near_far.h"
-#include "paraboloid_lattice.h"
-#include "reference.h"
-#include "sh9.h"
 #include "source_file.h"
 #include "spectral.h"
 #include "tolerance_words.h"
@@ -33,16 +27,6 @@ void setPredicted(Predicting& p, const PredictedErrors& errors, bool promised)
 {
     p.predicted = errors;
     p.promised = promised;
-}
-
-template <typename Value>
-EnvironmentMap toMap(const MapLayout& target, const std::vector<Value>& values)
-{
-    EnvironmentMap map(target);
-    for (size_t i = 0; i < values.size(); ++i)
-        for (int c = 0; c < 3; ++c)
-            map.image.texels[3 * i + static_cast<size_t>(c)] = static_cast<float>(values[i][c]);
-    return map;
 }
 
 EnvironmentMap lookUp(const EnvironmentMap& probe, const MapLayout& target, double yaw, const JobControl& job)
@@ -150,89 +134,6 @@ std::optional<EnvironmentMap> runNearFar(FilterSource& source, const PrefilterOp
     if (!map)
         outcome.stages.back().why = "near and far part do not keep the tolerance for this probe";
     return map;
-}
-
-EnvironmentMap runSh9(FilterSource& source, const PrefilterOptions& options, const JobControl& job, PrefilterOutcome& outcome)
-{
-    if (source.knownBandLimit() >= sh9BandLimit)
-        outcome.stages.push_back({.name = "spectrum", .leftOut = true, .why = "kept from an earlier lobe"});
-    else
-        timedStage(outcome.stages, "spectrum", [&] { source.spectrum(source.latlong() ? sh9BandLimit : 2, job); });
-    outcome.bandLimit = 2;
-    setPredicted(outcome, predictedErrors(Method::Sh9, options, traits(source)), false);
-    return timedStage(outcome.stages, "nine coefficients", [&] { return filterSh9(source.spectrum(2), options.target, options.yaw, job); });
-}
-
-EnvironmentMap runMip(FilterSource& source, const PrefilterOptions& options, const JobControl& job, PrefilterOutcome& outcome)
-{
-    const MipFiltering filtering = options.knobs.mipFiltering;
-    timedStage(outcome.stages, "mip pyramid of the environment", [&] { source.blurPyramid(filtering, job); });
-    const MipPyramid& pyramid = source.blurPyramid(filtering, job); // which keeps it
-    const double lambda = effectiveLambda(options, source.width());
-    return timedStage(outcome.stages, "mip lookup", [&] { return mipBlur(pyramid, filtering, lambda, options.target, options.yaw, job); });
-}
-
-EnvironmentMap runParaboloid(FilterSource& source, const PrefilterOptions& options, const JobControl& job, PrefilterOutcome& outcome)
-{
-    const ParaboloidHalves halves = timedStage(outcome.stages, "paraboloid halves", [&] {
-        return layOutHalves(*source.latlong(), options.lobe, resolved(options.knobs.paraboloid, source.height()), job);
-    });
-    const std::vector<glm::dvec3> directions = lookupDirections(options.target, options.yaw);
-    const auto summed = [&](const char* stage, const ParaboloidSums& sums) {
-        return timedStage(outcome.stages, stage, [&] { return toMap(options.target, paraboloidSums(halves, directions, sums, job)); });
-    };
-    std::string why = "no OpenGL device was given";
-    if (ParaboloidDevice* device = source.paraboloidDevice()) {
-        try {
-            return summed("paraboloid sums", [&](std::span<const glm::dvec3> some) { return device->sum(halves, some, job); });
-        } catch (const WorkError& error) {
-            why = error.what();
-        }
-    }
-    EnvironmentMap map = summed("paraboloid sums on the CPU", [&](std::span<const glm::dvec3> some) {
-        const std::vector<glm::dvec3> sums = paraboloidSum(halves, some, job);
-        return std::vector<glm::vec3>(sums.begin(), sums.end());
-    });
-    outcome.stages.back().why = why;
-    return map;
-}
-
-EnvironmentMap run(Method method, FilterSource& source, const PrefilterOptions& options, const JobControl& job, PrefilterOutcome& outcome)
-{
-    std::vector<Stage>& stages = outcome.stages;
-    switch (method) {
-    case Method::Sh9:
-        return runSh9(source, options, job, outcome);
-    case Method::Mip:
-        return runMip(source, options, job, outcome);
-    case Method::Direct:
-        return timedStage(stages, "direct sum", [&] {
-            return toMap(options.target, directSum(*source.latlong(), options.lobe, lookupDirections(options.target, options.yaw),
-                                                   {.level = directLevel(options, traits(source))}, job));
-        });
-    case Method::Hierarchical: {
-        timedStage(stages, "pyramid of sums", [&] { source.radianceTree(job); });
-        return timedStage(stages, "hierarchical sum", [&] {
-            return toMap(options.target, hierarchicalSum(source.radianceTree(), options.lobe, lookupDirections(options.target, options.yaw),
-                                                         {.tolerance = options.tolerance}, job)
-                                             .values);
-        });
-    }
-    case Method::Importance:
-        timedStage(stages, "mip pyramid of the probe", [&] { source.lookupPyramid(job); });
-        return timedStage(stages, "importance samples", [&] {
-            return importanceSample(source.lookupPyramid(), options.lobe, options.knobs.samples, options.target, options.yaw, job);
-        });
-    case Method::Paraboloid:
-        return runParaboloid(source, options, job, outcome);
-    case Method::Reference:
-    case Method::Spectral:
-    case Method::Auto:
-        break;
-    }
-    return timedStage(stages, "reference sum", [&] {
-        return toMap(options.target, referenceSum(*source.latlong(), options.lobe, lookupDirections(options.target, options.yaw), job));
-    });
 }
 
 void validate(const PrefilterOptions& options)
@@ -421,7 +322,7 @@ PrefilterOutcome prefilter(FilterSource& source, const PrefilterOptions& options
     outcome.why = plan.why;
     if (!map) {
         setPredicted(outcome, plan.predicted, plan.promised);
-        map = run(plan.method, source, options, job, outcome);
+        map = rowOf(plan.method).run(source, options, job, outcome);
     }
     outcome.map = std::move(*map);
     return outcome;

@@ -1,5 +1,7 @@
 #include "promise.h"
 
+#include "method_row.h"
+
 #include "core/base/weighted_quantiles.h"
 
 #include <algorithm>
@@ -40,23 +42,7 @@ PredictedErrors largest(const PredictedErrors& a, const PredictedErrors& b)
     return {std::max(a.relRms, b.relRms), std::max(a.medianRel, b.medianRel), std::max(a.p99Rel, b.p99Rel)};
 }
 
-bool keepsTolerance(Method method)
-{
-    switch (method) {
-    case Method::Auto:
-    case Method::Reference:
-    case Method::Spectral:
-    case Method::Direct:
-    case Method::Hierarchical:
-        return true;
-    case Method::Importance:
-    case Method::Paraboloid:
-    case Method::Mip:
-    case Method::Sh9:
-        break;
-    }
-    return false;
-}
+bool keepsTolerance(Method method) { return !rowOf(method).spread; }
 
 void ValueDistribution::add(const glm::dvec3& value, double weight)
 {

@@ -1,6 +1,7 @@
 #include "lobe_words.h"
 
 #include "core/base/error.h"
+#include "core/filter/lobe_row.h"
 
 #include <charconv>
 #include <string>
@@ -38,12 +39,9 @@ Lobe lobeFromWord(std::string_view word)
     const std::string_view kind = word.substr(0, colon);
     const std::string_view digits = colon == std::string_view::npos ? std::string_view{} : word.substr(colon + 1);
     try {
-        if (word == "diffuse")
-            return diffuseLobe();
-        if (kind == "phong")
-            return phongLobe(number(word, digits));
-        if (kind == "ggx")
-            return ggxLobe(number(word, digits));
+        for (const LobeRow& row : lobeRows)
+            if (row.make && kind == row.word && (row.value || word == row.word))
+                return row.make(row.value ? number(word, digits) : 0.0);
     } catch (const InvalidArgument& error) { // the range is wrong: say of which word
         const std::string message = error.what();
         throw InvalidArgument(message.starts_with("lobe: ") ? message : "lobe: '" + std::string(word) + "': " + message);

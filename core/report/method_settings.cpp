@@ -1,6 +1,7 @@
 #include "method_settings.h"
 
 #include "core/base/shell_word.h"
+#include "core/filter/lobe_row.h"
 
 #include <algorithm>
 #include <array>
@@ -103,9 +104,13 @@ std::vector<MethodSetting> methodSettings(Method method, Sweep sweep, double tol
     case Method::Reference:
     case Method::Sh9:
         return {{.method = method}};
-    default:
-        return toleranceSweep(method, sweep, tolerance);
+    case Method::Auto:
+    case Method::Spectral:
+    case Method::Direct:
+    case Method::Hierarchical:
+        break;
     }
+    return toleranceSweep(method, sweep, tolerance);
 }
 
 std::string exactNumber(double value)
@@ -150,19 +155,12 @@ std::string filterCommand(const std::string& probe, const PrefilterOptions& opti
     std::ostringstream command;
     command.precision(17);
     command << "mirrorball filter " << shellWord(probe) << " -o map.exr --lobe ";
-    switch (options.lobe.kind) {
-    case LobeKind::Phong:
-        command << "phong --exponent " << exactNumber(options.lobe.exponent);
-        break;
-    case LobeKind::Diffuse:
-        command << "diffuse";
-        break;
-    case LobeKind::Ggx:
-        command << "ggx --alpha " << exactNumber(options.lobe.alpha);
-        break;
-    case LobeKind::Tabulated:
+    const LobeRow& lobe = rowOf(options.lobe.kind);
+    if (!lobe.make)
         return {};
-    }
+    command << lobe.word;
+    if (lobe.value)
+        command << " --" << lobe.parameter << ' ' << exactNumber(options.lobe.*lobe.value);
     command << " --to " << name(options.target.kind) << " --size " << options.target.size;
     if (options.target.border > 0)
         command << " --border " << options.target.border;
@@ -171,8 +169,7 @@ std::string filterCommand(const std::string& probe, const PrefilterOptions& opti
     for (size_t i = 0; i < chosen.size(); ++i)
         if (chosen[i] != usual[i])
             command << chosen[i];
-    if (std::array withoutTolerance{Method::Importance, Method::Mip, Method::Paraboloid, Method::Reference, Method::Sh9};
-        std::find(withoutTolerance.begin(), withoutTolerance.end(), options.method) == withoutTolerance.end())
+    if (followsTolerance(options.method))
         command << " --tolerance " << shortNumber(options.tolerance);
     return command.str();
 }

@@ -3,6 +3,7 @@
 #include "reading_json.h"
 
 #include "core/base/version.h"
+#include "core/filter/lobe_row.h"
 #include "core/image/image_format.h"
 
 #include <nlohmann/json.hpp>
@@ -53,19 +54,17 @@ std::string borderText(const MapLayout& layout, int faceBorder)
 
 Json lobeJson(const Lobe& lobe)
 {
-    switch (lobe.kind) {
-    case LobeKind::Phong:
-        return {{"kind", "phong"}, {"exponent", lobe.exponent}};
-    case LobeKind::Diffuse:
-        return {{"kind", "diffuse"}};
-    case LobeKind::Ggx:
-        if (lobe.isMirror())
-            return {{"kind", "mirror"}};
-        return {{"kind", "ggx"}, {"roughness", std::sqrt(lobe.alpha)}, {"alpha", lobe.alpha}};
-    case LobeKind::Tabulated:
-        return {{"kind", "tabulated"}};
-    }
-    return {};
+    const bool isGgx = lobe.kind == LobeKind::Ggx;
+    if (isGgx && lobe.isMirror())
+        return {{"kind", "mirror"}};
+    const LobeRow& row = rowOf(lobe.kind);
+    Json json = Json::object();
+    json["kind"] = row.word;
+    if (isGgx)
+        json["roughness"] = std::sqrt(lobe.alpha);
+    if (row.value)
+        json[std::string(row.parameter)] = lobe.*row.value;
+    return json;
 }
 
 const ImageFormat& formatOf(const ExportTarget& target) { return writableFormat(target.fileName()); }

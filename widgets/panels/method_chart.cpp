@@ -31,9 +31,10 @@ QPointF valueOf(const RacePoint& point) { return {std::max(point.seconds, 1e-7),
 /// Nine hues that stay apart on dark gray, also for eyes that confuse red and green (after Okabe and Ito 2008).
 QColor methodColor(Method method)
 {
-    constexpr std::array<QRgb, 9> colors{0xfff0e442, 0xffaaaaaa, 0xff56b4e9, 0xff009e73, 0xffcc79a7,
-                                         0xffe69f00, 0xffd55e00, 0xff7a8cff, 0xffb6e3a1};
-    return QColor::fromRgb(colors[static_cast<size_t>(method) % colors.size()]);
+    constexpr std::array<QRgb, allMethods.size()> colors{0xfff0e442, 0xffaaaaaa, 0xff56b4e9, 0xff009e73, 0xffcc79a7,
+                                                         0xffe69f00, 0xffd55e00, 0xff7a8cff, 0xffb6e3a1};
+    static_assert(colors.back() != 0, "every method has its color");
+    return QColor::fromRgb(colors[static_cast<size_t>(method)]);
 }
 
 MethodChart::MethodChart(QWidget* parent)

@@ -115,16 +115,18 @@ QScrollArea* ReportPanel::makeSide()
 OptionsForm* ReportPanel::makeForm()
 {
     auto* form = new OptionsForm(m_workspace.document);
-    const auto isMethod = [](Method method) { return [method](const Scene& scene) { return scene.filter.method == method; }; };
-    form->addFields("filter", [](auto& scene) -> auto& { return scene.filter; },
-                    {{"tolerance", {.isHidden = true}},
-                     {"samples", {.isShown = isMethod(Method::Importance)}},
-                     {"mip_filtering", {.label = tr("Mip filtering"), .isShown = isMethod(Method::Mip)}},
-                     {"paraboloid", {.label = tr("Kernels"), .isShown = isMethod(Method::Paraboloid)}},
-                     {"paraboloid_clamp", {.label = tr("Clamp"), .isShown = isMethod(Method::Paraboloid)}},
-                     {"paraboloid_kernel", {.label = tr("Largest kernel"), .isShown = isMethod(Method::Paraboloid)}},
-                     {"paraboloid_half", {.label = tr("Half"), .isShown = isMethod(Method::Paraboloid)}},
-                     {"paraboloid_border", {.label = tr("Border"), .isShown = isMethod(Method::Paraboloid)}}});
+    FieldStyles styles{{"tolerance", {.isHidden = true}},
+                       {"mip_filtering", {.label = tr("Mip filtering")}},
+                       {"paraboloid", {.label = tr("Kernels")}},
+                       {"paraboloid_clamp", {.label = tr("Clamp")}},
+                       {"paraboloid_kernel", {.label = tr("Largest kernel")}},
+                       {"paraboloid_half", {.label = tr("Half")}},
+                       {"paraboloid_border", {.label = tr("Border")}}};
+    for (const Method method : allMethods)
+        for (const std::string_view knob : knobsOf(method))
+            styles[std::string(knob)].isShown = [knob](const Scene& scene) { return hasKnob(scene.filter.method, knob); };
+    form->addFields(
+        "filter", [](auto& scene) -> auto& { return scene.filter; }, styles);
     addTolerance(*form);
     return form;
 }

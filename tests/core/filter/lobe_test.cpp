@@ -1,11 +1,13 @@
 #include "core/base/error.h"
 #include "core/filter/lobe.h"
+#include "core/filter/lobe_row.h"
 #include "core/sphere/direction.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 namespace mirrorball {
@@ -34,6 +36,23 @@ std::vector<Lobe> someLobes()
             ggxLobe(0.01),     ggxLobe(0.09),
             ggxLobe(0.36),     ggxLobe(0.9999),
             ggxLobe(1.0),      tabulatedLobe({0.0, 0.1, 0.5, 3.0, 1.0})};
+}
+
+/// A lobe that is made of a word and a number holds that number where its row says, and is described by both.
+TEST(LobeRows, MakeTheLobesThatTheyDescribe)
+{
+    for (const LobeRow& row : lobeRows) {
+        EXPECT_EQ(rowOf(row.kind).word, row.word);
+        if (!row.make)
+            continue;
+        const Lobe lobe = row.make(0.25);
+        EXPECT_EQ(lobe.kind, row.kind) << row.word;
+        EXPECT_EQ(describe(lobe), std::string(row.word) + (row.value ? ":0.25" : ""));
+        if (row.value) {
+            EXPECT_EQ(lobe.*row.value, 0.25) << row.word;
+        }
+    }
+    EXPECT_EQ(describe(tabulatedLobe({0.0, 1.0, 2.0})), "tabulated:3");
 }
 
 TEST(Lobe, IntegratesToOneOverTheSphere)
