@@ -26,14 +26,6 @@ auto strokesOf(Map& map, size_t layer, PaintTarget target)
 }
 } // namespace
 
-Brush draggedBrush(const Brush& before, const QPointF& moved)
-{
-    Brush brush = before;
-    brush.radius = std::clamp(std::round(brush.radius * std::exp(moved.x() / 120.0) * 1e4) / 1e4, smallestRadius, largestRadius);
-    brush.hardness = std::clamp(std::round((brush.hardness - moved.y() / 250.0) * 100.0) / 100.0, 0.0, 1.0);
-    return brush;
-}
-
 SphereMapEditor::SphereMapEditor(Document& document, LiveScene& live, QObject* parent) : QObject(parent), m_document(document), m_live(live)
 {
     connect(&m_document, &Document::changed, this, &SphereMapEditor::follow);
@@ -278,45 +270,6 @@ void SphereMapEditor::moveLayer(int from, int to)
     choose(to);
 }
 
-void SphereMapEditor::setBrush(const Brush& brush)
-{
-    if (brush == m_brush)
-        return;
-    m_brush = brush;
-    emit brushChanged();
-}
-
-void SphereMapEditor::stepBrush(int steps)
-{
-    Brush brush = m_brush;
-    brush.radius = std::clamp(std::round(brush.radius * std::pow(1.15, steps) * 1e4) / 1e4, smallestRadius, largestRadius);
-    setBrush(brush);
-}
-
-void SphereMapEditor::setSymmetry(const Symmetry& symmetry)
-{
-    if (symmetry == m_symmetry)
-        return;
-    m_symmetry = symmetry;
-    emit brushChanged();
-}
-
-void SphereMapEditor::setTool(PaintTool tool)
-{
-    if (tool == m_tool)
-        return;
-    m_tool = tool;
-    emit toolChanged();
-}
-
-void SphereMapEditor::setPaintsOnModel(bool on)
-{
-    if (on == m_paintsOnModel)
-        return;
-    m_paintsOnModel = on;
-    emit toolChanged();
-}
-
 std::optional<PaintTarget> SphereMapEditor::paintTarget() const
 {
     const Layer* layer = chosenLayer();
@@ -416,22 +369,6 @@ void SphereMapEditor::cancelStroke()
         return;
     m_recorder.reset();
     request();
-}
-
-void SphereMapEditor::pickColor(const glm::dvec2& q)
-{
-    const Image& picture = m_levelImage.empty() ? m_picture : m_levelImage;
-    if (picture.empty())
-        return;
-    const int n = picture.width;
-    const auto texel = [n](double v) { return std::clamp(static_cast<int>((v + 1.0) * 0.5 * n), 0, n - 1); };
-    const float* rgba = picture.texel(texel(q.x), texel(-q.y));
-    if (!(rgba[3] > 0.0f))
-        return;
-    Brush brush = m_brush;
-    for (int c = 0; c < 3; ++c)
-        brush.color[c] = std::clamp(std::round(static_cast<double>(rgba[c] / rgba[3]) * 1e5) / 1e5, 0.0, 1000.0);
-    setBrush(brush);
 }
 
 } // namespace mirrorball::studio
