@@ -9,6 +9,7 @@
 
 #include "core/spheremap/document/presets.h"
 #include "core/spheremap/document/sphere_map_file.h"
+#include "core/spheremap/strokes/stroke_raster.h"
 
 #include <QDir>
 #include <QDockWidget>
@@ -94,6 +95,28 @@ void SphereMapPanelTest::takesAPensPressureAndItsEraserEnd()
     painting.pen(QEvent::TabletRelease, painting.at(0.0, 0.0), 0.0, End::Eraser);
     QCOMPARE(painting.strokes().size(), size_t{2});
     QVERIFY(painting.strokes()[1].brush.mode == BrushMode::Erase);
+}
+
+void SphereMapPanelTest::takesAPensTiltWhereTheBrushHeedsIt()
+{
+    Painting painting;
+    const auto draw = [&](const QPointF& tiltDeg) {
+        using End = QPointingDevice::PointerType;
+        painting.pen(QEvent::TabletPress, painting.at(0.0, 0.0), 1.0, End::Pen, tiltDeg);
+        painting.pen(QEvent::TabletMove, painting.at(0.4, 0.0), 1.0, End::Pen, tiltDeg);
+        painting.pen(QEvent::TabletRelease, painting.at(0.4, 0.0), 0.0, End::Pen, tiltDeg);
+        return painting.strokes().back();
+    };
+    const Stroke upright = draw({});
+    QVERIFY(draw({30.0, 45.0}) == upright); // the brush does not, at first
+    auto* heed = painting.panel().findChild<NumberField*>(QStringLiteral("tilt"));
+    QVERIFY(heed);
+    heed->box()->setValue(1.0);
+    const Stroke tilted = draw({30.0, 45.0});
+    QCOMPARE(tilted.brush.tilt, 1.0);
+    for (const StrokePoint& point : tilted.points)
+        QCOMPARE(point.tilt, glm::dvec2(30.0, -45.0)); // Qt's y goes down
+    QVERIFY(texelStroke(tilted, 256).bounds.height() > texelStroke(upright, 256).bounds.height());
 }
 
 void SphereMapPanelTest::steadiesTheHandByAStringAndRemembersItsLength()

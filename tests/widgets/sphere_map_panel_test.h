@@ -13,6 +13,7 @@ private slots:
     void drawsAStrokeByMouseAsOneUndoStep();
     void showsTheStrokeWhileItIsDrawnAsTheFileWillHoldIt();
     void takesAPensPressureAndItsEraserEnd();
+    void takesAPensTiltWhereTheBrushHeedsIt();
     void steadiesTheHandByAStringAndRemembersItsLength();
     void repeatsStrokesBySymmetry();
     void picksColorsFromTheDisc();

@@ -125,9 +125,9 @@ void ModelPainter::move(const QPointF& position, const PenTouch& touch)
         editor.liftStroke();
     } else if (!m_hasBegun) {
         m_hasBegun = true;
-        editor.beginStroke({*q, touch.pressure}, m_end, leap);
+        editor.beginStroke({*q, touch.pressure, touch.tilt}, m_end, leap);
     } else {
-        editor.moveStroke({*q, touch.pressure});
+        editor.moveStroke({*q, touch.pressure, touch.tilt});
     }
 }
 

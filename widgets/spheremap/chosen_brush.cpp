@@ -15,7 +15,8 @@ const QString stabilizerKey = QStringLiteral("painting/stabilizer");
 PenTouch penTouch(const QTabletEvent& event)
 {
     return {.pressure = event.pressure(),
-            .end = event.pointerType() == QPointingDevice::PointerType::Eraser ? PenEnd::Eraser : PenEnd::Tip};
+            .end = event.pointerType() == QPointingDevice::PointerType::Eraser ? PenEnd::Eraser : PenEnd::Tip,
+            .tilt = {event.xTilt(), -event.yTilt()}}; // Qt's goes down
 }
 
 Brush draggedBrush(const Brush& before, const QPointF& moved)

@@ -100,7 +100,7 @@ void SphereMapCanvas::press(const QPointF& place, Qt::MouseButton button, Qt::Ke
         if (m_hint.isEmpty()) {
             m_drag = Drag::Stroke;
             m_string = PulledString(m_editor.stabilizer(), {place.x(), place.y()});
-            m_editor.beginStroke({discAt(place), touch.pressure}, touch.end);
+            m_editor.beginStroke({discAt(place), touch.pressure, touch.tilt}, touch.end);
         }
     }
     updateCursor();
@@ -118,7 +118,7 @@ void SphereMapCanvas::move(const QPointF& place, const PenTouch& touch)
         break;
     case Drag::Stroke:
         m_string.pull({place.x(), place.y()});
-        m_editor.moveStroke({discAt(brushPlace()), touch.pressure});
+        m_editor.moveStroke({discAt(brushPlace()), touch.pressure, touch.tilt});
         break;
     case Drag::Pick:
         m_editor.pickColor(discAt(place));

@@ -25,10 +25,11 @@ enum class PaintTool { Paint, Erase, Smudge, PickColor };
 /// Which end of a pen touches.
 enum class PenEnd { Tip, Eraser };
 
-/// What a pen says besides its place; a mouse presses fully.
+/// What a pen says besides its place; a mouse presses fully and stands upright.
 struct PenTouch {
     double pressure = 1.0; ///< [0, 1]
     PenEnd end = PenEnd::Tip;
+    glm::dvec2 tilt{0.0}; ///< degrees to the right and up, as StrokePoint has it
 };
 PenTouch penTouch(const QTabletEvent& event);
 
