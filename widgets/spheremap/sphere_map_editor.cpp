@@ -84,7 +84,6 @@ void SphereMapEditor::followLive()
         return;
     }
     m_awaitsLive = m_live.made()->plan.sphereMaps.front().document.document != m_map; // a later one follows
-    m_isCoarse = m_isCoarse || chain->levels.front().width < m_size;
     m_runner.start(
         [chain, size = m_size, only = m_onlyLevel.value_or(0)](const JobControl& job) {
             const Image& picture = chain->levels.front();
@@ -112,7 +111,7 @@ void SphereMapEditor::request()
         m_levelsCache = std::make_shared<LevelsCache>(EvaluateOptions{.size = m_size, .unknownLayers = UnknownLayers::Skip});
     m_runner.start(
         [cache = m_cache, levels = followsLevels ? m_levelsCache : nullptr, map = m_map, pending, layer = m_recorderLayer,
-         target = m_recorderTarget, only, whole = m_isCoarse](const JobControl& job) {
+         target = m_recorderTarget, only, whole = m_picture.width != m_size](const JobControl& job) {
             const SphereMapDocument* shown = map.get();
             SphereMapDocument painted;
             if (!pending.empty()) {
@@ -122,7 +121,7 @@ void SphereMapEditor::request()
                 shown = &painted;
             }
             Patch patch{.rect = cache->update(*shown, job), .size = cache->size()};
-            if (whole) // what is shown has fewer texels
+            if (whole) // what is shown has fewer texels: it is of a drag
                 patch.rect = {0, 0, patch.size, patch.size};
             if (levels)
                 patch.levels = levels->update(*shown, job);
@@ -161,17 +160,15 @@ void SphereMapEditor::show(Patch patch)
         }
         emit levelsChanged(touched);
     }
+    if (patch.rect.width() == patch.size && patch.rect.height() == patch.size) {
+        m_picture = std::move(patch.image);
+    } else if (m_picture.width != patch.size) { // a part, or none, of what is not there: a coarse one came in between
+        request();
+        return;
+    } else if (!patch.rect.empty()) {
+        put(patch.image, patch.rect, patch.size, m_picture);
+    }
     if (!patch.rect.empty()) {
-        if (patch.rect.width() == patch.size && patch.rect.height() == patch.size) {
-            m_picture = std::move(patch.image);
-            m_isCoarse = patch.size < m_size;
-        } else if (m_picture.width != patch.size) { // a part of what is not there
-            m_isCoarse = true;
-            request();
-            return;
-        } else {
-            put(patch.image, patch.rect, patch.size, m_picture);
-        }
         m_screen.put(patch.screen, patch.rect, patch.size);
         emit pictureChanged(patch.rect);
     }

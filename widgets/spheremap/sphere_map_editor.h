@@ -126,7 +126,8 @@ public:
 
     /// Edge of the picture, in texels: that of the map that the scene's picture reads.
     int size() const { return m_size; }
-    /// The picture, RGBA, linear, colors multiplied by their opacity; empty before the first. It may be of an older state.
+    /// The picture, RGBA, linear, colors multiplied by their opacity; empty before the first. It may be of an older state, and has fewer
+    /// texels than size() while something is dragged.
     const Image& picture() const { return m_picture; }
     /// The same for the screen.
     const ScreenPicture& screen() const { return m_screen; }
@@ -190,7 +191,6 @@ private:
     size_t m_recorderLayer = 0;
     PaintTarget m_recorderTarget = PaintTarget::Layer;
     Image m_picture{};
-    bool m_isCoarse = false; ///< it has fewer texels than the map, or will have: while something is dragged
     ScreenPicture m_screen{};
     std::vector<Image> m_coarser{};
     std::shared_ptr<SphereMapCache> m_cache;      ///< touched on the worker only
