@@ -109,7 +109,7 @@ void SphereMapPanelTest::takesAPensTiltWhereTheBrushHeedsIt()
     };
     const Stroke upright = draw({});
     QVERIFY(draw({30.0, 45.0}) == upright); // the brush does not, at first
-    auto* heed = painting.panel().findChild<NumberField*>(QStringLiteral("tilt"));
+    auto* heed = painting.panel().findChild<QWidget*>(QStringLiteral("brushForm"))->findChild<NumberField*>(QStringLiteral("tilt"));
     QVERIFY(heed);
     heed->box()->setValue(1.0);
     const Stroke tilted = draw({30.0, 45.0});
