@@ -1,7 +1,10 @@
 #include "probe_file.h"
 
 #include "builtin_probes.h"
+#include "cube_sheet.h"
 #include "probe_picture.h"
+
+#include "core/base/error.h"
 
 #include <algorithm>
 
@@ -17,6 +20,9 @@ ProbeFile::ProbeFile(std::string probe, const ReadProbeOptions& options) : m_pro
 {
     if (m_probe.starts_with(builtinPrefix)) {
         builtinProbe(std::string_view(m_probe).substr(builtinPrefix.size())); // says when there is none of that name
+        checkFaceOrder(options.reading.faces);
+        if (!options.reading.faces.empty())
+            throw InvalidArgument("faces: belongs to cubes whose faces lie on a sheet or in six files, not to a built-in probe");
         m_detection = {.layout = builtinProbeLayout, .reason = "built in"};
         m_detection.orientation = orientation(options.reading);
         m_detection.assumed = {{"parameterization", std::string(name(builtinProbeLayout.kind)), "built in"},

@@ -20,7 +20,7 @@ StageCost Planner::savingStage(const std::filesystem::path& file, const ExportPl
 {
     StageCost cost = savingCost(file, levelLayouts(planned));
     if (!m_isWriterLoaded) {
-        const double loading = loadingCost(file).seconds;
+        const double loading = loadingSeconds(file);
         cost.seconds += loading;
         m_isWriterLoaded = loading > 0.0;
     }

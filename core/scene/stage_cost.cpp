@@ -62,10 +62,10 @@ StageCost savingCost(const std::filesystem::path& file, std::span<const MapLayou
     return {sum, 0};
 }
 
-StageCost loadingCost(const std::filesystem::path& file)
+double loadingSeconds(const std::filesystem::path& file)
 {
     const ImageFormat* format = findFormat(file);
-    return {format && format->needsOpenImageIo ? openimageio::loadingSeconds() : 0.0, 0};
+    return format && format->needsOpenImageIo ? openimageio::loadingSeconds() : 0.0;
 }
 
 // Of the renderer without a GPU; its shaders take a fifth of a second to compile.

@@ -21,8 +21,8 @@ StageCost pyramidCost(const MapLayout& base);
 StageCost paintingCost(int size, size_t layers, bool isAuthored);
 /// Encoding maps as levels of one file, or as files of one format.
 StageCost savingCost(const std::filesystem::path& file, std::span<const MapLayout> levels);
-/// Loading what writes a file's format, where this process has not.
-StageCost loadingCost(const std::filesystem::path& file);
+/// Seconds for loading what writes a file's format, where this process has not.
+double loadingSeconds(const std::filesystem::path& file);
 StageCost drawingCost(int width, int height);
 
 } // namespace mirrorball

@@ -19,6 +19,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <sys/resource.h>
@@ -126,56 +127,50 @@ void print(const char* row, const Cost& cost, double floor, const char* goal)
     std::fflush(stdout);
 }
 
-} // namespace
+/// The rows of the table.
+class Rows {
+public:
+    explicit Rows(std::string program) : m_program(std::move(program)) { writeImage(m_hdr1k, m_k1.image); }
 
-int main(int argc, char** argv)
-{
-    if (argc < 2) {
-        std::fprintf(stderr, "conversion_benchmark PROGRAM [ROW]: name the mirrorball program to measure\n");
-        return 2;
-    }
-    const std::string program = argv[1], only = argc > 2 ? argv[2] : "";
-    const auto wanted = [&](const char* row) { return only.empty() || only == row; };
-    const test::TemporaryFolder folder;
-    const std::string out = (folder / "out.exr").string();
-    const EnvironmentMap k1 = renderBuiltinProbe("sky", {Parameterization::Latlong, 512, 0});
-    const std::string hdr1k = (folder / "1k.hdr").string();
-    writeImage(hdr1k, k1.image);
-
-    if (wanted("convert-8k")) {
-        const std::string file = (folder / "8k.hdr").string();
+    void convert8k() const
+    {
+        const std::string file = (m_folder / "8k.hdr").string();
         writeLargeHdr(file, 4096);
-        print("8k .hdr to a 1024 cube .exr", commandCost({program, "convert", file, "--to", "cube", "--size", "1024", "-o", out}),
+        print("8k .hdr to a 1024 cube .exr", commandCost({m_program, "convert", file, "--to", "cube", "--size", "1024", "-o", m_out}),
               readingFloor(file), "1.0 s, 250 MB");
         print("8k .hdr ggx chain 256",
-              commandCost({program, "filter", file, "--lobe", "ggx", "--mips", "--to", "cube", "--size", "256", "-o", out}),
+              commandCost({m_program, "filter", file, "--lobe", "ggx", "--mips", "--to", "cube", "--size", "256", "-o", m_out}),
               readingFloor(file), "1.5 s, 300 MB");
     }
-    if (wanted("convert-4k")) {
-        const std::string file = (folder / "4k.exr").string();
+    void convert4k() const
+    {
+        const std::string file = (m_folder / "4k.exr").string();
         const EnvironmentMap k4 = renderBuiltinProbe("sky", {Parameterization::Latlong, 2048, 0});
         writeMap(file, {k4});
         const double floor = readingFloor(file);
-        const Cost ours = commandCost({program, "convert", file, "--to", "cube", "--size", "512", "-o", out});
-        const Cost peer = commandCost({"exrenvmap", "-c", "-w", "512", file, (folder / "peer.exr").string()});
+        const Cost ours = commandCost({m_program, "convert", file, "--to", "cube", "--size", "512", "-o", m_out});
+        const Cost peer = commandCost({"exrenvmap", "-c", "-w", "512", file, (m_folder / "peer.exr").string()});
         const double work = workCost(3, [&] { reproject(k4, {.target = {Parameterization::Cube, 512, 0}}); });
         print("4k .exr to a 512 cube", ours, floor, "exrenvmap / 10");
         print("  exrenvmap", peer, floor, "-");
         print("  the work in memory", {work, 0.0}, 12e-9 * 8.4e6 / 10.0, "exrenvmap / 40");
     }
-    if (wanted("convert-1k"))
+    void convert1k() const
+    {
         print("1k to a 256 cube in memory",
               {workCost(9,
                         [&] {
-                            reproject(k1, {.target = {Parameterization::Cube, 256, 0}});
+                            reproject(m_k1, {.target = {Parameterization::Cube, 256, 0}});
                         }),
                0.0},
               0.36e-3, "0.020 s");
-    if (wanted("chain"))
+    }
+    void chain() const
+    {
         print("ggx chain 256 of 1k in memory",
               {workCost(5,
                         [&] {
-                            FilterSource source(k1);
+                            FilterSource source(m_k1);
                             const MapLayout base{Parameterization::Cube, 256, 0};
                             for (int i = 0; i < levelCount(base); ++i) {
                                 const double r = chainRoughness(i, levelCount(base));
@@ -184,31 +179,66 @@ int main(int argc, char** argv)
                         }),
                0.0},
               2.9e-3, "0.150 s");
-    if (wanted("small"))
+    }
+    void small() const
+    {
         print("1k .hdr to a 128 cube .exr, whole process",
-              commandCost({program, "filter", hdr1k, "--lobe", "phong", "--exponent", "50", "--to", "cube", "--size", "128", "-o", out}),
-              readingFloor(hdr1k), "0.035 s");
-    for (const int height : {8192, 12288})
-        if (wanted(height == 8192 ? "filter-16k" : "filter-24k")) {
-            const std::string file = (folder / "large.hdr").string();
-            writeLargeHdr(file, height);
-            print(height == 8192 ? "16k .hdr phong 50" : "24k .hdr phong 50",
-                  commandCost({program, "filter", file, "--lobe", "phong", "--exponent", "50", "--to", "cube", "--size", "128", "-o", out}),
-                  readingFloor(file), height == 8192 ? "1.2 s" : "3 s, 150 MB");
-        }
-    if (wanted("frames")) {
+              commandCost(
+                  {m_program, "filter", m_hdr1k, "--lobe", "phong", "--exponent", "50", "--to", "cube", "--size", "128", "-o", m_out}),
+              readingFloor(m_hdr1k), "0.035 s");
+    }
+    void filterLarge(int height) const
+    {
+        const std::string file = (m_folder / "large.hdr").string();
+        writeLargeHdr(file, height);
+        print(height == 8192 ? "16k .hdr phong 50" : "24k .hdr phong 50",
+              commandCost({m_program, "filter", file, "--lobe", "phong", "--exponent", "50", "--to", "cube", "--size", "128", "-o", m_out}),
+              readingFloor(file), height == 8192 ? "1.2 s" : "3 s, 150 MB");
+    }
+    void frames() const
+    {
         for (const int frames : {20, 200}) {
             for (int i = 1; i <= frames; ++i) {
-                const std::filesystem::path link = folder / ("f." + std::to_string(1000 + i) + ".hdr");
+                const std::filesystem::path link = m_folder / ("f." + std::to_string(1000 + i) + ".hdr");
                 if (!std::filesystem::exists(link))
-                    std::filesystem::create_hard_link(hdr1k, link);
+                    std::filesystem::create_hard_link(m_hdr1k, link);
             }
-            const Cost cost =
-                commandCost({program, "filter", (folder / "f.####.hdr").string(), "--lobe", "phong", "--exponent", "50", "--to", "cube",
-                             "--size", "128", "-o", (folder / "o.####.exr").string(), "--frames", "1001-" + std::to_string(1000 + frames)});
+            const Cost cost = commandCost({m_program, "filter", (m_folder / "f.####.hdr").string(), "--lobe", "phong", "--exponent", "50",
+                                           "--to", "cube", "--size", "128", "-o", (m_folder / "o.####.exr").string(), "--frames",
+                                           "1001-" + std::to_string(1000 + frames)});
             print(frames == 20 ? "20 frames of 1k, phong 50 (a frame)" : "200 frames (a frame; memory as for 20)",
-                  {cost.seconds / frames, cost.megabytes}, readingFloor(hdr1k), "2 cores / 60");
+                  {cost.seconds / frames, cost.megabytes}, readingFloor(m_hdr1k), "2 cores / 60");
         }
     }
+
+private:
+    std::string m_program;
+    test::TemporaryFolder m_folder{};
+    EnvironmentMap m_k1 = renderBuiltinProbe("sky", {Parameterization::Latlong, 512, 0});
+    std::string m_out = (m_folder / "out.exr").string(), m_hdr1k = (m_folder / "1k.hdr").string();
+};
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    if (argc < 2) {
+        std::fprintf(stderr, "conversion_benchmark PROGRAM [ROW]: name the mirrorball program to measure\n");
+        return 2;
+    }
+    const Rows rows(argv[1]);
+    const std::vector<std::pair<std::string, std::function<void()>>> table{
+        {"convert-8k", [&] { rows.convert8k(); }},
+        {"convert-4k", [&] { rows.convert4k(); }},
+        {"convert-1k", [&] { rows.convert1k(); }},
+        {"chain", [&] { rows.chain(); }},
+        {"small", [&] { rows.small(); }},
+        {"filter-16k", [&] { rows.filterLarge(8192); }},
+        {"filter-24k", [&] { rows.filterLarge(12288); }},
+        {"frames", [&] { rows.frames(); }},
+    };
+    for (const auto& [name, measure] : table)
+        if (argc < 3 || name == argv[2])
+            measure();
     return 0;
 }

@@ -248,6 +248,17 @@ TEST_F(ReadingOptionsTest, FacesAreInTheOrderThatIsSaidAtEverySize)
     }
 }
 
+TEST_F(ReadingOptionsTest, FacesAreRefusedWhereAProbeHasNone)
+{
+    const auto convert = [&](const std::string& probe, const std::string& faces) {
+        return mirrorballRuns("convert " + probe + " -o " + file("out.exr") + " --to latlong --size 16 --faces '" + faces + "'");
+    };
+    for (const std::string& probe : {std::string("builtin:sky"), mirroredProbe()}) {
+        EXPECT_FAILS(convert(probe, "upside-down"), 2, "faces: must be px nx py ny pz nz");
+        EXPECT_FAILS(convert(probe, "nz py px nx ny pz"), 2, "faces: belongs to cubes whose faces lie on a sheet or in six files");
+    }
+}
+
 TEST_F(ReadingOptionsTest, PartsAndLayersAreChosen)
 {
     std::vector<test::ExrChannel> channels = test::exrChannels(test::fieldMap(latlong).image);

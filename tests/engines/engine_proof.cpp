@@ -245,91 +245,142 @@ std::string figureName(const std::string& kind, double roughness)
     return text.data();
 }
 
-Verdict judge(const json& manifest)
-{
-    const std::string engine = manifest.at("engine"), probeName = manifest.at("probe");
-    const EngineProfile& profile = engineProfile(engine);
-    FilterSource probe = sourceOf(probeName);
-    const Ball ball(manifest.at("size"), manifest.value("eye", 1.0), manifest.value("block", 1));
-    const glm::dmat3 axes = manifest.value("left_handed", false) ? mirroredInX().axes : glm::dmat3(1.0);
-    const EngineExportOptions options{.size = manifest.value("faces", 0)};
-    std::vector<double> roughnesses;
-    for (const json& picture : manifest.at("pictures"))
-        roughnesses.push_back(picture.value("roughness", 1.0));
-    const auto exact = ofExactMaps(probe, roughnesses), nine = ofSh(probe);
-    const auto levels = profile.law ? ofLevels(probe, profile, options) : nullptr;
-    const Radiance* const ours = levels ? levels.get() : exact.get(); // engines that filter by themselves have the environment to show
-    const auto shadedBy = [&](const Radiance& radiance, double roughness) -> Shade {
-        return [&, roughness](const Pixel& p) { return metal(engine, radiance, p, roughness, axes); };
-    };
-    const auto mattBy = [&](const Radiance& radiance) -> Shade { return [&](const Pixel& p) { return diffuse(radiance, p, axes); }; };
+/// One engine's pictures against its run of our light, against the exact light, and beside its own.
+class Judge {
+public:
+    explicit Judge(const json& manifest)
+        : m_engine(manifest.at("engine").get<std::string>()), m_profile(engineProfile(m_engine)), m_probe(sourceOf(manifest.at("probe"))),
+          m_ball(manifest.at("size"), manifest.value("eye", 1.0), manifest.value("block", 1)),
+          m_axes(manifest.value("left_handed", false) ? mirroredInX().axes : glm::dmat3(1.0))
+    {
+        std::vector<double> roughnesses;
+        for (const json& picture : manifest.at("pictures"))
+            roughnesses.push_back(picture.value("roughness", 1.0));
+        m_exact = ofExactMaps(m_probe, roughnesses);
+        m_nine = ofSh(m_probe);
+        if (m_profile.law)
+            m_levels = ofLevels(m_probe, m_profile, {.size = manifest.value("faces", 0)});
+    }
 
-    Verdict verdict;
+    void look(const json& entry)
+    {
+        const Picture picture = readPicture(entry.at("file"), m_ball.size());
+        const std::string kind = entry.at("kind");
+        const double roughness = entry.value("roughness", 1.0);
+        const std::string name = kind == "metal" ? figureName(kind, roughness) : kind;
+        const Difference againstExact = compare(picture, kind == "metal" ? shadedBy(*m_exact, roughness) : mattBy(*m_exact));
+        if (entry.value("own", false)) {
+            lookAtItsOwn(kind, name, roughness, picture, againstExact);
+            return;
+        }
+        m_errors[name] = againstExact.relRms;
+        if (kind == "metal")
+            lookAtMetal(name, roughness, picture, againstExact);
+        else
+            lookAtDiffuse(kind, picture, againstExact);
+    }
+
+    /// Once all pictures were looked at.
+    Verdict conclude()
+    {
+        if (m_profile.law)
+            m_absolutes["seams"] = {m_seams, seamLimit, m_exactSeams, m_ownSeams >= 0.0 ? std::optional(m_ownSeams) : std::nullopt};
+        for (const auto& [name, figure] : m_absolutes)
+            if (figure.theirs)
+                m_verdict.addBesideOwn(name, figure.value, figure.limit, figure.ours, *figure.theirs);
+            else
+                m_verdict.add(name, figure.value, figure.limit);
+        return std::move(m_verdict);
+    }
+
+private:
     /// What is judged once the engine's own pictures are known, too.
     struct Absolute {
         double value, limit;
         double ours = 0.0; ///< the same figure against the exact light
         std::optional<double> theirs{};
     };
-    std::map<std::string, Absolute> absolutes;
-    double seams = -1.0, ownSeams = -1.0, exactSeams = -1.0;
-    std::map<std::string, double> errors; // against the exact light, ours, by picture
-    for (const json& entry : manifest.at("pictures")) {
-        const Picture picture = readPicture(entry.at("file"), ball.size());
-        const std::string kind = entry.at("kind");
-        const double roughness = entry.value("roughness", 1.0);
-        const std::string name = kind == "metal" ? figureName(kind, roughness) : kind;
-        const Difference againstExact = difference(picture, ball, kind == "metal" ? shadedBy(*exact, roughness) : mattBy(*exact), axes);
-        if (entry.value("own", false)) {
-            if (kind == "metal" && roughness == 0.0) // else it could excuse anything
-                verdict.orientation("orientation of its own", orientation(picture, ball, *probe.latlong()), words(axes));
-            verdict.add("worse than its own, " + name, errors.at(name) - againstExact.relRms, ownMargin);
-            if (kind == "metal" && roughness > 0.0)
-                ownSeams = std::max(ownSeams, againstExact.seams);
-            if (const auto found = absolutes.find(kind == "metal" && roughness == 0.0 ? "mirror" : kind); found != absolutes.end())
-                found->second.theirs = kind == "metal" ? againstExact.mean : againstExact.relRms;
-            continue;
-        }
-        errors[name] = againstExact.relRms;
-        if (kind == "metal") {
-            const Difference d = difference(picture, ball, shadedBy(*ours, roughness), axes);
-            if (roughness == 0.0) {
-                verdict.orientation("orientation", orientation(picture, ball, *probe.latlong()), words(axes));
-                if (engine == "godot") {
-                    verdict.tell("mirror", d.mean);
-                    verdict.add("scale of mirrored light", std::abs(d.scale - 1.0), godotScaleLimit);
-                } else {
-                    absolutes["mirror"] = {d.mean, mirrorLimit, againstExact.mean};
-                }
-            } else if (!profile.law) {
-                verdict.tell(name, d.relRms);
+
+    Shade shadedBy(const Radiance& radiance, double roughness) const
+    {
+        return [this, &radiance, roughness](const Pixel& p) { return metal(m_engine, radiance, p, roughness, m_axes); };
+    }
+    Shade mattBy(const Radiance& radiance) const
+    {
+        return [this, &radiance](const Pixel& p) { return diffuse(radiance, p, m_axes); };
+    }
+    /// The light that was exported; engines that filter by themselves have the environment to show.
+    const Radiance& ours() const { return m_levels ? *m_levels : *m_exact; }
+    Difference compare(const Picture& picture, const Shade& shade) const { return difference(picture, m_ball, shade, m_axes); }
+
+    void lookAtItsOwn(const std::string& kind, const std::string& name, double roughness, const Picture& picture,
+                      const Difference& againstExact)
+    {
+        if (kind == "metal" && roughness == 0.0) // else it could excuse anything
+            m_verdict.orientation("orientation of its own", orientation(picture, m_ball, *m_probe.latlong()), words(m_axes));
+        m_verdict.add("worse than its own, " + name, m_errors.at(name) - againstExact.relRms, ownMargin);
+        if (kind == "metal" && roughness > 0.0)
+            m_ownSeams = std::max(m_ownSeams, againstExact.seams);
+        if (const auto found = m_absolutes.find(kind == "metal" && roughness == 0.0 ? "mirror" : kind); found != m_absolutes.end())
+            found->second.theirs = kind == "metal" ? againstExact.mean : againstExact.relRms;
+    }
+
+    void lookAtMetal(const std::string& name, double roughness, const Picture& picture, const Difference& againstExact)
+    {
+        const Difference d = compare(picture, shadedBy(ours(), roughness));
+        if (roughness == 0.0) {
+            m_verdict.orientation("orientation", orientation(picture, m_ball, *m_probe.latlong()), words(m_axes));
+            if (m_engine == "godot") {
+                m_verdict.tell("mirror", d.mean);
+                m_verdict.add("scale of mirrored light", std::abs(d.scale - 1.0), godotScaleLimit);
             } else {
-                verdict.add(name, d.relRms, roughLimit);
-                seams = std::max(seams, d.seams); // what is smooth everywhere shows them
-                exactSeams = std::max(exactSeams, againstExact.seams);
+                m_absolutes["mirror"] = {d.mean, mirrorLimit, againstExact.mean};
             }
-        } else if (kind == "sh" || engine == "babylon") { // nine coefficients miss the higher degrees, whoever makes them
-            const RadianceSh whole = radianceSh(probe.spectrum(2));
-            const Shade shade = [&](const Pixel& p) { return irradianceOverPi(whole, axes * p.normal); };
-            const double least = difference(drawn(ball, shade), ball, mattBy(*exact), axes).relRms;
-            verdict.add(kind + " (SH) against its run", difference(picture, ball, mattBy(*nine), axes).relRms, irradianceLimit);
-            verdict.add(kind + " (SH) against exact", errors[name], least + shMargin);
-        } else if (profile.law) {
-            verdict.add(kind + " against its run", difference(picture, ball, mattBy(*ours), axes).relRms, irradianceLimit);
-            absolutes[kind] = {errors[name], irradianceLimit, errors[name]};
+        } else if (!m_profile.law) {
+            m_verdict.tell(name, d.relRms);
         } else {
-            verdict.tell(kind, errors[name]);
-            verdict.add("scale of diffuse light", std::abs(againstExact.scale - 1.0), engine == "godot" ? godotScaleLimit : scaleLimit);
+            m_verdict.add(name, d.relRms, roughLimit);
+            m_seams = std::max(m_seams, d.seams); // what is smooth everywhere shows them
+            m_exactSeams = std::max(m_exactSeams, againstExact.seams);
         }
     }
-    if (profile.law)
-        absolutes["seams"] = {seams, seamLimit, exactSeams, ownSeams >= 0.0 ? std::optional(ownSeams) : std::nullopt};
-    for (const auto& [name, figure] : absolutes)
-        if (figure.theirs)
-            verdict.addBesideOwn(name, figure.value, figure.limit, figure.ours, *figure.theirs);
-        else
-            verdict.add(name, figure.value, figure.limit);
-    return verdict;
+
+    void lookAtDiffuse(const std::string& kind, const Picture& picture, const Difference& againstExact)
+    {
+        if (kind == "sh" || m_engine == "babylon") { // nine coefficients miss the higher degrees, whoever makes them
+            const RadianceSh whole = radianceSh(m_probe.spectrum(2));
+            const Shade shade = [&](const Pixel& p) { return irradianceOverPi(whole, m_axes * p.normal); };
+            const double least = compare(drawn(m_ball, shade), mattBy(*m_exact)).relRms;
+            m_verdict.add(kind + " (SH) against its run", compare(picture, mattBy(*m_nine)).relRms, irradianceLimit);
+            m_verdict.add(kind + " (SH) against exact", againstExact.relRms, least + shMargin);
+        } else if (m_profile.law) {
+            m_verdict.add(kind + " against its run", compare(picture, mattBy(ours())).relRms, irradianceLimit);
+            m_absolutes[kind] = {againstExact.relRms, irradianceLimit, againstExact.relRms};
+        } else {
+            m_verdict.tell(kind, againstExact.relRms);
+            m_verdict.add("scale of diffuse light", std::abs(againstExact.scale - 1.0), m_engine == "godot" ? godotScaleLimit : scaleLimit);
+        }
+    }
+
+    std::string m_engine;
+    const EngineProfile& m_profile;
+    FilterSource m_probe;
+    Ball m_ball;
+    glm::dmat3 m_axes;
+    std::unique_ptr<Radiance> m_exact{}, m_nine{};
+    std::unique_ptr<Radiance> m_levels{}; ///< null for engines that filter by themselves
+    Verdict m_verdict{};
+    std::map<std::string, Absolute> m_absolutes{};
+    double m_seams = -1.0, m_ownSeams = -1.0, m_exactSeams = -1.0;
+    std::map<std::string, double> m_errors{}; ///< against the exact light, ours, by picture
+};
+
+Verdict judge(const json& manifest)
+{
+    Judge judge(manifest);
+    for (const json& entry : manifest.at("pictures"))
+        judge.look(entry);
+    return judge.conclude();
 }
 
 /// The profile's files with a fault.

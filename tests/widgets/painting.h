@@ -53,16 +53,18 @@ public:
         }
         QTest::mouseRelease(widget, button, keys, to);
     }
-    void pen(QEvent::Type type, const QPointF& place, double pressure, QPointingDevice::PointerType end)
+    void pen(QEvent::Type type, const QPointF& place, double pressure, QPointingDevice::PointerType end, const QPointF& tiltDeg = {})
     {
+        constexpr auto reports = QInputDevice::Capability::Position | QInputDevice::Capability::Pressure | QInputDevice::Capability::XTilt |
+                                 QInputDevice::Capability::YTilt;
         static const QPointingDevice tip(QStringLiteral("pen"), 77, QInputDevice::DeviceType::Stylus, QPointingDevice::PointerType::Pen,
-                                         QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 2);
+                                         reports, 1, 2);
         static const QPointingDevice eraser(QStringLiteral("eraser"), 78, QInputDevice::DeviceType::Stylus,
-                                            QPointingDevice::PointerType::Eraser,
-                                            QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 2);
+                                            QPointingDevice::PointerType::Eraser, reports, 1, 2);
         const auto button = type == QEvent::TabletMove ? Qt::NoButton : Qt::LeftButton;
         QTabletEvent event(type, end == QPointingDevice::PointerType::Eraser ? &eraser : &tip, place, canvas().mapToGlobal(place), pressure,
-                           0, 0, 0, 0, 0, {}, button, type == QEvent::TabletRelease ? Qt::NoButton : Qt::LeftButton);
+                           static_cast<float>(tiltDeg.x()), static_cast<float>(tiltDeg.y()), 0, 0, 0, {}, button,
+                           type == QEvent::TabletRelease ? Qt::NoButton : Qt::LeftButton);
         QCoreApplication::sendEvent(&canvas(), &event);
     }
 

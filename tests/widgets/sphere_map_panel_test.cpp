@@ -9,10 +9,12 @@
 
 #include "core/spheremap/document/presets.h"
 #include "core/spheremap/document/sphere_map_file.h"
+#include "core/spheremap/strokes/stroke_raster.h"
 
 #include <QDir>
 #include <QDockWidget>
 #include <QPointingDevice>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QTabletEvent>
 
@@ -24,6 +26,8 @@ using namespace mirrorball::studio;
 namespace mirrorball::test {
 
 static const RegisterTests<SphereMapPanelTest> registered;
+
+void SphereMapPanelTest::init() { QSettings().clear(); }
 
 void SphereMapPanelTest::offersAWayToStartWithoutAMap()
 {
@@ -91,6 +95,49 @@ void SphereMapPanelTest::takesAPensPressureAndItsEraserEnd()
     painting.pen(QEvent::TabletRelease, painting.at(0.0, 0.0), 0.0, End::Eraser);
     QCOMPARE(painting.strokes().size(), size_t{2});
     QVERIFY(painting.strokes()[1].brush.mode == BrushMode::Erase);
+}
+
+void SphereMapPanelTest::takesAPensTiltWhereTheBrushHeedsIt()
+{
+    Painting painting;
+    const auto draw = [&](const QPointF& tiltDeg) {
+        using End = QPointingDevice::PointerType;
+        painting.pen(QEvent::TabletPress, painting.at(0.0, 0.0), 1.0, End::Pen, tiltDeg);
+        painting.pen(QEvent::TabletMove, painting.at(0.4, 0.0), 1.0, End::Pen, tiltDeg);
+        painting.pen(QEvent::TabletRelease, painting.at(0.4, 0.0), 0.0, End::Pen, tiltDeg);
+        return painting.strokes().back();
+    };
+    const Stroke upright = draw({});
+    QVERIFY(draw({30.0, 45.0}) == upright); // the brush does not, at first
+    auto* heed = painting.panel().findChild<QWidget*>(QStringLiteral("brushForm"))->findChild<NumberField*>(QStringLiteral("tilt"));
+    QVERIFY(heed);
+    heed->box()->setValue(1.0);
+    const Stroke tilted = draw({30.0, 45.0});
+    QCOMPARE(tilted.brush.tilt, 1.0);
+    for (const StrokePoint& point : tilted.points)
+        QCOMPARE(point.tilt, glm::dvec2(30.0, -45.0)); // Qt's y goes down
+    QVERIFY(texelStroke(tilted, 256).bounds.height() > texelStroke(upright, 256).bounds.height());
+}
+
+void SphereMapPanelTest::steadiesTheHandByAStringAndRemembersItsLength()
+{
+    Painting painting;
+    auto* stabilizer = painting.panel().findChild<NumberField*>(QStringLiteral("stabilizer"));
+    QVERIFY(stabilizer);
+    const QPoint from = painting.at(-0.5, 0.0), to = painting.at(0.5, 0.0);
+    const auto end = [&] { return painting.canvas().placeOf(painting.strokes().back().points.back().q) - QPointF(to); };
+    painting.drag(from, to);
+    const Stroke plain = painting.strokes().back();
+    QVERIFY(end().manhattanLength() < 0.1);
+    stabilizer->box()->setValue(30.0);
+    painting.drag(from, to);
+    QVERIFY2(std::abs(end().x() + 30.0) < 0.1 && std::abs(end().y()) < 0.1, qPrintable(QString::number(end().x())));
+    QCOMPARE(keptStabilizer(), 30.0); // what the next window begins with
+    painting.drag(from, from + QPoint(20, 0));
+    QCOMPARE(painting.strokes().back().points.size(), size_t{1}); // the string was never taut
+    stabilizer->reset();
+    painting.drag(from, to);
+    QVERIFY(painting.strokes().back() == plain);
 }
 
 void SphereMapPanelTest::repeatsStrokesBySymmetry()
@@ -201,6 +248,23 @@ void SphereMapPanelTest::paintsOnTheModel()
     Painting::drag(&preview, middle, middle + QPoint(30, 0), Qt::LeftButton, Qt::AltModifier);
     QVERIFY(painting.document().scene().view.camera != camera);
     QCOMPARE(painting.strokes().size(), size_t{1});
+}
+
+void SphereMapPanelTest::steadiesTheHandOnTheModelToo()
+{
+    Painting painting;
+    painting.editor().setPaintsOnModel(true);
+    painting.editor().setStabilizer(12.5);
+    painting.window().waitForPicture();
+    PreviewWidget& preview = painting.window().preview();
+    auto* painter = preview.findChild<ModelPainter*>();
+    QVERIFY(painter);
+    const QPoint middle(preview.width() / 2, preview.height() / 2);
+    const std::optional<glm::dvec2> end = painter->placeAt(QPointF(middle) + QPointF(11.5, 0.0));
+    QVERIFY(end.has_value());
+    Painting::drag(&preview, middle, middle + QPoint(24, 0));
+    QCOMPARE(painting.strokes().size(), size_t{1});
+    QVERIFY(glm::distance(painting.strokes()[0].points.back().q, *end) < 1e-4);
 }
 
 /// Before it is part of the document, and as it will look when it is.

@@ -8,10 +8,13 @@ class SphereMapPanelTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void init();
     void offersAWayToStartWithoutAMap();
     void drawsAStrokeByMouseAsOneUndoStep();
     void showsTheStrokeWhileItIsDrawnAsTheFileWillHoldIt();
     void takesAPensPressureAndItsEraserEnd();
+    void takesAPensTiltWhereTheBrushHeedsIt();
+    void steadiesTheHandByAStringAndRemembersItsLength();
     void repeatsStrokesBySymmetry();
     void picksColorsFromTheDisc();
     void changesTheBrushByARightDrag();
@@ -20,6 +23,7 @@ private slots:
     void showsTheLevels();
     void opensAndSavesFilesAndTellsWhatIsWrong();
     void paintsOnTheModel();
+    void steadiesTheHandOnTheModelToo();
     void theModelShowsAStrokeWhileItIsDrawn();
     void choosesABrushOnTheModelAsOnTheDisc();
     void followsHandMadeLevelsWhileAStrokeIsDrawn();

@@ -75,19 +75,22 @@ void ModelPainter::showRing()
         return;
     }
     const Brush& brush = editor.brush();
-    m_ring->show(outlineAt(m_brushBefore ? m_pressed : *m_cursor),
-                 m_brushBefore ? tr("radius %1, hardness %2").arg(brush.radius, 0, 'f', 3).arg(brush.hardness, 0, 'f', 2) : QString());
+    const QPointF hanging(m_string.brush().x, m_string.brush().y);
+    m_ring->show(outlineAt(m_brushBefore  ? m_pressed
+                           : m_isPainting ? hanging
+                                          : *m_cursor),
+                 m_brushBefore ? tr("radius %1, hardness %2").arg(brush.radius, 0, 'f', 3).arg(brush.hardness, 0, 'f', 2) : QString(),
+                 m_isPainting ? QLineF(hanging, *m_cursor) : QLineF());
 }
 
-bool ModelPainter::press(const QPointF& position, Qt::KeyboardModifiers modifiers, double pressure, PenEnd end)
+bool ModelPainter::press(const QPointF& position, Qt::KeyboardModifiers modifiers, const PenTouch& touch)
 {
     SphereMapEditor& editor = m_workspace.sphereMap;
     if (modifiers.testFlag(Qt::AltModifier))
         return false;
     if (editor.tool() == PaintTool::PickColor) {
         m_isPicking = true;
-        if (const auto q = placeAt(position))
-            editor.pickColor(*q);
+        pick(position);
         return true;
     }
     if (!editor.canPaint()) {
@@ -97,27 +100,34 @@ bool ModelPainter::press(const QPointF& position, Qt::KeyboardModifiers modifier
     m_workspace.notices.clear(QStringLiteral("painting"));
     m_isPainting = true;
     m_hasBegun = false;
-    m_end = end;
-    move(position, pressure);
+    m_end = touch.end;
+    m_string = PulledString(editor.stabilizer(), {position.x(), position.y()});
+    move(position, touch);
     return true;
 }
 
-void ModelPainter::move(const QPointF& position, double pressure)
+void ModelPainter::pick(const QPointF& position)
 {
-    SphereMapEditor& editor = m_workspace.sphereMap;
-    const auto q = placeAt(position);
+    if (const auto q = placeAt(position))
+        m_workspace.sphereMap.pickColor(*q);
+}
+
+void ModelPainter::move(const QPointF& position, const PenTouch& touch)
+{
     if (m_isPicking) {
-        if (q)
-            editor.pickColor(*q);
+        pick(position);
         return;
     }
+    SphereMapEditor& editor = m_workspace.sphereMap;
+    const glm::dvec2& brush = m_string.pull({position.x(), position.y()});
+    const auto q = placeAt({brush.x, brush.y});
     if (!q) {
         editor.liftStroke();
     } else if (!m_hasBegun) {
         m_hasBegun = true;
-        editor.beginStroke({*q, pressure}, m_end, leap);
+        editor.beginStroke({*q, touch.pressure, touch.tilt}, m_end, leap);
     } else {
-        editor.moveStroke({*q, pressure});
+        editor.moveStroke({*q, touch.pressure, touch.tilt});
     }
 }
 
@@ -146,12 +156,12 @@ bool ModelPainter::handleMouse(QEvent* event)
             m_pressed = mouse->position();
             return true;
         }
-        return mouse->button() == Qt::LeftButton && press(mouse->position(), mouse->modifiers(), 1.0, PenEnd::Tip);
+        return mouse->button() == Qt::LeftButton && press(mouse->position(), mouse->modifiers(), {});
     case QEvent::MouseMove:
         if (m_brushBefore)
             m_workspace.sphereMap.setBrush(draggedBrush(*m_brushBefore, mouse->position() - m_pressed));
         else if (isBusy)
-            move(mouse->position(), 1.0);
+            move(mouse->position(), {});
         return isBusy;
     default:
         if (m_brushBefore)
@@ -170,14 +180,12 @@ bool ModelPainter::handlePen(QEvent* event)
         m_ringTimer.start();
     bool isTaken = m_penIsDown;
     switch (event->type()) {
-    case QEvent::TabletPress: {
-        const bool isEraser = pen->pointerType() == QPointingDevice::PointerType::Eraser;
-        isTaken = m_penIsDown = press(pen->position(), pen->modifiers(), pen->pressure(), isEraser ? PenEnd::Eraser : PenEnd::Tip);
+    case QEvent::TabletPress:
+        isTaken = m_penIsDown = press(pen->position(), pen->modifiers(), penTouch(*pen));
         break;
-    }
     case QEvent::TabletMove:
         if (m_penIsDown)
-            move(pen->position(), pen->pressure());
+            move(pen->position(), penTouch(*pen));
         break;
     default:
         if (m_penIsDown)

@@ -3,6 +3,8 @@
 #include "preview_widget.h"
 #include "widgets/spheremap/brush_ring.h"
 
+#include "core/spheremap/strokes/pulled_string.h"
+
 #include <QObject>
 #include <QTimer>
 
@@ -12,7 +14,8 @@ namespace mirrorball::studio {
 /// (preview/disc_places.h), so a highlight is put where it is to be seen.
 ///
 /// On while SphereMapEditor::paintsOnModel(): left draws in place of orbiting, Alt and left orbits, right drag changes the brush as on the
-/// disc. Off the model the pen is lifted. A ring shows what the brush would touch.
+/// disc. Off the model the pen is lifted. The stabilizer's string lies in the picture, so that it is as long everywhere on the model. A
+/// ring shows what the brush would touch.
 class ModelPainter : public QObject {
     Q_OBJECT
 
@@ -28,8 +31,9 @@ protected:
 
 private:
     bool isOn() const { return m_workspace.sphereMap.paintsOnModel() && m_workspace.sphereMap.map(); }
-    bool press(const QPointF& position, Qt::KeyboardModifiers modifiers, double pressure, PenEnd end);
-    void move(const QPointF& position, double pressure);
+    bool press(const QPointF& position, Qt::KeyboardModifiers modifiers, const PenTouch& touch);
+    void pick(const QPointF& position);
+    void move(const QPointF& position, const PenTouch& touch);
     void release();
     bool handleMouse(QEvent* event);
     bool handlePen(QEvent* event);
@@ -47,6 +51,7 @@ private:
     bool m_hasBegun = false;              ///< the pen has met the model since it was pressed
     std::optional<Brush> m_brushBefore{}; ///< while a right drag changes it
     QPointF m_pressed;
+    PulledString m_string{}; ///< of the stroke at hand, in the preview's pixels
     PenEnd m_end = PenEnd::Tip;
 };
 

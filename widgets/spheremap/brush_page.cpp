@@ -1,7 +1,9 @@
 #include "brush_page.h"
 
+#include "widgets/controls/field_label.h"
 #include "widgets/controls/form_labels.h"
 
+#include <QFormLayout>
 #include <QLabel>
 #include <QVBoxLayout>
 
@@ -36,10 +38,23 @@ BrushPage::BrushPage(SphereMapEditor& editor, QWidget* parent) : QWidget(parent)
         change(symmetry);
         m_editor.setSymmetry(symmetry);
     });
+    m_stabilizer =
+        new NumberField({.high = longestStabilizer, .sliderHigh = longestStabilizer, .digits = 3, .step = 1.0, .unit = tr("pixels")});
+    m_stabilizer->setObjectName(QStringLiteral("stabilizer"));
+    m_stabilizer->describe(tr("Stabilizer"), tr("Steadies the hand: the brush follows the pointer on a string of this length; 0 is off"));
+    connect(m_stabilizer, &NumberField::edited, &m_editor, &SphereMapEditor::setStabilizer);
+    auto* label = new FieldLabel(tr("Stabilizer"));
+    label->setBuddy(m_stabilizer);
+    label->setToolTip(m_stabilizer->slider()->toolTip());
+    label->setReset([this] { m_stabilizer->reset(); });
+    auto* hand = new QFormLayout;
+    hand->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    hand->addRow(label, m_stabilizer);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 10, 8, 8);
     column->setSpacing(8);
     column->addWidget(m_brush);
+    column->addLayout(hand);
     auto* heading = new QLabel(tr("Symmetry"));
     heading->setProperty("role", QStringLiteral("heading"));
     column->addWidget(heading);
@@ -58,6 +73,7 @@ void BrushPage::showBrush()
 {
     m_brush->show(m_editor.brush());
     m_symmetry->show(m_editor.symmetry());
+    m_stabilizer->setValue(m_editor.stabilizer());
 }
 
 } // namespace mirrorball::studio

@@ -7,7 +7,7 @@
 
 namespace mirrorball::studio {
 
-/// What strokes are drawn with: the brush and the symmetry, field by field.
+/// What strokes are drawn with: the brush and the symmetry, field by field, and the stabilizer of the hand.
 class BrushPage : public QWidget {
     Q_OBJECT
 
@@ -19,6 +19,7 @@ private:
 
     SphereMapEditor& m_editor;
     SettingsForm *m_brush, *m_symmetry;
+    NumberField* m_stabilizer;
 };
 
 } // namespace mirrorball::studio

@@ -1,8 +1,14 @@
 #include "brush_ring.h"
 
-#include <QPainter>
-
 namespace mirrorball::studio {
+
+void paintString(QPainter& painter, const QLineF& string)
+{
+    painter.setPen(QPen(QColor(0, 0, 0, 160), 2.6));
+    painter.drawLine(string);
+    painter.setPen(QPen(QColor(255, 255, 255, 200), 1.0));
+    painter.drawLine(string);
+}
 
 BrushRing::BrushRing(QWidget& over) : QWidget(&over)
 {
@@ -13,12 +19,13 @@ BrushRing::BrushRing(QWidget& over) : QWidget(&over)
     QWidget::hide();
 }
 
-void BrushRing::show(const QPolygonF& outline, const QString& note)
+void BrushRing::show(const QPolygonF& outline, const QString& note, const QLineF& string)
 {
-    if (outline == m_outline && note == m_note)
+    if (outline == m_outline && note == m_note && string == m_string)
         return;
     m_outline = outline;
     m_note = note;
+    m_string = string;
     setVisible(!outline.isEmpty());
     update();
 }
@@ -28,6 +35,8 @@ void BrushRing::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
+    if (!m_string.isNull())
+        paintString(painter, m_string);
     painter.setPen(QPen(QColor(0, 0, 0, 200), 2.6)); // dark and light, so that it shows on every color
     painter.drawPolygon(m_outline);
     painter.setPen(QPen(QColor(255, 255, 255, 220), 1.0));

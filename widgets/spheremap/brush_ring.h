@@ -1,9 +1,14 @@
 #pragma once
 
+#include <QLineF>
+#include <QPainter>
 #include <QPolygonF>
 #include <QWidget>
 
 namespace mirrorball::studio {
+
+/// The line from a brush that hangs back to the pointer that pulls it, light and dark, so that it shows on every color.
+void paintString(QPainter& painter, const QLineF& string);
 
 /// An outline over the preview where the brush would paint on the model.
 class BrushRing : public QWidget {
@@ -14,7 +19,8 @@ public:
 
     const QPolygonF& outline() const { return m_outline; }
     /// @param outline  in the widget's coordinates; empty: none. @param note  what stands below it
-    void show(const QPolygonF& outline, const QString& note = {});
+    /// @param string  from the brush to the pointer, where they are apart
+    void show(const QPolygonF& outline, const QString& note = {}, const QLineF& string = {});
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -22,6 +28,7 @@ protected:
 private:
     QPolygonF m_outline;
     QString m_note;
+    QLineF m_string;
 };
 
 } // namespace mirrorball::studio

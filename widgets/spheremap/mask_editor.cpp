@@ -34,17 +34,31 @@ Mask maskOf(const LayerKind& kind)
     return mask;
 }
 
+void name(QWidget* widget, const char* object, const QString& title, const QString& help)
+{
+    widget->setObjectName(QLatin1String(object));
+    widget->setAccessibleName(title);
+    widget->setToolTip(help);
+}
+
 } // namespace
 
 MaskEditor::MaskEditor(SphereMapEditor& editor, QWidget* parent)
     : QWidget(parent), m_editor(editor), m_kinds(new QuietCombo), m_channel(new QuietCombo), m_invert(new QCheckBox(tr("Inverted"))),
       m_paint(new QToolButton), m_details(new QWidget), m_firstLevel(new QSpinBox), m_lastLevel(new QSpinBox)
 {
-    const auto name = [](QWidget* widget, const char* object, const QString& title, const QString& help) {
-        widget->setObjectName(QLatin1String(object));
-        widget->setAccessibleName(title);
-        widget->setToolTip(help);
-    };
+    makeMask();
+    makeControls();
+    makeLevels();
+    layOut();
+    connect(&m_editor, &SphereMapEditor::mapChanged, this, &MaskEditor::follow);
+    connect(&m_editor, &SphereMapEditor::chosenChanged, this, &MaskEditor::follow);
+    connect(&m_editor, &SphereMapEditor::toolChanged, this, &MaskEditor::follow);
+    follow();
+}
+
+void MaskEditor::makeMask()
+{
     name(m_kinds, "maskKind", tr("Mask"), tr("Where the layer shows: everywhere, or where a picture of this kind is bright or there"));
     m_kinds->addItem(tr("None: everywhere"));
     for (const LayerKind& kind : generators())
@@ -67,6 +81,10 @@ MaskEditor::MaskEditor(SphereMapEditor& editor, QWidget* parent)
                 layer.mask->invert = on;
         });
     });
+}
+
+void MaskEditor::makeControls()
+{
     name(m_paint, "paintMask", tr("Paint on the mask"), tr("Strokes go to the mask instead of the layer; erasing takes them away"));
     m_paint->setText(tr("Paint on it"));
     m_paint->setIcon(QIcon(QStringLiteral(":/icons/brush.svg")));
@@ -81,7 +99,10 @@ MaskEditor::MaskEditor(SphereMapEditor& editor, QWidget* parent)
     });
     m_form->setObjectName(QStringLiteral("maskForm"));
     connect(m_form, &SettingsForm::finished, &m_editor, &SphereMapEditor::finishEdit);
+}
 
+void MaskEditor::makeLevels()
+{
     const auto levelBox = [&](QSpinBox* box, const char* object, const QString& title, const QString& help, int Layer::*level) {
         name(box, object, title, help);
         box->setRange(0, deepestLevel);
@@ -99,7 +120,10 @@ MaskEditor::MaskEditor(SphereMapEditor& editor, QWidget* parent)
              tr("The largest level of the mip chain that the layer takes part in; 0 is the full size"), &Layer::firstLevel);
     levelBox(m_lastLevel, "lastLevel", tr("Smallest level"), tr("The smallest level of the mip chain that the layer takes part in"),
              &Layer::lastLevel);
+}
 
+void MaskEditor::layOut()
+{
     auto* options = new QHBoxLayout;
     options->setContentsMargins(0, 0, 0, 0);
     options->addWidget(m_channel, 1);
@@ -120,10 +144,6 @@ MaskEditor::MaskEditor(SphereMapEditor& editor, QWidget* parent)
     rows->addRow(tr("Mask"), m_kinds);
     rows->addRow(m_details);
     rows->addRow(tr("Levels"), levels);
-    connect(&m_editor, &SphereMapEditor::mapChanged, this, &MaskEditor::follow);
-    connect(&m_editor, &SphereMapEditor::chosenChanged, this, &MaskEditor::follow);
-    connect(&m_editor, &SphereMapEditor::toolChanged, this, &MaskEditor::follow);
-    follow();
 }
 
 void MaskEditor::chooseKind(int index)

@@ -24,6 +24,10 @@ public:
     QToolButton& paintButton() { return *m_paint; }
 
 private:
+    void makeMask();     ///< which it is, and what of it counts
+    void makeControls(); ///< of what it shows
+    void makeLevels();
+    void layOut();
     void follow();
     void chooseKind(int index);
 

@@ -26,7 +26,7 @@ void PaintTools::addTools()
         tools->addAction(action);
         connect(action, &QAction::triggered, this, [this, tool] { m_editor.setTool(tool); });
     };
-    addTool("brush", tr("Paint"), tr("Paint. A pen's pressure counts; its eraser end erases"), PaintTool::Paint);
+    addTool("brush", tr("Paint"), tr("Paint. A pen's pressure and its tilt count; its eraser end erases"), PaintTool::Paint);
     addTool("eraser", tr("Erase"), tr("Erase what was painted on this layer"), PaintTool::Erase);
     addTool("smudge", tr("Smudge"), tr("Push what was painted on this layer"), PaintTool::Smudge);
     addTool("eyedropper", tr("Pick a color"), tr("Pick a color from the map; Alt does it with every tool"), PaintTool::PickColor);

@@ -3,6 +3,8 @@
 #include "disc_handles.h"
 #include "sphere_map_editor.h"
 
+#include "core/spheremap/strokes/pulled_string.h"
+
 #include <QPointF>
 #include <QWidget>
 
@@ -10,10 +12,10 @@ namespace mirrorball::studio {
 
 /// The disc, to paint on with mouse or pen, or with the handles of the chosen layer.
 ///
-/// Left draws with the chosen tool, a pen with its pressure, its eraser end erases; on a layer with places and directions it drags their
-/// handles instead, and keys move them (DiscHandles). Alt picks a color. Right drag changes the brush: across its radius, up and down its
-/// hardness; [ and ] step the radius. The wheel zooms at the cursor, middle or Space and left drag pans, Home fits. Escape gives up the
-/// stroke or the drag at hand, and shows all levels again where one is shown alone.
+/// Left draws with the chosen tool, a pen with its pressure, its eraser end erases, steadied by the editor's stabilizer; on a layer with
+/// places and directions it drags their handles instead, and keys move them (DiscHandles). Alt picks a color. Right drag changes the brush:
+/// across its radius, up and down its hardness; [ and ] step the radius. The wheel zooms at the cursor, middle or Space and left drag pans,
+/// Home fits. Escape gives up the stroke or the drag at hand, and shows all levels again where one is shown alone.
 class SphereMapCanvas : public QWidget {
     Q_OBJECT
 
@@ -52,9 +54,11 @@ private:
     enum class Drag { None, Stroke, Pan, Brush, Pick, Handle };
 
     double scale() const; ///< pixels to a disc radius
+    /// Where the brush is while a stroke is drawn.
+    QPointF brushPlace() const { return {m_string.brush().x, m_string.brush().y}; }
     void show(const TexelRect& touched);
-    void press(const QPointF& place, Qt::MouseButton button, Qt::KeyboardModifiers modifiers, double pressure, PenEnd end);
-    void move(const QPointF& place, double pressure);
+    void press(const QPointF& place, Qt::MouseButton button, Qt::KeyboardModifiers modifiers, const PenTouch& touch);
+    void move(const QPointF& place, const PenTouch& touch);
     void release();
     void paintBrush(QPainter& painter) const;
     void paintWords(QPainter& painter, const QString& words, Qt::Alignment where, const QColor& color) const;
@@ -70,6 +74,7 @@ private:
     bool m_penIsDown = false; ///< its mouse events are left out
     QPointF m_last;
     QPointF m_pressed;
+    PulledString m_string{}; ///< of the stroke at hand, in the widget's pixels
     Brush m_brushBefore{};
     std::optional<QPointF> m_cursor;
     QString m_hint; ///< why a press drew nothing

@@ -26,14 +26,6 @@ auto strokesOf(Map& map, size_t layer, PaintTarget target)
 }
 } // namespace
 
-Brush draggedBrush(const Brush& before, const QPointF& moved)
-{
-    Brush brush = before;
-    brush.radius = std::clamp(std::round(brush.radius * std::exp(moved.x() / 120.0) * 1e4) / 1e4, smallestRadius, largestRadius);
-    brush.hardness = std::clamp(std::round((brush.hardness - moved.y() / 250.0) * 100.0) / 100.0, 0.0, 1.0);
-    return brush;
-}
-
 SphereMapEditor::SphereMapEditor(Document& document, LiveScene& live, QObject* parent) : QObject(parent), m_document(document), m_live(live)
 {
     connect(&m_document, &Document::changed, this, &SphereMapEditor::follow);
@@ -92,7 +84,6 @@ void SphereMapEditor::followLive()
         return;
     }
     m_awaitsLive = m_live.made()->plan.sphereMaps.front().document.document != m_map; // a later one follows
-    m_isCoarse = m_isCoarse || chain->levels.front().width < m_size;
     m_runner.start(
         [chain, size = m_size, only = m_onlyLevel.value_or(0)](const JobControl& job) {
             const Image& picture = chain->levels.front();
@@ -120,7 +111,7 @@ void SphereMapEditor::request()
         m_levelsCache = std::make_shared<LevelsCache>(EvaluateOptions{.size = m_size, .unknownLayers = UnknownLayers::Skip});
     m_runner.start(
         [cache = m_cache, levels = followsLevels ? m_levelsCache : nullptr, map = m_map, pending, layer = m_recorderLayer,
-         target = m_recorderTarget, only, whole = m_isCoarse](const JobControl& job) {
+         target = m_recorderTarget, only, whole = m_picture.width != m_size](const JobControl& job) {
             const SphereMapDocument* shown = map.get();
             SphereMapDocument painted;
             if (!pending.empty()) {
@@ -130,7 +121,7 @@ void SphereMapEditor::request()
                 shown = &painted;
             }
             Patch patch{.rect = cache->update(*shown, job), .size = cache->size()};
-            if (whole) // what is shown has fewer texels
+            if (whole) // what is shown has fewer texels: it is of a drag
                 patch.rect = {0, 0, patch.size, patch.size};
             if (levels)
                 patch.levels = levels->update(*shown, job);
@@ -169,17 +160,15 @@ void SphereMapEditor::show(Patch patch)
         }
         emit levelsChanged(touched);
     }
+    if (patch.rect.width() == patch.size && patch.rect.height() == patch.size) {
+        m_picture = std::move(patch.image);
+    } else if (m_picture.width != patch.size) { // a part, or none, of what is not there: a coarse one came in between
+        request();
+        return;
+    } else if (!patch.rect.empty()) {
+        put(patch.image, patch.rect, patch.size, m_picture);
+    }
     if (!patch.rect.empty()) {
-        if (patch.rect.width() == patch.size && patch.rect.height() == patch.size) {
-            m_picture = std::move(patch.image);
-            m_isCoarse = patch.size < m_size;
-        } else if (m_picture.width != patch.size) { // a part of what is not there
-            m_isCoarse = true;
-            request();
-            return;
-        } else {
-            put(patch.image, patch.rect, patch.size, m_picture);
-        }
         m_screen.put(patch.screen, patch.rect, patch.size);
         emit pictureChanged(patch.rect);
     }
@@ -276,45 +265,6 @@ void SphereMapEditor::moveLayer(int from, int to)
     });
     m_chosen = -1;
     choose(to);
-}
-
-void SphereMapEditor::setBrush(const Brush& brush)
-{
-    if (brush == m_brush)
-        return;
-    m_brush = brush;
-    emit brushChanged();
-}
-
-void SphereMapEditor::stepBrush(int steps)
-{
-    Brush brush = m_brush;
-    brush.radius = std::clamp(std::round(brush.radius * std::pow(1.15, steps) * 1e4) / 1e4, smallestRadius, largestRadius);
-    setBrush(brush);
-}
-
-void SphereMapEditor::setSymmetry(const Symmetry& symmetry)
-{
-    if (symmetry == m_symmetry)
-        return;
-    m_symmetry = symmetry;
-    emit brushChanged();
-}
-
-void SphereMapEditor::setTool(PaintTool tool)
-{
-    if (tool == m_tool)
-        return;
-    m_tool = tool;
-    emit toolChanged();
-}
-
-void SphereMapEditor::setPaintsOnModel(bool on)
-{
-    if (on == m_paintsOnModel)
-        return;
-    m_paintsOnModel = on;
-    emit toolChanged();
 }
 
 std::optional<PaintTarget> SphereMapEditor::paintTarget() const
@@ -416,22 +366,6 @@ void SphereMapEditor::cancelStroke()
         return;
     m_recorder.reset();
     request();
-}
-
-void SphereMapEditor::pickColor(const glm::dvec2& q)
-{
-    const Image& picture = m_levelImage.empty() ? m_picture : m_levelImage;
-    if (picture.empty())
-        return;
-    const int n = picture.width;
-    const auto texel = [n](double v) { return std::clamp(static_cast<int>((v + 1.0) * 0.5 * n), 0, n - 1); };
-    const float* rgba = picture.texel(texel(q.x), texel(-q.y));
-    if (!(rgba[3] > 0.0f))
-        return;
-    Brush brush = m_brush;
-    for (int c = 0; c < 3; ++c)
-        brush.color[c] = std::clamp(std::round(static_cast<double>(rgba[c] / rgba[3]) * 1e5) / 1e5, 0.0, 1000.0);
-    setBrush(brush);
 }
 
 } // namespace mirrorball::studio

@@ -11,6 +11,7 @@
 #include <QObject>
 
 #include <QPointF>
+#include <QTabletEvent>
 
 #include <memory>
 #include <optional>
@@ -24,8 +25,20 @@ enum class PaintTool { Paint, Erase, Smudge, PickColor };
 /// Which end of a pen touches.
 enum class PenEnd { Tip, Eraser };
 
+/// What a pen says besides its place; a mouse presses fully and stands upright.
+struct PenTouch {
+    double pressure = 1.0; ///< [0, 1]
+    PenEnd end = PenEnd::Tip;
+    glm::dvec2 tilt{0.0}; ///< degrees to the right and up, as StrokePoint has it
+};
+PenTouch penTouch(const QTabletEvent& event);
+
 /// A brush that is changed by a drag: across its radius, up and down its hardness. @param moved  since the press, in pixels
 Brush draggedBrush(const Brush& before, const QPointF& moved);
+
+inline constexpr double longestStabilizer = 100.0; ///< pixels
+/// The stabilizer that was set last, by whichever window: a habit of the hand.
+double keptStabilizer();
 
 /// The sphere map of the document's scene while an artist works on it: which layer is chosen, with what is painted, and the picture, live.
 ///
@@ -70,6 +83,10 @@ public:
     void stepBrush(int steps);
     const Symmetry& symmetry() const { return m_symmetry; }
     void setSymmetry(const Symmetry& symmetry);
+    /// Length of the string that the brush hangs on (PulledString), in pixels of the widget that is painted in, [0, longestStabilizer]; 0:
+    /// it is where the pointer is. No part of a stroke, which keeps where the brush went.
+    double stabilizer() const { return m_stabilizer; }
+    void setStabilizer(double pixels);
     PaintTool tool() const { return m_tool; }
     void setTool(PaintTool tool);
 
@@ -84,7 +101,7 @@ public:
     /// Whether a stroke can begin: a layer is chosen and shown that can be painted on. Otherwise paintingProblem() says what to do.
     bool canPaint() const { return paintingProblem().isEmpty(); }
     QString paintingProblem() const;
-    /// A stroke of the chosen layer. @param leap  see StrokeRecorder
+    /// A stroke of the chosen layer, of places that are steadied already. @param leap  see StrokeRecorder
     void beginStroke(const StrokePoint& point, PenEnd end = PenEnd::Tip, double leap = 8.0);
     void moveStroke(const StrokePoint& point);
     /// The pen left the model; the stroke may go on elsewhere.
@@ -109,7 +126,8 @@ public:
 
     /// Edge of the picture, in texels: that of the map that the scene's picture reads.
     int size() const { return m_size; }
-    /// The picture, RGBA, linear, colors multiplied by their opacity; empty before the first. It may be of an older state.
+    /// The picture, RGBA, linear, colors multiplied by their opacity; empty before the first. It may be of an older state, and has fewer
+    /// texels than size() while something is dragged.
     const Image& picture() const { return m_picture; }
     /// The same for the screen.
     const ScreenPicture& screen() const { return m_screen; }
@@ -161,6 +179,7 @@ private:
     int m_light = 0;
     Brush m_brush{};
     Symmetry m_symmetry{};
+    double m_stabilizer = keptStabilizer();
     PaintTool m_tool = PaintTool::Paint;
     bool m_paintsOnModel = false;
     bool m_paintsMask = false;
@@ -172,7 +191,6 @@ private:
     size_t m_recorderLayer = 0;
     PaintTarget m_recorderTarget = PaintTarget::Layer;
     Image m_picture{};
-    bool m_isCoarse = false; ///< it has fewer texels than the map, or will have: while something is dragged
     ScreenPicture m_screen{};
     std::vector<Image> m_coarser{};
     std::shared_ptr<SphereMapCache> m_cache;      ///< touched on the worker only

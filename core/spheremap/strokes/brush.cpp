@@ -19,6 +19,16 @@ double radiusAt(const Brush& brush, double pressure)
 
 double strengthAt(const Brush& brush, double pressure) { return brush.flow * (1.0 - brush.pressureFlow * (1.0 - pressure)); }
 
+glm::dvec2 leanAt(const Brush& brush, const glm::dvec2& tiltDeg)
+{
+    const glm::dvec2 slope = glm::tan(glm::radians(tiltDeg));
+    const double slope2 = glm::dot(slope, slope);
+    const double stretch = 1.0 + brush.tilt * (std::sqrt(1.0 + slope2) - 1.0);
+    if (!(stretch > 1.0))
+        return glm::dvec2(0.0);
+    return slope * std::sqrt((1.0 - 1.0 / (stretch * stretch)) / slope2);
+}
+
 DabProfile dabProfile(double radius, double hardness, double strength)
 {
     double middle2 = 0.5 * (1.0 + hardness * hardness) * radius * radius;

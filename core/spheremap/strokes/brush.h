@@ -23,6 +23,8 @@ inline constexpr double largestRadius = 2.0;
 /// it lies, and on the picture of the ball, which the disc is, it stays the circle that the artist sees. Towards the rim it is
 /// therefore stretched on the sphere along the rim, as everything in the map is.
 ///
+/// A tilted pen may stretch it to an ellipse: leanAt().
+///
 /// Paint and erase cover: a dab of strength a at distance d takes 1 - a p(d) of what shines through, so a stroke covers
 ///   c = opacity (1 - prod_i (1 - a_i p(d_i)))
 /// whatever the order of its dabs. Smudge moves: see stroke_raster.h.
@@ -36,6 +38,7 @@ struct Brush {
     double spacing = 0.1;
     double pressureRadius = 0.5;
     double pressureFlow = 0.5;
+    double tilt = 0.0;
     UnknownKeys unknown{};
 
     bool operator==(const Brush&) const = default;
@@ -51,6 +54,7 @@ struct Brush {
         visit(Field{"spacing", "way from dab to dab; above 1 the dabs stand apart", 0.02, 10, "diameters"}, self.spacing);
         visit(Field{"pressure-radius", "how far light pressure makes the tip smaller", 0, 1}, self.pressureRadius);
         visit(Field{"pressure-flow", "how far light pressure makes the flow weaker", 0, 1}, self.pressureFlow);
+        visit(Field{"tilt", "how far a tilted pen stretches the tip the way it leans", 0, 1}, self.tilt);
     }
 };
 
@@ -59,6 +63,14 @@ struct Brush {
 double radiusAt(const Brush& brush, double pressure);
 /// Strength of a dab under a pressure: flow (1 - k + k pressure) with k = pressureFlow.
 double strengthAt(const Brush& brush, double pressure);
+
+/// How the tip is stretched under a pen that is tilted by `tiltDeg` from upright along x and y. A round jet about the pen's axis would meet
+/// the disc in an ellipse that is longer the way the pen leans by the reciprocal cosine of its inclination,
+///   1 / cos = sqrt(1 + tan^2 tilt_x + tan^2 tilt_y);
+/// with k = tilt of the brush the tip is s = 1 + k (1 / cos - 1) times as long, and as wide as it was.
+/// @return e sqrt(1 - 1 / s^2), with e the unit vector of the way it leans: distances that measure the tip are d^2 - (d . lean)^2. 0 for
+/// a round tip
+glm::dvec2 leanAt(const Brush& brush, const glm::dvec2& tiltDeg);
 
 /// The falloff of one dab on a grid of texels: a p(d), with d the distance from its center in texels.
 ///   p = u^2 (3 - 2u),  u = clamp((outer^2 - d^2) / (outer^2 - inner^2), 0, 1)

@@ -16,14 +16,14 @@ double stepAt(const Brush& brush, double pressure)
     return spacing * 2.0 * radiusAt(brush, pressure);
 }
 
-/// Calls `touch(q, pressure)` at each dab along the way.
+/// Calls `touch(point)` at each dab along the way.
 template <typename Touch>
 void walk(const Stroke& stroke, const Touch& touch)
 {
     const auto& points = stroke.points;
     if (points.empty())
         return;
-    touch(points[0].q, points[0].pressure);
+    touch(points[0]);
     double left = stepAt(stroke.brush, points[0].pressure); // way to the next dab
     for (size_t i = 1; i < points.size(); ++i) {
         const StrokePoint& a = points[i - 1];
@@ -33,9 +33,9 @@ void walk(const Stroke& stroke, const Touch& touch)
         while (length - at >= left) {
             at += left;
             const double t = at / length;
-            const double pressure = glm::mix(a.pressure, b.pressure, t);
-            touch(glm::mix(a.q, b.q, t), pressure);
-            left = stepAt(stroke.brush, pressure);
+            const StrokePoint here{glm::mix(a.q, b.q, t), glm::mix(a.pressure, b.pressure, t), glm::mix(a.tilt, b.tilt, t)};
+            touch(here);
+            left = stepAt(stroke.brush, here.pressure);
         }
         left -= length - at;
     }
@@ -76,6 +76,8 @@ void checkFields(const std::string& path, const Stroke& stroke)
                                   " disc radii of the center, as finite numbers");
         if (!(point.pressure >= 0.0 && point.pressure <= 1.0))
             throw InvalidArgument(where() + ": has a pressure outside [0, 1]; pressure is the third number of a point");
+        if (!(std::abs(point.tilt.x) <= mostTilt && std::abs(point.tilt.y) <= mostTilt))
+            throw InvalidArgument(where() + ": has a tilt outside [-60, 60] degrees; tilts are the fourth and fifth number of a point");
     }
     if (mostDabsOf(stroke) > static_cast<double>(mostDabs))
         refuseDabs(path);
@@ -101,17 +103,17 @@ StrokeDabs strokeDabs(const Stroke& stroke)
 {
     const std::vector<glm::dmat2> maps = symmetryMaps(stroke.symmetry);
     std::vector<Dab> drawn;
-    walk(stroke, [&](const glm::dvec2& q, double pressure) {
+    walk(stroke, [&](const StrokePoint& at) {
         if ((drawn.size() + 1) * maps.size() > mostDabs)
             refuseDabs("the stroke");
-        drawn.push_back({q, drawn.empty() ? glm::dvec2(0.0) : q - drawn.back().q, radiusAt(stroke.brush, pressure),
-                         strengthAt(stroke.brush, pressure)});
+        drawn.push_back({at.q, drawn.empty() ? glm::dvec2(0.0) : at.q - drawn.back().q, radiusAt(stroke.brush, at.pressure),
+                         strengthAt(stroke.brush, at.pressure), leanAt(stroke.brush, at.tilt)});
     });
     StrokeDabs result{.copies = maps.size()};
     result.dabs.reserve(drawn.size() * maps.size());
     for (const glm::dmat2& map : maps)
         for (const Dab& dab : drawn)
-            result.dabs.push_back({map * dab.q, map * dab.motion, dab.radius, dab.strength});
+            result.dabs.push_back({map * dab.q, map * dab.motion, dab.radius, dab.strength, map * dab.lean});
     return result;
 }
 

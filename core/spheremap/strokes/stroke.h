@@ -11,10 +11,13 @@
 
 namespace mirrorball {
 
+inline constexpr double mostTilt = 60.0; ///< degrees, either way: what pens report
+
 /// One sample of a pen's way.
 struct StrokePoint {
     glm::dvec2 q{0.0};     ///< on the disc (sphere/disc.h): x to the right, y up, |q| = 1 at the rim; a stroke may leave the disc
     double pressure = 1.0; ///< [0, 1]
+    glm::dvec2 tilt{0.0};  ///< degrees from upright along x and y, [-mostTilt, mostTilt]; 0 also from pens that do not say
     bool operator==(const StrokePoint&) const = default;
 };
 
@@ -45,8 +48,9 @@ void validate(std::span<const Stroke> strokes, const std::string& path = "stroke
 struct Dab {
     glm::dvec2 q{0.0};
     glm::dvec2 motion{0.0}; ///< from the dab before it; 0 for the first
-    double radius = 0.0;
+    double radius = 0.0;    ///< across the way that the pen leans
     double strength = 0.0;
+    glm::dvec2 lean{0.0}; ///< see leanAt()
 };
 
 /// The dabs of a stroke with all its symmetric copies, independent of the size of the map: the drawn ones in order, then those of the

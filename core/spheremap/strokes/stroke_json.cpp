@@ -12,7 +12,7 @@ namespace {
 /// Reads one point off the front of a text; what is left begins at the comma after it.
 StrokePoint takePoint(std::string_view& text, const std::string& path, size_t index)
 {
-    double numbers[3] = {0.0, 0.0, 1.0};
+    double numbers[5] = {0.0, 0.0, 1.0, 0.0, 0.0};
     int count = 0;
     for (;;) {
         text.remove_prefix(std::min(text.find_first_not_of(" \n\r\t"), text.size()));
@@ -22,7 +22,7 @@ StrokePoint takePoint(std::string_view& text, const std::string& path, size_t in
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
         const auto used = static_cast<size_t>(end - text.data());
         const bool ends = used == text.size() || std::string_view(" \n\r\t,").find(text[used]) != std::string_view::npos;
-        if (error != std::errc() || !ends || count == 3)
+        if (error != std::errc() || !ends || count == 5)
             throw InvalidArgument(path + "[" + std::to_string(index) + "]: must be \"x y pressure\", points apart by commas; it goes on " +
                                   inQuotes(text.substr(0, 20)));
         numbers[count++] = value;
@@ -30,7 +30,9 @@ StrokePoint takePoint(std::string_view& text, const std::string& path, size_t in
     }
     if (count < 2)
         throw InvalidArgument(path + "[" + std::to_string(index) + "]: must be \"x y pressure\"; a number is missing");
-    return {{numbers[0], numbers[1]}, numbers[2]};
+    if (count == 4)
+        throw InvalidArgument(path + "[" + std::to_string(index) + "]: must be \"x y pressure tilt-x tilt-y\"; the second tilt is missing");
+    return {{numbers[0], numbers[1]}, numbers[2], {numbers[3], numbers[4]}};
 }
 
 std::vector<StrokePoint> pointsFromText(const std::string& path, std::string_view text)
@@ -53,11 +55,13 @@ std::vector<StrokePoint> pointsFromList(const std::string& path, const Json& lis
     std::vector<StrokePoint> points;
     points.reserve(list.size());
     for (const Json& entry : list) {
-        const bool numbers = entry.is_array() && (entry.size() == 2 || entry.size() == 3) &&
+        const size_t count = entry.size();
+        const bool numbers = entry.is_array() && (count == 2 || count == 3 || count == 5) &&
                              std::all_of(entry.begin(), entry.end(), [](const Json& number) { return number.is_number(); });
         if (!numbers)
-            refuse(path + "[" + std::to_string(points.size()) + "]", "a list [x, y, pressure]", entry);
-        points.push_back({{entry[0].get<double>(), entry[1].get<double>()}, entry.size() == 3 ? entry[2].get<double>() : 1.0});
+            refuse(path + "[" + std::to_string(points.size()) + "]", "a list [x, y, pressure] or [x, y, pressure, tilt-x, tilt-y]", entry);
+        const auto number = [&](size_t i, double missing) { return i < count ? entry[i].get<double>() : missing; };
+        points.push_back({{number(0, 0.0), number(1, 0.0)}, number(2, 1.0), {number(3, 0.0), number(4, 0.0)}});
     }
     return points;
 }
@@ -73,7 +77,13 @@ std::string pointsToText(const std::vector<StrokePoint>& points)
     for (const StrokePoint& point : points) {
         add(point.q.x, ' ');
         add(point.q.y, ' ');
-        add(point.pressure, ',');
+        if (point.tilt == glm::dvec2(0.0)) {
+            add(point.pressure, ',');
+            continue;
+        }
+        add(point.pressure, ' ');
+        add(point.tilt.x, ' ');
+        add(point.tilt.y, ',');
     }
     if (!text.empty())
         text.pop_back();

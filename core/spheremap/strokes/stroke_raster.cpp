@@ -31,18 +31,26 @@ constexpr float opaque = 1e-10f;
 
 /// Lets a dab take its part of what shines through. Works on whole lanes, written out because the compiler makes branches of the clamps
 /// otherwise: beyond the dab's edge p is 0 and nothing changes.
-MIRRORBALL_VECTOR_CLONES void stampRows(float* values, const TexelRect& rows, float cx, float cy, DabProfile dab)
+///
+/// With l the lean, d^2 - (d . l)^2 = (1 - lx^2) (dx - k dy)^2 + (1 - ly^2 / (1 - lx^2)) dy^2 and k = lx ly / (1 - lx^2): a stretched tip
+/// is a round one whose rows are moved and scaled.
+MIRRORBALL_VECTOR_CLONES void stampRows(float* values, const TexelRect& rows, float cx, float cy, DabProfile dab, glm::vec2 lean)
 {
+    const float along = 1.0f - lean.x * lean.x;
+    const float down = 1.0f - lean.y * lean.y / along;
+    const float shift = lean.x * lean.y / along;
+    const float slope = dab.slope * along;
     const Lanes steps = {0, 1, 2, 3, 4, 5, 6, 7};
     const Lanes none = {}, one = none + 1.0f, least = none + opaque;
     const int first = rows.x0 & ~(laneCount - 1);
     for (int y = rows.y0; y < rows.y1; ++y) {
         const float dy = static_cast<float>(y) - cy;
-        const float base = (dab.outer2 - dy * dy) * dab.slope;
+        const float base = (dab.outer2 - dy * dy * down) * dab.slope;
+        const float middle = cx + shift * dy;
         float* row = values + y * tileSize;
         for (int x = first; x < rows.x1; x += laneCount) {
-            const Lanes dx = steps + (static_cast<float>(x) - cx);
-            Lanes u = base - dx * dx * dab.slope;
+            const Lanes dx = steps + (static_cast<float>(x) - middle);
+            Lanes u = base - dx * dx * slope;
             u = u > none ? u : none;
             u = u < one ? u : one;
             Lanes t;
@@ -94,7 +102,7 @@ void coverTile(float* texels, size_t stride, const TexelStroke& stroke, const Te
         rows = {rows.x0 - tile.x0, rows.y0 - tile.y0, rows.x1 - tile.x0, rows.y1 - tile.y0};
         through.touched = through.touched.united(rows);
         stampRows(through.values.data(), rows, static_cast<float>(dab.p.x - 0.5 - tile.x0), static_cast<float>(dab.p.y - 0.5 - tile.y0),
-                  dab.profile);
+                  dab.profile, dab.lean);
     });
     const TexelRect& t = through.touched;
     const glm::vec4 paint = stroke.mode == BrushMode::Paint ? glm::vec4(stroke.color, 1.0f) : glm::vec4(0.0f);
@@ -141,7 +149,8 @@ glm::dvec2 cameFrom(const TexelStroke& stroke, glm::dvec2 p, size_t touches)
         for (size_t copy = 0; copy < stroke.copies; ++copy) {
             const TexelDab& dab = stroke.dabs[copy * all + i];
             const glm::dvec2 d = p - dab.p;
-            const float d2 = static_cast<float>(d.x * d.x + d.y * d.y);
+            const double along = glm::dot(d, glm::dvec2(dab.lean));
+            const float d2 = static_cast<float>(d.x * d.x + d.y * d.y - along * along);
             if (d2 < dab.profile.outer2)
                 motion += dab.motion * static_cast<double>(dab.profile.at(d2));
         }
@@ -172,12 +181,18 @@ void smudgeTile(Image& raster, const TexelStroke& stroke, const TexelRect& tile,
     }
 }
 
+/// Half the sides of the box about d^2 - (d . lean)^2 = outer^2: the ellipse's matrix inverted is 1 + lean lean^T / (1 - |lean|^2).
+glm::vec2 reachOf(const DabProfile& profile, const glm::vec2& lean)
+{
+    return std::sqrt(profile.outer2) * glm::sqrt(1.0f + lean * lean / (1.0f - glm::dot(lean, lean)));
+}
+
 } // namespace
 
 TexelRect TexelDab::bounds() const
 {
-    return {static_cast<int>(std::ceil(p.x - outer - 0.5)), static_cast<int>(std::ceil(p.y - outer - 0.5)),
-            static_cast<int>(std::floor(p.x + outer - 0.5)) + 1, static_cast<int>(std::floor(p.y + outer - 0.5)) + 1};
+    return {static_cast<int>(std::ceil(p.x - reach.x - 0.5)), static_cast<int>(std::ceil(p.y - reach.y - 0.5)),
+            static_cast<int>(std::floor(p.x + reach.x - 0.5)) + 1, static_cast<int>(std::floor(p.y + reach.y - 0.5)) + 1};
 }
 
 TileSet TexelStroke::tiles(int size, size_t first) const
@@ -201,8 +216,9 @@ TexelStroke texelStroke(const Stroke& stroke, int size)
     result.dabs.reserve(source.dabs.size());
     for (const Dab& dab : source.dabs) {
         const DabProfile profile = dabProfile(dab.radius * disc.radius, stroke.brush.hardness, dab.strength);
+        const glm::vec2 lean(dab.lean.x, -dab.lean.y);
         result.dabs.push_back(
-            {disc.toImage(dab.q), glm::dvec2(dab.motion.x, -dab.motion.y) * disc.radius, profile, std::sqrt(profile.outer2)});
+            {disc.toImage(dab.q), glm::dvec2(dab.motion.x, -dab.motion.y) * disc.radius, profile, lean, reachOf(profile, lean)});
         if ((result.dabs.size() - 1) % TexelStroke::groupSize == 0)
             result.groups.emplace_back();
         const TexelRect bounds = result.dabs.back().bounds();

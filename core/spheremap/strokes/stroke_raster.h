@@ -26,7 +26,8 @@ struct TexelDab {
     glm::dvec2 p{0.0};      ///< image position
     glm::dvec2 motion{0.0}; ///< in texels, y down
     DabProfile profile{};
-    float outer = 0.0f; ///< texels: nothing happens farther from p
+    glm::vec2 lean{0.0f};  ///< as in Dab, y down
+    glm::vec2 reach{0.0f}; ///< texels: nothing happens farther from p along x or along y
 
     TexelRect bounds() const;
 };

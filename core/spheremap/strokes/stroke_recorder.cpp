@@ -9,7 +9,13 @@ namespace {
 
 double rounded(double value) { return std::round(value * 1e5) / 1e5; }
 
-StrokePoint middle(const StrokePoint& a, const StrokePoint& b) { return {0.5 * (a.q + b.q), 0.5 * (a.pressure + b.pressure)}; }
+/// To a tenth of a degree, more than pens tell apart.
+double roundedTilt(double degrees) { return std::round(std::clamp(degrees, -mostTilt, mostTilt) * 10.0) / 10.0; }
+
+StrokePoint middle(const StrokePoint& a, const StrokePoint& b)
+{
+    return {0.5 * (a.q + b.q), 0.5 * (a.pressure + b.pressure), 0.5 * (a.tilt + b.tilt)};
+}
 
 } // namespace
 
@@ -20,7 +26,9 @@ StrokeRecorder::StrokeRecorder(Brush brush, Symmetry symmetry, double leap)
 
 void StrokeRecorder::push(const StrokePoint& point)
 {
-    const StrokePoint kept{{rounded(point.q.x), rounded(point.q.y)}, std::clamp(rounded(point.pressure), 0.0, 1.0)};
+    const StrokePoint kept{{rounded(point.q.x), rounded(point.q.y)},
+                           std::clamp(rounded(point.pressure), 0.0, 1.0),
+                           {roundedTilt(point.tilt.x), roundedTilt(point.tilt.y)}};
     std::vector<StrokePoint>& points = m_strokes.back().points;
     if (points.empty() || points.back() != kept)
         points.push_back(kept);
@@ -29,9 +37,10 @@ void StrokeRecorder::push(const StrokePoint& point)
 /// b^2: (1-t)^2 m0 + 2 t (1-t) c + t^2 m1, cut finely enough that its chords stay within 1/20 of the tip's radius, or 1e-4.
 void StrokeRecorder::add(const StrokePoint& sample)
 {
-    if (!std::isfinite(sample.q.x + sample.q.y + sample.pressure))
+    if (!std::isfinite(sample.q.x + sample.q.y + sample.pressure + sample.tilt.x + sample.tilt.y))
         return;
-    const StrokePoint at{glm::clamp(sample.q, -farthestPoint, farthestPoint), sample.pressure};
+    const StrokePoint at{glm::clamp(sample.q, -farthestPoint, farthestPoint), sample.pressure,
+                         m_brush.tilt > 0.0 ? sample.tilt : glm::dvec2(0.0)};
     if (!m_samples.empty() && glm::distance(m_samples.back().q, at.q) > m_leap)
         endStroke();
     if (m_samples.empty()) {
@@ -55,7 +64,8 @@ void StrokeRecorder::add(const StrokePoint& sample)
     for (int i = 1; i <= pieces; ++i) {
         const double t = static_cast<double>(i) / pieces, s = 1.0 - t;
         push({s * s * from.q + 2.0 * t * s * control.q + t * t * to.q,
-              s * s * from.pressure + 2.0 * t * s * control.pressure + t * t * to.pressure});
+              s * s * from.pressure + 2.0 * t * s * control.pressure + t * t * to.pressure,
+              s * s * from.tilt + 2.0 * t * s * control.tilt + t * t * to.tilt});
     }
     m_samples = {control, at};
 }

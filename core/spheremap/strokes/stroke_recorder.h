@@ -10,8 +10,8 @@ namespace mirrorball {
 ///
 /// A hand's curve comes in as corners, a hundred a second. The recorder joins the middles of neighboring samples by quadratic curves with
 /// the samples as control points (a uniform quadratic B-spline): smooth, nowhere beyond the samples, and with a point that once stands
-/// never moved again, so that what is drawn so far is drawn. Numbers are rounded to 1e-5 of the disc's radius, 1/100 of a texel at 2048, to
-/// keep files short.
+/// never moved again, so that what is drawn so far is drawn. Numbers are rounded to 1e-5 of the disc's radius, 1/100 of a texel at 2048,
+/// and tilts to a tenth of a degree, to keep files short; for the same reason tilts that the brush takes no notice of are left out.
 ///
 /// On the model the place on the map may leap from one sample to the next, where the pen crosses an outline. A leap ends the stroke and
 /// begins another, so that no line is drawn across the map.

@@ -103,6 +103,25 @@ TEST_F(StrokeFile, ReadsPointsAsTextOrAsAListWithPressureOneWhereItIsMissing)
     EXPECT_TRUE(points("\"\"").empty());
 }
 
+TEST_F(StrokeFile, KeepsTiltsAndHoldsNoneOfAPenThatStoodUpright)
+{
+    std::vector<Stroke> strokes{{.points = {{{0.25, -0.5}, 0.75}, {{0.5, 1.0}, 1.0}}}};
+    const auto written = [&] {
+        saveStrokes(strokes, m_folder / "a.strokes");
+        std::ifstream file(m_folder / "a.strokes");
+        return std::string(std::istreambuf_iterator<char>(file), {});
+    };
+    const std::string upright = written();
+    EXPECT_NE(upright.find("\"0.25 -0.5 0.75,0.5 1 1\""), std::string::npos) << upright;
+    EXPECT_EQ(upright.find("tilt"), std::string::npos) << upright;
+    strokes[0].brush.tilt = 0.5;
+    strokes[0].points[1].tilt = {12.5, -60.0};
+    EXPECT_NE(written().find("\"0.25 -0.5 0.75,0.5 1 1 12.5 -60\""), std::string::npos) << written();
+    EXPECT_EQ(loadStrokes(m_folder / "a.strokes"), strokes);
+    const std::string list = "{\"version\":1,\"strokes\":[{\"brush\":{\"tilt\":0.5},\"points\":[[0.25,-0.5,0.75],[0.5,1,1,12.5,-60]]}]}";
+    EXPECT_EQ(loadStrokes(write(list)), strokes);
+}
+
 TEST_F(StrokeFile, IsASphereMapOfOnePaintLayer)
 {
     const std::vector<Stroke> strokes = handDrawnStrokes(5, 6);
@@ -124,7 +143,13 @@ TEST_F(StrokeFile, WhatIsWrongIsNamedInOneLine)
     EXPECT_EQ(refusalOfStroke("{}"), "strokes[0].points: are missing; write \"points\": \"x y pressure, ...\"");
     EXPECT_EQ(refusalOfStroke("{\"points\": \"0 0, 0.5\"}"), "strokes[0].points[1]: must be \"x y pressure\"; a number is missing");
     EXPECT_EQ(refusalOfStroke("{\"points\": \"0 0 1 4\"}"),
-              "strokes[0].points[0]: must be \"x y pressure\", points apart by commas; it goes on \"4\"");
+              "strokes[0].points[0]: must be \"x y pressure tilt-x tilt-y\"; the second tilt is missing");
+    EXPECT_EQ(refusalOfStroke("{\"points\": \"0 0 1 4 5 6\"}"),
+              "strokes[0].points[0]: must be \"x y pressure\", points apart by commas; it goes on \"6\"");
+    EXPECT_EQ(refusalOfStroke("{\"points\": \"0 0 1 4 -61\"}"),
+              "strokes[0].points[0]: has a tilt outside [-60, 60] degrees; tilts are the fourth and fifth number of a point");
+    EXPECT_EQ(refusalOfStroke("{\"points\": \"0 0 1 nan 0\"}"),
+              "strokes[0].points[0]: has a tilt outside [-60, 60] degrees; tilts are the fourth and fifth number of a point");
     EXPECT_EQ(refusalOfStroke("{\"points\": \"0 zero\"}"),
               "strokes[0].points[0]: must be \"x y pressure\", points apart by commas; it goes on \"zero\"");
     EXPECT_EQ(refusalOfStroke("{\"points\": \"nan 0\"}"),
@@ -133,7 +158,10 @@ TEST_F(StrokeFile, WhatIsWrongIsNamedInOneLine)
               "strokes[0].points[0]: must be \"x y pressure\", points apart by commas; it goes on \"1e999 0\"");
     EXPECT_EQ(refusalOfStroke("{\"points\": \"0 0 2\"}"),
               "strokes[0].points[0]: has a pressure outside [0, 1]; pressure is the third number of a point");
-    EXPECT_EQ(refusalOfStroke("{\"points\": [[0, 0, null]]}"), "strokes[0].points[0]: must be a list [x, y, pressure]; it is a list of 3");
+    EXPECT_EQ(refusalOfStroke("{\"points\": [[0, 0, null]]}"),
+              "strokes[0].points[0]: must be a list [x, y, pressure] or [x, y, pressure, tilt-x, tilt-y]; it is a list of 3");
+    EXPECT_EQ(refusalOfStroke("{\"points\": [[0, 0, 1, 5]]}"),
+              "strokes[0].points[0]: must be a list [x, y, pressure] or [x, y, pressure, tilt-x, tilt-y]; it is a list of 4");
     EXPECT_EQ(refusalOfStroke("{\"points\": 7}"), "strokes[0].points: must be a text \"x y pressure, ...\" or a list of lists; it is 7");
     EXPECT_EQ(refusalOfStroke("{\"points\": \"\", \"brush\": {\"mode\": \"spray\"}}"),
               "strokes[0].brush.mode: must be paint, erase or smudge; it is \"spray\"");

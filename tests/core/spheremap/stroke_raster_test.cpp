@@ -1,6 +1,7 @@
 #include "core/spheremap/strokes/stroke_raster.h"
 
 #include "core/base/error.h"
+#include "core/sphere/direction.h"
 #include "support/stroke_builders.h"
 
 #include <gtest/gtest.h>
@@ -73,6 +74,46 @@ TEST(StrokeRaster, AHardTipCoversACircleOfItsRadiusWithinTheEdgesTexel)
                 EXPECT_EQ(image.texel(x, y)[3], 0.0f);
             }
         }
+}
+
+TEST(StrokeRaster, ATiltedPensTipIsAnEllipseAlongTheWayItLeansAndSoAreItsCopies)
+{
+    Brush brush = hard;
+    brush.radius = 0.12;
+    brush.tilt = 1.0;
+    Stroke stroke = dab({0.3, -0.4}, brush);
+    stroke.points[0].tilt = {50.0, 30.0}; // to the right and up
+    stroke.symmetry.mirror = true;
+    const glm::dvec2 slope(std::tan(50.0 * pi / 180.0), std::tan(30.0 * pi / 180.0));
+    const double length = std::sqrt(1.0 + glm::dot(slope, slope));
+    const int n = 256;
+    const Image image = paintStrokes(std::vector<Stroke>{stroke}, n);
+    double painted = 0.0;
+    for (int y = 0; y < n; ++y)
+        for (int x = 0; x < n; ++x) {
+            glm::dvec2 q{(x + 0.5) / n * 2.0 - 1.0, 1.0 - (y + 0.5) / n * 2.0};
+            q.x = std::abs(q.x); // the copy is the mirror image
+            const glm::dvec2 along = glm::normalize(slope), across(-along.y, along.x), d = q - glm::dvec2(0.3, -0.4);
+            const double from = std::hypot(glm::dot(d, along) / length, glm::dot(d, across));
+            const double texels = (from - 0.12) * n / 2.0; // beyond the ellipse, across
+            painted += static_cast<double>(image.texel(x, y)[3]);
+            if (texels < -0.51) {
+                EXPECT_EQ(image.texel(x, y)[3], 1.0f);
+            } else if (texels > 0.51) {
+                EXPECT_EQ(image.texel(x, y)[3], 0.0f);
+            }
+        }
+    // As much paint as the ellipses' areas; their edges fall on texels as they fall.
+    EXPECT_NEAR(painted / (2.0 * pi * std::pow(0.12 * n / 2.0, 2) * length), 1.0, 0.005);
+}
+
+TEST(StrokeRaster, AnUprightPenDrawsTheSameBytesWithABrushThatHeedsTilt)
+{
+    std::vector<Stroke> strokes = handDrawnStrokes(12, 3, 0.05, 0.5, 30);
+    const Image image = paintStrokes(strokes, 256);
+    for (Stroke& stroke : strokes)
+        stroke.brush.tilt = 1.0;
+    EXPECT_EQ(paintStrokes(strokes, 256), image);
 }
 
 TEST(StrokeRaster, DabsOfOneStrokeCoverWhatTheOthersLeftUpToTheOpacity)

@@ -66,6 +66,19 @@ TEST(StrokeRecorder, ALeapOrALiftedPenBeginsAnotherStroke)
     EXPECT_EQ(recorder.strokes()[2].symmetry.radial, 3);
 }
 
+TEST(StrokeRecorder, TakesTiltsToATenthOfADegreeAndOnlyWhereTheBrushHeedsThem)
+{
+    for (const double heeds : {0.0, 1.0}) {
+        StrokeRecorder recorder({.tilt = heeds}, {});
+        for (int i = 0; i < 5; ++i)
+            recorder.add({{0.1 * i, 0.0}, 1.0, {12.3456, -75.0}});
+        recorder.finish();
+        for (const StrokePoint& point : recorder.strokes()[0].points)
+            EXPECT_EQ(point.tilt, heeds * glm::dvec2(12.3, -60.0));
+        EXPECT_NO_THROW(validate(recorder.strokes()));
+    }
+}
+
 TEST(StrokeRecorder, SamplesThatAreNoPlaceAreLeftOut)
 {
     StrokeRecorder recorder({}, {});

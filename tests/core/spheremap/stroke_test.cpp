@@ -52,6 +52,18 @@ TEST(Brush, PressureMakesTheTipSmallerAndWeakerAsFarAsItIsToldTo)
     EXPECT_DOUBLE_EQ(strengthAt(brush, 0.0), 0.0);
 }
 
+TEST(Brush, AJetFromATiltedPenIsAnEllipseLongerByTheReciprocalCosine)
+{
+    const auto length = [](const glm::dvec2& lean) { return 1.0 / std::sqrt(1.0 - glm::dot(lean, lean)); };
+    EXPECT_EQ(leanAt({.tilt = 0.0}, {50.0, 20.0}), glm::dvec2(0.0));
+    EXPECT_EQ(leanAt({.tilt = 1.0}, {0.0, 0.0}), glm::dvec2(0.0));
+    EXPECT_NEAR(length(leanAt({.tilt = 1.0}, {60.0, 0.0})), 2.0, 1e-12); // 1 / cos 60
+    EXPECT_NEAR(length(leanAt({.tilt = 0.5}, {0.0, -60.0})), 1.5, 1e-12);
+    const glm::dvec2 both = leanAt({.tilt = 1.0}, {45.0, 45.0});
+    EXPECT_NEAR(length(both), std::sqrt(3.0), 1e-12);
+    EXPECT_NEAR(both.x, both.y, 1e-15);
+}
+
 TEST(Symmetry, MapsFormAGroupThatKeepsLengths)
 {
     const std::vector<glm::dmat2> maps = symmetryMaps({.radial = 5, .mirror = true, .axisDeg = 27.0});
@@ -125,6 +137,9 @@ TEST(Stroke, NumbersThatAreNotFiniteOrOutOfRangeAreNamed)
     EXPECT_EQ(refusal({bad}), "strokes[0].points[0]: has a pressure outside [0, 1]; pressure is the third number of a point");
     EXPECT_EQ(refusal({dab({0, 0}, {.radius = 0.0})}), "strokes[0].brush.radius: must be from 0.001 to 2 disc radii; it is 0");
     EXPECT_EQ(refusal({dab({0, 0}, {.flow = nan})}), "strokes[0].brush.flow: must be from 0 to 1; it is nan");
+    bad.points[0] = {{0.0, 0.0}, 1.0, {0.0, nan}};
+    EXPECT_EQ(refusal({bad}),
+              "strokes[0].points[0]: has a tilt outside [-60, 60] degrees; tilts are the fourth and fifth number of a point");
     bad = dab({0.0, 0.0});
     bad.symmetry.radial = 1000;
     EXPECT_EQ(refusal({bad}), "strokes[0].symmetry.radial: must be from 1 to 64; it is 1000");
