@@ -102,7 +102,7 @@ std::string Planner::whyNoDiffuse() const
 bool Planner::readsMaterial() const
 {
     const SphereMapSettings& map = m_scene.material.sphereMap;
-    const bool isHidden = !map.isNone() && (map.use == SphereMapUse::Replace || map.use == SphereMapUse::Multiply);
+    const bool isHidden = !map.isNone() && hidesMaterial(map.use);
     return showsMaterial() && !isHidden && !isWindow();
 }
 
@@ -154,7 +154,7 @@ void Planner::planPicture()
                 others += (others.empty() ? "" : ", ") + std::string(name(p));
         leaveOut("other maps", text("the picture reads ", name(m_scene.map.parameterization), ": no ", others, " is built"));
     }
-    if (isBuiltinGeometry(m_scene.view.geometry))
+    if (builtinGeometry(m_scene.view.geometry))
         leaveOut("read mesh", text("the ", m_scene.view.geometry, " is built in"));
     else
         need("read mesh", m_scene.view.geometry);
@@ -216,7 +216,7 @@ void Planner::planSphereMaps()
         planSphereMap("sphere map, middle", "view.window.middle", window.middle, SphereMapLevels::Plain);
         planSphereMap("sphere map, far", "view.window.far", window.far, SphereMapLevels::Plain);
     } else if (const std::string why = whyNoFlecks(); why.empty()) {
-        need("flecks", text("density ", map.flecks.density, ", cells of ", map.flecks.size));
+        need("flecks", text("density ", map.flecks.cells.density, ", cells of ", map.flecks.cells.size));
     } else {
         leaveOut("flecks", why);
     }
@@ -227,7 +227,7 @@ std::string Planner::whyNoFlecks() const
     const SphereMapSettings& map = m_scene.material.sphereMap;
     if (!showsMaterial() || isWindow())
         return whyNoMaterial();
-    return map.isNone() ? "there is no sphere map that they look up" : map.flecks.density == 0.0 ? "density is 0" : "";
+    return map.isNone() ? "there is no sphere map that they look up" : map.flecks.cells.density == 0.0 ? "density is 0" : "";
 }
 
 // Where none is named nothing is said: most scenes have none.

@@ -11,7 +11,7 @@ TEST(RenderSettings, NeedOnlyTheMapsThatCanBeSeen)
 {
     RenderSettings settings;
     EXPECT_EQ(neededMaps(settings), (NeededMaps{true, false, true}));
-    settings.background.kind = BackgroundKind::Color;
+    settings.background.kind = Backdrop::Color;
     settings.material.specular = glm::vec3(0.0f);
     settings.material.diffuse = glm::vec3(1.0f);
     EXPECT_EQ(neededMaps(settings), (NeededMaps{false, true, false}));
@@ -39,7 +39,7 @@ TEST(RenderSettings, OutOfRangeAreRefusedByName)
         }
         return std::string();
     };
-    EXPECT_NE(messageOf([](RenderSettings& s) { s.width = 0; }).find("size"), std::string::npos);
+    EXPECT_NE(messageOf([](RenderSettings& s) { s.width = 0; }).find("width"), std::string::npos);
     EXPECT_NE(messageOf([](RenderSettings& s) { s.samples = 3; }).find("samples"), std::string::npos);
     EXPECT_NE(messageOf([](RenderSettings& s) { s.material.lambda = -1.0f; }).find("lambda"), std::string::npos);
     EXPECT_NE(messageOf([](RenderSettings& s) { s.camera.distance = 0.0f; }).find("distance"), std::string::npos);

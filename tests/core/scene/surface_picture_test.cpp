@@ -100,7 +100,7 @@ TEST_F(SurfacePicture, IsReadOnlyWhereTheMaterialShowsIt)
     leftOut("read diffuse picture", "the sphere map stands in for the reflection");
     leftOut("read fleck pattern", "density is 0");
     scene.material.sphereMap.use = SphereMapUse::Add;
-    scene.material.sphereMap.flecks.density = 0.5;
+    scene.material.sphereMap.flecks.cells.density = 0.5;
     const Plan plan = makePlan(scene, probe);
     ASSERT_TRUE(plan.diffusePicture && plan.fleckPattern);
     EXPECT_FALSE(stage(plan, "read diffuse picture")->leftOut);
