@@ -17,6 +17,13 @@ TEST(RenderSettings, NeedOnlyTheMapsThatCanBeSeen)
     EXPECT_EQ(neededMaps(settings), (NeededMaps{false, true, false}));
 }
 
+TEST(RenderSettings, ABlurredBackgroundIsAMapAsTheEnvironmentIs)
+{
+    RenderSettings settings;
+    settings.background.kind = Backdrop::Blurred;
+    EXPECT_TRUE(neededMaps(settings).background);
+}
+
 TEST(RenderSettings, ACoatThatReflectsEverythingHidesTheDiffusePart)
 {
     RenderSettings settings;
@@ -44,5 +51,9 @@ TEST(RenderSettings, OutOfRangeAreRefusedByName)
     EXPECT_NE(messageOf([](RenderSettings& s) { s.material.lambda = -1.0f; }).find("lambda"), std::string::npos);
     EXPECT_NE(messageOf([](RenderSettings& s) { s.camera.distance = 0.0f; }).find("distance"), std::string::npos);
     EXPECT_NE(messageOf([](RenderSettings& s) { s.exposure = 1e9f; }).find("exposure"), std::string::npos);
+    EXPECT_NE(messageOf([](RenderSettings& s) { s.geometry.level = 0; }).find("level"), std::string::npos);
+    EXPECT_NE(messageOf([](RenderSettings& s) { s.material.paint.anisotropy = 17; }).find("sphere map.anisotropy"), std::string::npos);
+    EXPECT_NE(messageOf([](RenderSettings& s) { s.material.paint.flecks.density = 1.5; }).find("flecks.density"), std::string::npos);
+    EXPECT_NE(messageOf([](RenderSettings& s) { s.windowDepths.y = -1.0f; }).find("middle_depth"), std::string::npos);
     EXPECT_EQ(messageOf([](RenderSettings&) {}), "");
 }
