@@ -127,9 +127,10 @@ void setCamera(Scene& scene, const std::string& text)
 
 void setGeometry(Scene& scene, const std::string& word)
 {
-    if (!isBuiltinGeometry(word) && word.find_first_of("./\\") == std::string::npos)
+    const bool isBuiltin = builtinGeometry(word).has_value();
+    if (!isBuiltin && word.find_first_of("./\\") == std::string::npos)
         throw InvalidArgument("--geometry: '" + word + "' is neither teapot, torus, sphere, box or window nor a mesh file");
-    scene.view.geometry = isBuiltinGeometry(word) ? word : std::filesystem::absolute(word).string();
+    scene.view.geometry = isBuiltin ? word : std::filesystem::absolute(word).string();
 }
 
 /// The scene that the file and the options make together.

@@ -96,16 +96,17 @@ QAction* ViewActions::addChoice(QActionGroup& group, const char* id, const char*
 
 void ViewActions::makeGeometry()
 {
-    const auto body = [this](const char* word, const QString& text) {
+    const auto body = [this](GeometryKind kind, const QString& text) {
+        const std::string word(words(kind)[static_cast<size_t>(kind)]);
         addChoice(
-            m_geometry, word, word, text, {}, tr("Change geometry"), [word](Scene& scene) { useGeometry(scene, word); },
-            [word](const Scene& scene) { return scene.view.geometry == word; });
+            m_geometry, word.c_str(), word.c_str(), text, {}, tr("Change geometry"), [word](Scene& scene) { useGeometry(scene, word); },
+            [kind](const Scene& scene) { return builtinGeometry(scene.view.geometry) == kind; });
     };
-    body("teapot", tr("Teapot"));
-    body("torus", tr("Torus"));
-    body("sphere", tr("Sphere"));
-    body("box", tr("Box"));
-    body("window", tr("Window of a room"));
+    body(GeometryKind::Teapot, tr("Teapot"));
+    body(GeometryKind::Torus, tr("Torus"));
+    body(GeometryKind::Sphere, tr("Sphere"));
+    body(GeometryKind::Box, tr("Box"));
+    body(GeometryKind::Window, tr("Window of a room"));
 }
 
 void ViewActions::makeShading()

@@ -1,13 +1,14 @@
 #pragma once
 
+#include "core/scene/scene_kinds.h"
+
 #include <glm/glm.hpp>
 
 namespace mirrorball::preview {
 
-enum class Projection { Perspective, Orthographic };
-
-/// A camera that orbits a target. A value. Yaw and pitch are the longitude and latitude of the eye seen from the target: 0, 0 looks from
-/// +Z towards -Z with +X on the right; yaw turns the eye towards +X, pitch towards +Y.
+/// A camera that orbits a target. A value; CameraSettings is the same in degrees, which stand in files as they were typed. Yaw and pitch
+/// are the longitude and latitude of the eye seen from the target: 0, 0 looks from +Z towards -Z with +X on the right; yaw turns the eye
+/// towards +X, pitch towards +Y.
 struct Camera {
     float yaw = 0.0f;         ///< radians
     float pitch = 0.0f;       ///< radians, in [-pi/2, pi/2]
@@ -15,7 +16,7 @@ struct Camera {
     float distance = 3.2f;    ///< from the target, > 0
     float fieldOfView = 0.7f; ///< radians, from bottom to top, in (0, pi)
     glm::vec3 target{0.0f};
-    Projection projection = Projection::Perspective; ///< orthographic shows the target at the same size
+    Projection projection = Projection::Perspective;
 
     bool operator==(const Camera&) const = default;
 

@@ -32,13 +32,14 @@ void Renderer::Resources::drawComposite(const RenderSettings& settings, const Re
     addOutputDefines(defines, settings, output, settings.toneCurve);
     const EnvironmentTexture* texture = nullptr;
     switch (settings.background.kind) {
-    case BackgroundKind::None:
+    case Backdrop::None:
         defines.emplace_back("BACKGROUND", "0");
         break;
-    case BackgroundKind::Color:
+    case Backdrop::Color:
         defines.emplace_back("BACKGROUND", "1");
         break;
-    case BackgroundKind::Environment:
+    case Backdrop::Environment:
+    case Backdrop::Blurred:
         defines.emplace_back("BACKGROUND", "2");
         // The environment is often the specular map itself: one texture then serves both.
         texture = specular.texture() && specular.source() == maps.background ? specular.texture()

@@ -18,9 +18,9 @@ glm::uvec3 cellHash(const glm::ivec3& cell, int seed)
 FleckCell cellOf(const glm::uvec3& hash, const Flecks& flecks)
 {
     const glm::vec3 u = unitFloats(pcg3d(hash));
-    if (u.x >= flecks.density)
+    if (u.x >= static_cast<float>(flecks.density))
         return {};
-    const float angle = 2.0f * std::numbers::pi_v<float> * u.y, radius = flecks.spread * std::sqrt(u.z);
+    const float angle = 2.0f * std::numbers::pi_v<float> * u.y, radius = static_cast<float>(flecks.spread) * std::sqrt(u.z);
     return {radius * glm::vec2(std::cos(angle), std::sin(angle)), true};
 }
 
@@ -42,7 +42,7 @@ glm::uvec3 pcg3d(glm::uvec3 v)
 // Points stay within a quarter of their cube's middle, so that the nearest one is among the eight cubes around the place.
 FleckPlace fleckPlace(const glm::vec3& position, const Flecks& flecks)
 {
-    const glm::vec3 q = position / flecks.size;
+    const glm::vec3 q = position / static_cast<float>(flecks.size);
     const glm::ivec3 corner(glm::floor(q - 0.5f));
     float nearest = std::numeric_limits<float>::max(), second = nearest;
     glm::vec3 nearestPoint(0.0f), secondPoint(0.0f);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/scene/flecks.h"
+
 #include <glm/glm.hpp>
 
 #include <cstdint>
@@ -8,15 +10,6 @@
 /// with a point in each; a place belongs to the cell of its nearest point. All that a cell is follows from its hash, so that it stays what
 /// it is however the camera moves. Twin: resources/shaders/lib/flecks.glsl. Source: 003 section 6.2
 namespace mirrorball::preview {
-
-struct Flecks {
-    float density = 0.0f; ///< share of the cells that are flecks, [0, 1], times that of a pattern; 0: no shader code is built
-    float size = 0.02f;   ///< edge of a cell
-    float spread = 0.4f;  ///< radius of the disc that offsets are spread over evenly, in radii of the sphere map's disc
-    int seed = 0;
-
-    bool operator==(const Flecks&) const = default;
-};
 
 /// A cell that a place may lie in.
 struct FleckCell {

@@ -29,13 +29,13 @@ PixelRectangle screenBounds(const BoundingBox& box, const glm::mat4& worldToClip
 // The turn of the material's lookups.
 glm::mat3 mapRotation(const RenderSettings& settings)
 {
-    return settings.material.space == LookupSpace::Eye ? glm::transpose(settings.camera.cameraToWorld()) : yawToMap(settings.yaw);
+    return settings.material.space == MapSpace::Eye ? glm::transpose(settings.camera.cameraToWorld()) : yawToMap(settings.yaw);
 }
 
 // The turn of the painted map's lookups.
 glm::mat3 sphereRotation(const RenderSettings& settings)
 {
-    return settings.material.paint.space == DiscSpace::Eye ? glm::transpose(settings.camera.cameraToWorld()) : yawToMap(settings.yaw);
+    return settings.material.paint.space == MapSpace::Eye ? glm::transpose(settings.camera.cameraToWorld()) : yawToMap(settings.yaw);
 }
 
 void beginDrawing(const RenderTarget& target, const glm::vec4& nothing = glm::vec4(0.0f))
@@ -55,7 +55,62 @@ void beginDrawing(const RenderTarget& target, const glm::vec4& nothing = glm::ve
 
 std::string number(int value) { return std::to_string(value); }
 
+// SPHERE_USE of object.frag.
+const char* useDefine(const std::optional<SphereMapUse>& use)
+{
+    if (!use)
+        return "0";
+    switch (*use) {
+    case SphereMapUse::Replace:
+        return "1";
+    case SphereMapUse::Multiply:
+        return "2";
+    case SphereMapUse::Over:
+        return "3";
+    case SphereMapUse::Tint:
+        return "4";
+    case SphereMapUse::Add:
+        break;
+    }
+    return "5";
+}
+
+// SHADING of debug.frag, which does not draw the material.
+const char* shadingDefine(Shading shading)
+{
+    switch (shading) {
+    case Shading::Wireframe:
+        return "1";
+    case Shading::Normals:
+        return "2";
+    case Shading::TexCoords:
+        return "3";
+    case Shading::Seams:
+        return "4";
+    case Shading::Mips:
+        return "5";
+    case Shading::NormalLines:
+        return "6";
+    case Shading::Bounds:
+        return "7";
+    case Shading::Material:
+        break;
+    }
+    return "0";
+}
+
 } // namespace
+
+const char* spaceDefine(MapSpace space)
+{
+    switch (space) {
+    case MapSpace::Eye:
+        return "0";
+    case MapSpace::World:
+        break;
+    }
+    return "1";
+}
 
 BoundingBox drawnBounds(const RenderSettings& settings, const BoundingBox& mesh)
 {
@@ -116,8 +171,8 @@ static std::vector<ShaderDefine> materialDefines(const MaterialSettings& materia
             {"HAS_TEXCOORD", needed.diffusePicture || needed.fleckPattern ? "1" : "0"},
             {"DIFFUSE_PICTURE", needed.diffusePicture ? "1" : "0"},
             {"FLECK_PATTERN", needed.fleckPattern ? "1" : "0"},
-            {"SPHERE_USE", number(static_cast<int>(material.paint.use))},
-            {"SPHERE_VERTEX", needed.sphereMap && material.paint.place == PlaceAt::Vertex ? "1" : "0"}};
+            {"SPHERE_USE", useDefine(material.paint.use)},
+            {"SPHERE_VERTEX", needed.sphereMap && material.paint.lookup == LookupAt::Vertex ? "1" : "0"}};
 }
 
 void Renderer::Resources::drawObject(const RenderSettings& settings, const RenderMaps& maps, Output output)
@@ -132,7 +187,7 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
         sphereMaps[0].update(maps.sphereMaps.empty() ? nullptr : maps.sphereMaps[0], "sphere map");
         const SphereMapTexels& texels = *sphereMaps[0].source();
         defines.emplace_back("SPHERE_INDEX", number(static_cast<int>(texels.index)));
-        defines.emplace_back("SPHERE_SPACE", number(static_cast<int>(paint.space)));
+        defines.emplace_back("SPHERE_SPACE", spaceDefine(paint.space));
         defines.emplace_back("SPHERE_LEVELS", texels.hasAuthoredLevels ? "1" : "0");
         defines.emplace_back("FLECKS", hasFlecks ? "1" : "0");
     }
@@ -208,7 +263,7 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
 void Renderer::Resources::drawDebug(const RenderSettings& settings, const RenderMaps& maps, Output output)
 {
     const bool hasLevels = neededMaps(settings).specular;
-    std::vector<ShaderDefine> defines = {{"SHADING", number(static_cast<int>(settings.shading))},
+    std::vector<ShaderDefine> defines = {{"SHADING", shadingDefine(settings.shading)},
                                          {"HAS_TEXCOORD", settings.shading == Shading::TexCoords ? "1" : "0"},
                                          {"SPHERE_VERTEX", "0"},
                                          {"ENCODED", settings.display && output == Output::Display ? "1" : "0"},
@@ -272,12 +327,12 @@ void Renderer::Resources::drawDiscPlaces(const RenderSettings& settings, SphereM
     const bool isWindow = settings.geometry.kind == GeometryKind::Window && !settings.geometry.mesh;
     std::vector<ShaderDefine> defines = {{"WINDOW", isWindow ? "1" : "0"},
                                          {"HAS_TEXCOORD", isWindow ? "1" : "0"},
-                                         {"SPHERE_VERTEX", !isWindow && paint.place == PlaceAt::Vertex ? "1" : "0"}};
+                                         {"SPHERE_VERTEX", !isWindow && paint.lookup == LookupAt::Vertex ? "1" : "0"}};
     if (isWindow) {
-        defines.emplace_back("WINDOW_SPACE", number(static_cast<int>(paint.space)));
+        defines.emplace_back("WINDOW_SPACE", spaceDefine(paint.space));
     } else {
         defines.emplace_back("SPHERE_INDEX", number(static_cast<int>(index)));
-        defines.emplace_back("SPHERE_SPACE", number(static_cast<int>(paint.space)));
+        defines.emplace_back("SPHERE_SPACE", spaceDefine(paint.space));
     }
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
     glViewport(0, 0, settings.width, settings.height);

@@ -76,6 +76,9 @@ glm::mat4 worldToClip(const RenderSettings& settings, const BoundingBox& drawn);
 /// The turn from world directions to the environment's: L'(d) = L(yawed(d, -yaw)).
 glm::mat3 yawToMap(float yaw);
 
+/// SPHERE_SPACE and WINDOW_SPACE of the shaders.
+const char* spaceDefine(MapSpace space);
+
 /// What lib/output.glsl needs to know when it is compiled, and the display transform that stands before it.
 void addOutputDefines(std::vector<ShaderDefine>& defines, const RenderSettings& settings, Output output, ToneCurve curve);
 std::string_view outputPrelude(const RenderSettings& settings, Output output);

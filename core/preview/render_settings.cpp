@@ -1,6 +1,8 @@
 #include "render_settings.h"
 
 #include "core/base/error.h"
+#include "core/base/field_checks.h"
+#include "core/scene/scene.h"
 
 #include <algorithm>
 #include <array>
@@ -9,16 +11,45 @@
 
 namespace mirrorball::preview {
 
+namespace {
+
+template <typename Settings>
+void checkRanges(const std::string& path, const Settings& settings)
+{
+    Settings::visitFields(settings, RangeChecker(path));
+}
+
+/// What a scene has the same field for is held to its range there; errors name that field.
+void checkFieldsOfScene(const RenderSettings& settings)
+{
+    const std::string path = "render settings", painted = path + ": sphere map";
+    const PaintSettings& paint = settings.material.paint;
+    const ClearCoat& coat = settings.material.clearCoat;
+    const glm::vec3& depths = settings.windowDepths;
+    checkRanges(path, ViewSettings{.tessellation = settings.geometry.level,
+                                   .window = {.depth = depths.x, .middleDepth = depths.y, .farDepth = depths.z},
+                                   .exposure = settings.exposure,
+                                   .width = settings.width,
+                                   .height = settings.height});
+    checkRanges(path, MapSettings{.anisotropy = settings.material.anisotropy});
+    checkRanges(painted, MapSettings{.anisotropy = paint.anisotropy});
+    checkRanges(painted, SphereMapSettings{.opacity = paint.opacity, .flecks = {.cells = paint.flecks}});
+    checkRanges(path + ": clear coat", ClearCoatSettings{.weight = coat.weight, .index = coat.index});
+}
+
+} // namespace
+
+// Checked here is what no scene has a field for, and what may be more than a scene says: camera and levels need only be what can be
+// computed.
 void validate(const RenderSettings& settings)
 {
+    checkFieldsOfScene(settings);
     const auto require = [](bool holds, const std::string& message) {
         if (!holds)
             throw InvalidArgument("render settings: " + message);
     };
-    require(settings.width >= 1 && settings.width <= 16384 && settings.height >= 1 && settings.height <= 16384,
-            "size must be 1 to 16384 pixels each way");
     require(settings.samples == 1 || settings.samples == 2 || settings.samples == 4, "samples must be 1, 2 or 4");
-    require(settings.geometry.level >= 1 && settings.geometry.level <= 256, "geometry level must be 1 to 256");
+    require(settings.geometry.level >= 1, "geometry level must be 1 or more");
     require(settings.pixelRatio > 0.0f && settings.pixelRatio <= 16.0f, "pixel ratio must lie between 0 and 16");
     require(std::isfinite(settings.camera.yaw) && std::isfinite(settings.camera.pitch) && std::isfinite(settings.camera.roll),
             "camera angles must be finite");
@@ -28,20 +59,8 @@ void validate(const RenderSettings& settings)
     require(std::isfinite(settings.material.lambda) && settings.material.lambda >= 0.0f, "lambda must be 0 or more");
     require(std::isfinite(settings.material.lambdaGrazing) && settings.material.lambdaGrazing >= 0.0f, "lambda grazing must be 0 or more");
     require(std::isfinite(settings.material.lodBias), "LOD bias must be finite");
-    require(settings.material.anisotropy >= 1 && settings.material.anisotropy <= 16, "anisotropy must be 1 to 16");
-    const PaintSettings& paint = settings.material.paint;
-    require(paint.anisotropy >= 1 && paint.anisotropy <= 16, "anisotropy of the sphere map must be 1 to 16");
-    require(paint.opacity >= 0.0f && paint.opacity <= 1.0f, "opacity of the sphere map must be 0 to 1");
-    require(paint.flecks.density >= 0.0f && paint.flecks.density <= 1.0f, "density of flecks must be 0 to 1");
-    require(paint.flecks.size > 0.0f && std::isfinite(paint.flecks.size), "size of flecks must be greater than 0");
-    require(paint.flecks.spread >= 0.0f && std::isfinite(paint.flecks.spread), "spread of flecks must be 0 or more");
-    require(glm::all(glm::greaterThanEqual(settings.windowDepths, glm::vec3(0.0f))), "depths outside a window must be 0 or more");
-    require(std::isfinite(settings.exposure) && std::abs(settings.exposure) <= 64.0f, "exposure must lie between -64 and 64 EV");
     require(std::isfinite(settings.yaw), "yaw must be finite");
-    require(settings.material.clearCoat.weight >= 0.0f && settings.material.clearCoat.weight <= 1.0f,
-            "weight of the clear coat must be 0 to 1");
     validate(settings.material.fresnel);
-    validate(Fresnel{.kind = FresnelKind::Dielectric, .index = settings.material.clearCoat.index});
 }
 
 glm::vec3 levelColor(float level)
@@ -63,18 +82,18 @@ glm::vec3 levelColor(float level)
 NeededMaps neededMaps(const RenderSettings& settings)
 {
     const MaterialSettings& material = settings.material;
-    const PaintUse paint = material.paint.use;
+    const std::optional<SphereMapUse> paint = material.paint.use;
     const bool isWindow = settings.geometry.kind == GeometryKind::Window && !settings.geometry.mesh;
     const bool isShown = settings.shading == Shading::Material;
-    const bool isMaterial = isShown && !isWindow && paint != PaintUse::Replace && paint != PaintUse::Multiply;
+    const bool isMaterial = isShown && !isWindow && !(paint && hidesMaterial(*paint));
     const bool isLevels = settings.shading == Shading::Mips;
     const bool hidden = material.combine == Combine::Coat && material.fresnel.kind == FresnelKind::None && !material.hasBrdf;
     const bool hasDiffuse = isMaterial && material.diffuse != glm::vec3(0.0f) && !hidden;
-    const bool hasFlecks = isShown && !isWindow && paint != PaintUse::None && material.paint.flecks.density > 0.0f;
+    const bool hasFlecks = isShown && !isWindow && paint && material.paint.flecks.density > 0.0f;
     return {.specular = (isMaterial || isLevels) && material.specular != glm::vec3(0.0f),
             .diffuse = hasDiffuse,
-            .background = settings.background.kind == BackgroundKind::Environment,
-            .sphereMap = isShown && (isWindow || paint != PaintUse::None),
+            .background = isEnvironment(settings.background.kind),
+            .sphereMap = isShown && (isWindow || paint),
             .diffusePicture = hasDiffuse && material.hasDiffusePicture,
             .fleckPattern = hasFlecks && material.paint.hasFleckPattern,
             .clearCoat = isMaterial && material.clearCoat.weight > 0.0f};

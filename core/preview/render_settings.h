@@ -9,6 +9,7 @@
 #include "core/image/color.h"
 #include "core/image/environment_map.h"
 #include "core/image/picture_levels.h"
+#include "core/scene/scene_kinds.h"
 #include "core/shading/fresnel.h"
 #include "core/spheremap/evaluation/sphere_map_texels.h"
 
@@ -16,10 +17,8 @@
 #include <optional>
 #include <vector>
 
-/// What to draw: plain values.
+/// What to draw: plain values. Kinds are the scene's, scene_kinds.h; numbers are floats and angles radians, as shaders take them.
 namespace mirrorball::preview {
-
-enum class GeometryKind { Teapot, Torus, Sphere, Box, Window };
 
 /// What the material is shown on. A mesh read from a file comes in as `mesh`.
 struct Geometry {
@@ -30,32 +29,13 @@ struct Geometry {
     bool operator==(const Geometry&) const = default;
 };
 
-/// Where the direction of a lookup is measured.
-enum class LookupSpace {
-    World, ///< the environment stands still while the camera turns
-    Eye,   ///< the map turns with the camera, as a sphere map does that was photographed from the viewer's place (003 section 3.4.1)
-};
-
-/// How a painted sphere map M, of opacity a, meets the reflected radiance R or the color C of the surface.
-enum class PaintUse {
-    None,
-    Replace,  ///< M + (1 - a) C
-    Multiply, ///< (M + 1 - a) C
-    Over,     ///< M + (1 - a) R: the two passes of 003 section 6.1
-    Tint,     ///< (M + 1 - a) R
-    Add,      ///< M + R: a map of highlights or lights over what the surface shows already, 003 section 5
-};
-
-/// Where the place in the sphere map is computed: at every pixel, or at vertices and interpolated between them as in 1999.
-enum class PlaceAt { Pixel, Vertex };
-
 /// A painted sphere map on the object. Its texels, and whether it is indexed by normal or by reflection, come with the maps.
 struct PaintSettings {
-    PaintUse use = PaintUse::None;
+    std::optional<SphereMapUse> use{}; ///< empty: the object has none
     float opacity = 1.0f;
     glm::vec3 color{0.8f};
-    DiscSpace space = DiscSpace::Eye;
-    PlaceAt place = PlaceAt::Pixel;
+    MapSpace space = MapSpace::Eye;
+    LookupAt lookup = LookupAt::Pixel;
     int anisotropy = 16; ///< most lookups along the longer side of a pixel's footprint, where the map's levels are averages; 1 to 16
     Flecks flecks{};
     bool hasFleckPattern = false;   ///< whether the flecks' density is times the maps' pattern, by the mesh's texture coordinates
@@ -93,30 +73,16 @@ struct MaterialSettings {
     FaceEdges faceEdges = FaceEdges::Seamless;
     float lodBias = 0.0f; ///< moves that level where lambda does not hold it
     int anisotropy = 1;   ///< most lookups along the longer side of a pixel's footprint, where the map has levels; 1 to 16
-    LookupSpace space = LookupSpace::World;
+    MapSpace space = MapSpace::World;
     PaintSettings paint{};
 
     bool operator==(const MaterialSettings&) const = default;
 };
 
-enum class BackgroundKind { Environment, Color, None };
-
 struct Background {
-    BackgroundKind kind = BackgroundKind::Environment; ///< None: transparent black
-    glm::vec3 color{0.18f};                            ///< scene-linear, for Color
+    Backdrop kind = Backdrop::Environment;
+    glm::vec3 color{0.18f}; ///< scene-linear, for Color
     bool operator==(const Background&) const = default;
-};
-
-/// The material, or a debug view of what it is computed from. Debug colors are meant for the display: neither exposed nor tone-mapped.
-enum class Shading {
-    Material,
-    Wireframe,   ///< the triangles
-    Normals,     ///< world space, [-1, 1] to [0, 1]: x red, y green, z blue
-    TexCoords,   ///< u red, v green, under a chequer of 1/16
-    Seams,       ///< of the specular map's parameterization: its charts in colors, lines where they meet
-    Mips,        ///< the level that the specular lookup reads, in the colors of levelColor()
-    NormalLines, ///< a line along the normal of every vertex, or of some where there are many
-    Bounds,      ///< the box along the axes that holds the object
 };
 
 /// Color of a mip level in the debug view: blue 0, cyan 1, green 2, yellow 3, orange 4, red 5, magenta 6, white from 7 on; linear RGB,

@@ -53,7 +53,7 @@ public:
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
 
-    /// Scene-linear RGBA, not exposed. Alpha is 1 but for BackgroundKind::None, where it is the object's coverage.
+    /// Scene-linear RGBA, not exposed. Alpha is 1 but for Backdrop::None, where it is the object's coverage.
     /// @throws InvalidArgument for settings out of range or a map that is needed and missing; WorkError when the current context is not
     ///         OpenGL 4.5, as all that draw do
     Image renderRadiance(const RenderSettings& settings, const RenderMaps& maps);

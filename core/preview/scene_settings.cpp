@@ -12,17 +12,6 @@ namespace {
 
 float toRadians(double degrees) { return static_cast<float>(degrees * pi / 180.0); }
 
-GeometryKind geometryKind(const std::string& word)
-{
-    if (word == "torus")
-        return GeometryKind::Torus;
-    if (word == "sphere")
-        return GeometryKind::Sphere;
-    if (word == "window")
-        return GeometryKind::Window;
-    return word == "box" ? GeometryKind::Box : GeometryKind::Teapot;
-}
-
 /// Finer the larger the picture is: the outline of a body of revolution stays within a pixel of its circle. Vertices are a third of a
 /// frame's time on a software renderer.
 int tessellation(int height) { return std::clamp(height / 80, 9, 48); }
@@ -31,22 +20,19 @@ PaintSettings paintSettings(const mirrorball::SphereMapSettings& map)
 {
     if (map.isNone())
         return {};
-    return {.use = static_cast<PaintUse>(static_cast<int>(map.use) + 1),
+    return {.use = map.use,
             .opacity = static_cast<float>(map.opacity),
             .color = map.color,
-            .space = map.space == MapSpace::Eye ? DiscSpace::Eye : DiscSpace::World,
-            .place = map.lookup == LookupAt::Vertex ? PlaceAt::Vertex : PlaceAt::Pixel,
-            .flecks = {.density = static_cast<float>(map.flecks.density),
-                       .size = static_cast<float>(map.flecks.size),
-                       .spread = static_cast<float>(map.flecks.spread),
-                       .seed = map.flecks.seed}};
+            .space = map.space,
+            .lookup = map.lookup,
+            .flecks = map.flecks.cells};
 }
 
 } // namespace
 
 std::optional<std::filesystem::path> meshFile(const Scene& scene)
 {
-    if (isBuiltinGeometry(scene.view.geometry))
+    if (builtinGeometry(scene.view.geometry))
         return std::nullopt;
     return resolved(scene, scene.view.geometry);
 }
@@ -73,16 +59,17 @@ RenderSettings renderSettings(const Scene& scene, const Plan& plan, std::shared_
 {
     const ViewSettings& view = scene.view;
     RenderSettings settings{.width = view.width, .height = view.height};
-    settings.geometry = {.kind = geometryKind(view.geometry),
-                         .level = view.tessellation > 0 ? view.tessellation : tessellation(view.height)};
-    if (!isBuiltinGeometry(view.geometry)) {
+    settings.geometry.level = view.tessellation > 0 ? view.tessellation : tessellation(view.height);
+    if (const std::optional<GeometryKind> body = builtinGeometry(view.geometry)) {
+        settings.geometry.kind = *body;
+    } else {
         if (!mesh)
             throw InvalidArgument("view.geometry: the mesh of '" + view.geometry + "' must be read first");
         if (const std::string problem = texCoordProblem(plan, *mesh, view.geometry); !problem.empty())
             throw InvalidArgument(problem);
         settings.geometry.mesh = std::move(mesh);
     }
-    settings.shading = static_cast<Shading>(view.shading);
+    settings.shading = view.shading;
     settings.seamsOf = scene.map.parameterization;
     settings.camera = {.yaw = toRadians(view.camera.yawDeg),
                        .pitch = toRadians(view.camera.pitchDeg),
@@ -90,8 +77,7 @@ RenderSettings renderSettings(const Scene& scene, const Plan& plan, std::shared_
                        .distance = static_cast<float>(view.camera.distance),
                        .fieldOfView = toRadians(view.camera.fieldOfViewDeg),
                        .target = view.camera.target,
-                       .projection = view.camera.projection == mirrorball::Projection::Orthographic ? Projection::Orthographic
-                                                                                                    : Projection::Perspective};
+                       .projection = view.camera.projection};
     settings.material = {.specular = plan.material.specular,
                          .diffuse = plan.material.diffuse,
                          .hasBrdf = plan.brdf.has_value(),
@@ -105,17 +91,13 @@ RenderSettings renderSettings(const Scene& scene, const Plan& plan, std::shared_
                          .faceEdges = scene.map.mipFiltering == MipFiltering::PerFace ? FaceEdges::Clamped : FaceEdges::Seamless,
                          .lodBias = static_cast<float>(scene.material.lodBias),
                          .anisotropy = scene.map.anisotropy,
-                         .space = scene.map.space == MapSpace::Eye ? LookupSpace::Eye : LookupSpace::World};
+                         .space = scene.map.space};
     settings.material.hasDiffusePicture = plan.diffusePicture.has_value();
     settings.material.paint = paintSettings(scene.material.sphereMap);
     settings.material.paint.hasFleckPattern = plan.fleckPattern.has_value();
     settings.windowDepths = {view.window.depth, view.window.middle.empty() ? view.window.farDepth : view.window.middleDepth,
                              view.window.farDepth};
-    const BackdropSettings& background = view.background;
-    settings.background = {.kind = background.kind == Backdrop::Color  ? BackgroundKind::Color
-                                   : background.kind == Backdrop::None ? BackgroundKind::None
-                                                                       : BackgroundKind::Environment,
-                           .color = background.color};
+    settings.background = {.kind = view.background.kind, .color = view.background.color};
     settings.yaw = toRadians(scene.probe.yawDeg);
     settings.exposure = static_cast<float>(view.exposure);
     settings.display = std::move(display);

@@ -23,7 +23,7 @@ public:
         m_settings.height = height;
         m_settings.samples = 1;
         m_settings.geometry.mesh = std::make_shared<const Mesh>(sphereMesh(1.0f, sphereLevel));
-        m_settings.background = {.kind = BackgroundKind::Color, .color = glm::vec3(0.0f)};
+        m_settings.background = {.kind = Backdrop::Color, .color = glm::vec3(0.0f)};
     }
 
     ~SphereDrawer() override

@@ -17,7 +17,7 @@ void Renderer::Resources::drawWindow(const RenderSettings& settings, const Rende
     std::vector<ShaderDefine> defines = {{"HAS_TEXCOORD", "1"},
                                          {"SPHERE_VERTEX", "0"},
                                          {"WINDOW_LAYERS", std::to_string(layers)},
-                                         {"WINDOW_SPACE", std::to_string(static_cast<int>(settings.material.paint.space))}};
+                                         {"WINDOW_SPACE", spaceDefine(settings.material.paint.space)}};
     addOutputDefines(defines, settings, output, settings.objectCurve.value_or(settings.toneCurve));
     const ShaderProgram& shader = programs.get({"preview/object.vert", "preview/window.frag"}, defines, outputPrelude(settings, output));
     displayTables.bind(shader, displayUnit);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "flecks.h"
 #include "scene_kinds.h"
 
 #include "core/base/fields.h"
@@ -102,13 +103,9 @@ struct BrdfSettings {
     }
 };
 
-/// Flecks: cells on the surface, each of which looks the sphere map up elsewhere, as facets that are turned at random. Source: 003
-/// section 6.2
+/// Flecks, and where there are how many.
 struct FleckSettings {
-    double density = 0.0;
-    double size = 0.02;
-    double spread = 0.4;
-    int seed = 0;
+    Flecks cells{};
     std::string pattern{}; ///< an image file, whose path starts at the scene's folder
     UnknownKeys unknown{};
 
@@ -116,10 +113,7 @@ struct FleckSettings {
     template <typename Self, typename Visit>
     static void visitFields(Self& self, Visit&& visit)
     {
-        visit(Field{"density", "share of the cells that are flecks; 0: none", 0, 1}, self.density);
-        visit(Field{"size", "of a cell; the object's radius is 1", 1e-3, 1}, self.size);
-        visit(Field{"spread", "how far a fleck's lookup may lie from the surface's own, in radii of the disc", 0, 2}, self.spread);
-        visit(Field{"seed", "another number, another arrangement", 0, 1000000}, self.seed);
+        Flecks::visitFields(self.cells, visit);
         visit(Field{"pattern",
                     "picture by the mesh's texture coordinates: where it is white, flecks are as dense as said above, where it is "
                     "black there are none; empty: as dense everywhere"},

@@ -103,7 +103,7 @@ Because Planner::whyNoDiffuse() const
 bool Planner::readsMaterial() const
 {
     const SphereMapSettings& map = m_scene.material.sphereMap;
-    const bool isHidden = !map.isNone() && (map.use == SphereMapUse::Replace || map.use == SphereMapUse::Multiply);
+    const bool isHidden = !map.isNone() && hidesMaterial(map.use);
     return showsMaterial() && !isHidden && !isWindow();
 }
 
@@ -151,7 +151,7 @@ void Planner::planPicture()
     } else if (m_plan.specular || m_plan.diffuse || m_plan.clearCoat) {
         leaveOut("other maps", ReadsOneParameterization{m_scene.map.parameterization});
     }
-    if (isBuiltinGeometry(m_scene.view.geometry))
+    if (builtinGeometry(m_scene.view.geometry))
         leaveOut("read mesh", MeshIsBuiltin{m_scene.view.geometry});
     else
         need("read mesh", ReadsMesh{m_scene.view.geometry});
@@ -215,7 +215,7 @@ void Planner::planSphereMaps()
     } else if (const std::optional<Decision> why = whyNoFlecks()) {
         leaveOut("flecks", *why);
     } else {
-        need("flecks", FlecksAtEveryPixel{map.flecks.density, map.flecks.size});
+        need("flecks", FlecksAtEveryPixel{map.flecks.cells.density, map.flecks.cells.size});
     }
 }
 
@@ -226,7 +226,7 @@ std::optional<Decision> Planner::whyNoFlecks() const
         return whyNoMaterial();
     if (map.isNone())
         return Because::NoSphereMapForFlecks;
-    return map.flecks.density == 0.0 ? std::optional<Decision>(Because::FleckDensityIsZero) : std::nullopt;
+    return map.flecks.cells.density == 0.0 ? std::optional<Decision>(Because::FleckDensityIsZero) : std::nullopt;
 }
 
 // Where none is named nothing is said: most scenes have none.

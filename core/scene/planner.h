@@ -44,7 +44,7 @@ private:
                   std::optional<Because> whyMirror = {});
     /// A debug view shows what the material is computed from, and not the material.
     bool showsMaterial() const { return m_scene.view.shading == Shading::Material; }
-    bool isWindow() const { return m_scene.view.geometry == "window"; }
+    bool isWindow() const { return showsWindow(m_scene); }
     /// Nor does a sphere map that replaces the material show it, nor a room.
     bool readsMaterial() const;
     Decision whyNoMaterial() const;

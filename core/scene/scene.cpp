@@ -23,6 +23,7 @@ constexpr std::array sphereMapUseWords{"replace"sv, "multiply"sv, "over"sv, "tin
 constexpr std::array sphereMapLevelsWords{"authored"sv, "plain"sv};
 constexpr std::array lookupAtWords{"pixel"sv, "vertex"sv};
 constexpr std::array mapSpaceWords{"world"sv, "eye"sv};
+constexpr std::array geometryKindWords{"teapot"sv, "torus"sv, "sphere"sv, "box"sv, "window"sv};
 constexpr std::array projectionWords{"perspective"sv, "orthographic"sv};
 constexpr std::array backdropWords{"environment"sv, "blurred"sv, "color"sv, "none"sv};
 constexpr std::array shadingWords{"material"sv, "wireframe"sv, "normals"sv,      "texcoords"sv,
@@ -130,6 +131,7 @@ std::span<const std::string_view> words(SphereMapUse) { return sphereMapUseWords
 std::span<const std::string_view> words(SphereMapLevels) { return sphereMapLevelsWords; }
 std::span<const std::string_view> words(LookupAt) { return lookupAtWords; }
 std::span<const std::string_view> words(MapSpace) { return mapSpaceWords; }
+std::span<const std::string_view> words(GeometryKind) { return geometryKindWords; }
 std::span<const std::string_view> words(Projection) { return projectionWords; }
 std::span<const std::string_view> words(Backdrop) { return backdropWords; }
 std::span<const std::string_view> words(ToneChoice) { return toneChoiceWords; }
@@ -169,15 +171,17 @@ std::string resolved(const Scene& scene, const std::string& path)
     return path.starts_with("builtin:") ? path : (scene.folder / path).string(); // an absolute path replaces the folder
 }
 
-bool isBuiltinGeometry(std::string_view geometry)
+std::optional<GeometryKind> builtinGeometry(std::string_view geometry)
 {
-    constexpr std::array bodies{"teapot"sv, "torus"sv, "sphere"sv, "box"sv, "window"sv};
-    return std::find(bodies.begin(), bodies.end(), geometry) != bodies.end();
+    const auto found = std::find(geometryKindWords.begin(), geometryKindWords.end(), geometry);
+    return found == geometryKindWords.end() ? std::nullopt : std::optional(static_cast<GeometryKind>(found - geometryKindWords.begin()));
 }
+
+bool showsWindow(const Scene& scene) { return builtinGeometry(scene.view.geometry) == GeometryKind::Window; }
 
 CameraSettings initialCamera(std::string_view geometry)
 {
-    if (geometry == "window")
+    if (builtinGeometry(geometry) == GeometryKind::Window)
         return {.yawDeg = 12.0, .pitchDeg = 4.0, .distance = 3.2};
     return {};
 }

@@ -179,8 +179,11 @@ void validate(const Material& material);
 /// A path of the scene as it can be opened: relative ones start at scene.folder; "builtin:NAME" and absolute ones stay.
 std::string resolved(const Scene& scene, const std::string& path);
 
-/// Whether view.geometry is the name of a body that is built in; otherwise it names a mesh file.
-bool isBuiltinGeometry(std::string_view geometry);
+/// The body that a view.geometry is the word of; otherwise it names a mesh file.
+std::optional<GeometryKind> builtinGeometry(std::string_view geometry);
+
+/// Whether the scene shows the window of a room and no object.
+bool showsWindow(const Scene& scene);
 
 /// Where the camera of a scene is at first: in the room, where the geometry is the window; otherwise before and above the object.
 CameraSettings initialCamera(std::string_view geometry);

@@ -125,7 +125,7 @@ Scene storedIn(Scene scene, const std::filesystem::path& folder)
             path = asFile(path);
     };
     store(scene.probe.source);
-    storeFile(scene.view.geometry, [](const std::string& path) { return isBuiltinGeometry(path); });
+    storeFile(scene.view.geometry, [](const std::string& path) { return builtinGeometry(path).has_value(); });
     for (std::string* map : {&scene.material.sphereMap.source, &scene.view.window.middle, &scene.view.window.far})
         storeFile(*map, [](const std::string& path) { return !isSphereMapFile(path); });
     if (isBrdfFile(scene.material.brdf.model))

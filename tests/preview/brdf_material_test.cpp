@@ -32,7 +32,7 @@ Scene ballOf(const std::string& model, int lookups)
     scene.material.brdf = {.model = model, .lookups = lookups};
     scene.view.geometry = "sphere";
     scene.view.tessellation = 64;
-    scene.view.camera.projection = mirrorball::Projection::Orthographic;
+    scene.view.camera.projection = Projection::Orthographic;
     scene.view.background.kind = Backdrop::None;
     scene.view.width = scene.view.height = edge;
     return scene;

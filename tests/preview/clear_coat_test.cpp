@@ -25,7 +25,7 @@ Scene ball()
     scene.view.tessellation = 64;
     scene.view.width = scene.view.height = edge;
     scene.view.background.kind = Backdrop::None;
-    scene.view.camera = {.yawDeg = 0.0, .pitchDeg = 0.0, .distance = 3.0, .projection = mirrorball::Projection::Orthographic};
+    scene.view.camera = {.yawDeg = 0.0, .pitchDeg = 0.0, .distance = 3.0, .projection = Projection::Orthographic};
     scene.map.size = 64;
     return scene;
 }
@@ -139,10 +139,10 @@ TEST_F(ClearCoat, IsPaidForWhereItIsSeenAlone)
     EXPECT_TRUE(stage(scene)->isLeftOut);
     EXPECT_FALSE(makePlan(scene, probe).clearCoat);
     scene.material.clearCoat.index = 1.5;
-    scene.view.shading = mirrorball::Shading::Normals;
+    scene.view.shading = Shading::Normals;
     ASSERT_TRUE(stage(scene));
     EXPECT_TRUE(stage(scene)->isLeftOut);
-    scene.view.shading = mirrorball::Shading::Material;
+    scene.view.shading = Shading::Material;
     scene.material.sphereMap = {.source = "jade", .use = SphereMapUse::Replace};
     EXPECT_FALSE(makePlan(scene, probe).clearCoat);
     scene.material.sphereMap.use = SphereMapUse::Add;

@@ -31,7 +31,7 @@ RenderSettings view(Shading shading, GeometryKind kind = GeometryKind::Teapot)
     settings.samples = 1;
     settings.geometry.kind = kind;
     settings.shading = shading;
-    settings.background.kind = BackgroundKind::None;
+    settings.background.kind = Backdrop::None;
     settings.camera.yaw = 0.6f;
     settings.camera.pitch = 0.35f;
     return settings;

@@ -39,12 +39,12 @@ RenderSettings view(GeometryKind kind)
     settings.height = 120;
     settings.samples = 1;
     settings.geometry.kind = kind;
-    settings.background.kind = BackgroundKind::None;
+    settings.background.kind = Backdrop::None;
     settings.yaw = 0.7f;
     settings.camera = Camera{.yaw = 0.2f, .pitch = 0.1f, .roll = 0.2f, .distance = 3.0f};
     settings.material.specular = glm::vec3(0.0f);
     // What is shifted by flecks is read as points, not over a pixel's footprint; these shift by nothing.
-    settings.material.paint = {.use = PaintUse::Replace, .color = glm::vec3(0.0f), .flecks = {.density = 1e-6f, .spread = 0.0f}};
+    settings.material.paint = {.use = SphereMapUse::Replace, .color = glm::vec3(0.0f), .flecks = {.density = 1e-6f, .spread = 0.0f}};
     return settings;
 }
 
@@ -68,7 +68,7 @@ TEST_F(DiscPlacesOfAPicture, AreWhereItsColorsComeFrom)
     Renderer renderer;
     for (const GeometryKind kind : {GeometryKind::Sphere, GeometryKind::Box, GeometryKind::Window})
         for (const SphereMapIndex index : {SphereMapIndex::Normal, SphereMapIndex::Reflection})
-            for (const DiscSpace space : {DiscSpace::Eye, DiscSpace::World}) {
+            for (const MapSpace space : {MapSpace::Eye, MapSpace::World}) {
                 RenderSettings settings = view(kind);
                 settings.material.paint.space = space;
                 const Image picture = renderer.renderRadiance(settings, {.sphereMaps = {placesAsColors(index)}});
@@ -124,7 +124,7 @@ TEST(DiscPlace, UnderAnOrthographicCameraIsTheNormalSeenOnABall)
     for (const glm::dvec3 d : {glm::dvec3(0.3, -0.4, 0.8), glm::dvec3(0, 0, 1), glm::dvec3(-0.9, 0.1, 0.2)}) {
         const glm::dvec3 n = glm::normalize(d);
         for (const SphereMapIndex index : {SphereMapIndex::Normal, SphereMapIndex::Reflection}) // the disc is the picture of a mirror ball
-            EXPECT_LT(glm::distance(discPlace(index, DiscSpace::Eye, n, towardsViewer), glm::dvec2(n)), 1e-15);
+            EXPECT_LT(glm::distance(discPlace(index, MapSpace::Eye, n, towardsViewer), glm::dvec2(n)), 1e-15);
     }
 }
 
@@ -133,7 +133,7 @@ TEST(DiscPlace, ByNormalIsTheSineOfTheAngleToTheViewRayFromTheCenter)
     const glm::dvec3 v = glm::normalize(glm::dvec3(-0.4, 0.1, 0.7));
     for (const glm::dvec3 d : {glm::dvec3(-0.4, 0.1, 0.7), glm::dvec3(0.3, -0.4, 0.8), glm::dvec3(-0.5, 0.5, 0.7)}) {
         const glm::dvec3 n = glm::normalize(d);
-        EXPECT_NEAR(glm::length(discPlace(SphereMapIndex::Normal, DiscSpace::Eye, n, v)), glm::length(glm::cross(n, v)), 1e-14);
+        EXPECT_NEAR(glm::length(discPlace(SphereMapIndex::Normal, MapSpace::Eye, n, v)), glm::length(glm::cross(n, v)), 1e-14);
     }
 }
 
@@ -141,15 +141,15 @@ TEST(DiscPlace, ANormalAcrossTheViewRayIsOnTheRimAndOneThatFacesAwayToo)
 {
     const glm::dvec3 v = glm::normalize(glm::dvec3(0.2, -0.3, 0.9));
     const glm::dvec3 across = glm::normalize(glm::cross(v, glm::dvec3(0, 1, 0))), away = glm::normalize(across - 0.3 * v);
-    const glm::dvec2 rim = discPlace(SphereMapIndex::Normal, DiscSpace::Eye, across, v);
+    const glm::dvec2 rim = discPlace(SphereMapIndex::Normal, MapSpace::Eye, across, v);
     EXPECT_NEAR(glm::length(rim), 1.0, 1e-15);
-    EXPECT_LT(glm::distance(discPlace(SphereMapIndex::Normal, DiscSpace::Eye, away, v), rim), 1e-15);
+    EXPECT_LT(glm::distance(discPlace(SphereMapIndex::Normal, MapSpace::Eye, away, v), rim), 1e-15);
 }
 
 TEST(DiscPlace, ByReflectionTheMapShowsThereWhatIsMirroredThere)
 {
     const glm::dvec3 v = glm::normalize(glm::dvec3(0.2, 0.1, 0.9)), n = glm::normalize(glm::dvec3(0.5, -0.3, 0.6));
-    const glm::dvec3 r = sphere_map::directionFromDisc(discPlace(SphereMapIndex::Reflection, DiscSpace::Eye, n, v));
+    const glm::dvec3 r = sphere_map::directionFromDisc(discPlace(SphereMapIndex::Reflection, MapSpace::Eye, n, v));
     EXPECT_NEAR(glm::dot(r, n), glm::dot(v, n), 1e-14);        // the angle of incidence
     EXPECT_LT(glm::distance(glm::normalize(r + v), n), 1e-14); // in the plane of incidence
 }

@@ -35,9 +35,9 @@ RenderSettings ball()
     RenderSettings settings;
     settings.width = settings.height = 400;
     settings.geometry = {.kind = GeometryKind::Sphere, .level = 24};
-    settings.background.kind = BackgroundKind::None;
+    settings.background.kind = Backdrop::None;
     settings.camera = Camera{.distance = 3.0f, .projection = Projection::Orthographic};
-    settings.material.paint.use = PaintUse::Replace;
+    settings.material.paint.use = SphereMapUse::Replace;
     settings.toneCurve = ToneCurve::None;
     return settings;
 }

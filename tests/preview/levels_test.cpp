@@ -23,7 +23,7 @@ TEST_F(RenderedLevels, LambdaPastTheLastLevelIsTheLastLevel)
         pyramid.resize(4);
         const MapLevels levels = std::make_shared<const std::vector<EnvironmentMap>>(pyramid);
         RenderSettings settings = small(GeometryKind::Torus);
-        settings.background.kind = BackgroundKind::None;
+        settings.background.kind = Backdrop::None;
         settings.material.lambda = 50.0f;
         const Image clamped = renderer.renderRadiance(settings, {levels, {}, {}});
         settings.material.lambda = 0.0f;
@@ -43,7 +43,7 @@ TEST_F(RenderedLevels, LambdaIsAClampAndNotABias)
         levels.push_back(environmentFrom(pyramid.levels[i].layout, [=](const glm::dvec3&) { return glm::vec3(float(i)); }));
     const MapLevels maps = std::make_shared<const std::vector<EnvironmentMap>>(levels);
     RenderSettings settings = small(GeometryKind::Sphere);
-    settings.background.kind = BackgroundKind::None;
+    settings.background.kind = Backdrop::None;
     settings.camera.distance = 8.0f; // small on the screen: the reflection is minified
     Renderer renderer(TexelFormat::Float);
     const Image free = renderer.renderRadiance(settings, {maps, {}, {}});
@@ -71,7 +71,7 @@ TEST_F(RenderedLevels, LambdaFallsTowardsGrazingAnglesAsTheTwinSays)
     const MapLevels maps = std::make_shared<const std::vector<EnvironmentMap>>(levels);
     RenderSettings settings = small(GeometryKind::Sphere);
     settings.geometry.level = 64;
-    settings.background.kind = BackgroundKind::None;
+    settings.background.kind = Backdrop::None;
     settings.camera.distance = 2.6f;
     Renderer renderer(TexelFormat::Float);
     const Image free = renderer.renderRadiance(settings, {maps, {}, {}});
@@ -109,7 +109,7 @@ TEST_F(RenderedLevels, TheLevelDoesNotJumpAtSeams)
         }
         RenderSettings settings = small(GeometryKind::Sphere);
         settings.geometry.level = 64;
-        settings.background.kind = BackgroundKind::None;
+        settings.background.kind = Backdrop::None;
         settings.camera.distance = 2.6f;
         settings.width = 320;
         settings.height = 240;

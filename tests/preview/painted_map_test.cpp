@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
 
 using namespace mirrorball;
@@ -24,14 +25,14 @@ glm::dvec3 at(const Image& image, int x, int y)
     return {t[0], t[1], t[2]};
 }
 
-RenderSettings view(GeometryKind kind, PaintUse use = PaintUse::Replace)
+RenderSettings view(GeometryKind kind, std::optional<SphereMapUse> use = SphereMapUse::Replace)
 {
     RenderSettings settings;
     settings.width = 160;
     settings.height = 120;
     settings.samples = 1;
     settings.geometry.kind = kind;
-    settings.background.kind = BackgroundKind::None;
+    settings.background.kind = Backdrop::None;
     settings.camera = Camera{.yaw = 0.6f, .pitch = 0.35f, .roll = 0.3f, .distance = 2.6f};
     settings.material.paint.use = use;
     return settings;
@@ -94,7 +95,7 @@ TEST_F(PaintedMap, IsLookedUpWhereCoreSays)
 {
     Renderer renderer;
     for (const SphereMapIndex index : {SphereMapIndex::Normal, SphereMapIndex::Reflection})
-        for (const DiscSpace space : {DiscSpace::Eye, DiscSpace::World})
+        for (const MapSpace space : {MapSpace::Eye, MapSpace::World})
             for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
                 RenderSettings settings = view(GeometryKind::Torus);
                 settings.camera.projection = projection;
@@ -103,7 +104,7 @@ TEST_F(PaintedMap, IsLookedUpWhereCoreSays)
                 const Image picture = renderer.renderRadiance(settings, {.sphereMaps = {places(index)}});
                 const GeometryBuffers buffers = renderer.renderBuffers(settings);
                 const glm::dmat3 turn =
-                    space == DiscSpace::Eye ? glm::dmat3(glm::transpose(settings.camera.cameraToWorld())) : glm::dmat3(1.0);
+                    space == MapSpace::Eye ? glm::dmat3(glm::transpose(settings.camera.cameraToWorld())) : glm::dmat3(1.0);
                 int compared = 0;
                 for (int y = 0; y < settings.height; ++y)
                     for (int x = 0; x < settings.width; ++x) {
@@ -217,22 +218,23 @@ TEST_F(PaintedMap, MeetsTheSurfaceAsEachUseSays)
     const double opacity = 0.75;
     const glm::dvec3 paint = opacity * glm::dvec3(m);
     const double a = opacity * m.w;
-    const std::pair<PaintUse, glm::dvec3> cases[] = {{PaintUse::None, reflected},
-                                                     {PaintUse::Replace, paint + (1.0 - a) * color},
-                                                     {PaintUse::Multiply, (paint + 1.0 - a) * color},
-                                                     {PaintUse::Over, paint + (1.0 - a) * reflected},
-                                                     {PaintUse::Tint, (paint + 1.0 - a) * reflected},
-                                                     {PaintUse::Add, paint + reflected}};
+    const std::pair<std::optional<SphereMapUse>, glm::dvec3> cases[] = {{std::nullopt, reflected},
+                                                                        {SphereMapUse::Replace, paint + (1.0 - a) * color},
+                                                                        {SphereMapUse::Multiply, (paint + 1.0 - a) * color},
+                                                                        {SphereMapUse::Over, paint + (1.0 - a) * reflected},
+                                                                        {SphereMapUse::Tint, (paint + 1.0 - a) * reflected},
+                                                                        {SphereMapUse::Add, paint + reflected}};
     for (const auto& [use, expected] : cases) {
         RenderSettings settings = view(GeometryKind::Sphere, use);
         settings.material.paint.color = color;
         settings.material.paint.opacity = float(opacity);
-        const bool readsEnvironment = use != PaintUse::Replace && use != PaintUse::Multiply;
+        const bool readsEnvironment = use != SphereMapUse::Replace && use != SphereMapUse::Multiply;
         EXPECT_EQ(neededMaps(settings).specular, readsEnvironment);
         RenderMaps maps{.sphereMaps = {plain(m)}};
         if (readsEnvironment)
             maps.specular = asLevels(environmentFrom({Parameterization::Cube, 8, 0}, [](const glm::dvec3&) { return glm::vec3(2.0f); }));
-        EXPECT_LT(glm::distance(at(renderer.renderRadiance(settings, maps), 80, 60), expected), 1e-3) << static_cast<int>(use);
+        EXPECT_LT(glm::distance(at(renderer.renderRadiance(settings, maps), 80, 60), expected), 1e-3)
+            << (use ? words(*use)[static_cast<size_t>(*use)] : "none");
     }
 }
 
@@ -272,7 +274,7 @@ TEST_F(PaintedMap, AnAuthoredRingKeepsItsWidthWhateverTheCurvature)
         RenderSettings settings = view(GeometryKind::Torus);
         settings.width = settings.height = 401;
         settings.samples = 4;
-        settings.background = {.kind = BackgroundKind::Color, .color = glm::vec3(1.0f)};
+        settings.background = {.kind = Backdrop::Color, .color = glm::vec3(1.0f)};
         settings.geometry.mesh = std::make_shared<const Mesh>(torusMesh(1.0f - tube, tube, 256, 128));
         settings.camera = Camera{.pitch = float(0.5 * pi), .distance = 4.0f, .fieldOfView = 0.5f, .projection = Projection::Orthographic};
         const Image picture = renderer.renderRadiance(settings, {.sphereMaps = {map}});
@@ -305,7 +307,7 @@ TEST_F(PaintedMap, PlacesInterpolatedBetweenVerticesErrByTheSquareOfTheTriangles
         settings.geometry.level = level;
         readPoints(settings);
         const Image exact = renderer.renderRadiance(settings, {.sphereMaps = {map}});
-        settings.material.paint.place = PlaceAt::Vertex;
+        settings.material.paint.lookup = LookupAt::Vertex;
         const Image interpolated = renderer.renderRadiance(settings, {.sphereMaps = {map}});
         double sum = 0.0, most = 0.0;
         int count = 0;

@@ -11,10 +11,17 @@ TEST(RenderSettings, NeedOnlyTheMapsThatCanBeSeen)
 {
     RenderSettings settings;
     EXPECT_EQ(neededMaps(settings), (NeededMaps{true, false, true}));
-    settings.background.kind = BackgroundKind::Color;
+    settings.background.kind = Backdrop::Color;
     settings.material.specular = glm::vec3(0.0f);
     settings.material.diffuse = glm::vec3(1.0f);
     EXPECT_EQ(neededMaps(settings), (NeededMaps{false, true, false}));
+}
+
+TEST(RenderSettings, ABlurredBackgroundIsAMapAsTheEnvironmentIs)
+{
+    RenderSettings settings;
+    settings.background.kind = Backdrop::Blurred;
+    EXPECT_TRUE(neededMaps(settings).background);
 }
 
 TEST(RenderSettings, ACoatThatReflectsEverythingHidesTheDiffusePart)
@@ -39,10 +46,14 @@ TEST(RenderSettings, OutOfRangeAreRefusedByName)
         }
         return std::string();
     };
-    EXPECT_NE(messageOf([](RenderSettings& s) { s.width = 0; }).find("size"), std::string::npos);
+    EXPECT_NE(messageOf([](RenderSettings& s) { s.width = 0; }).find("width"), std::string::npos);
     EXPECT_NE(messageOf([](RenderSettings& s) { s.samples = 3; }).find("samples"), std::string::npos);
     EXPECT_NE(messageOf([](RenderSettings& s) { s.material.lambda = -1.0f; }).find("lambda"), std::string::npos);
     EXPECT_NE(messageOf([](RenderSettings& s) { s.camera.distance = 0.0f; }).find("distance"), std::string::npos);
     EXPECT_NE(messageOf([](RenderSettings& s) { s.exposure = 1e9f; }).find("exposure"), std::string::npos);
+    EXPECT_NE(messageOf([](RenderSettings& s) { s.geometry.level = 0; }).find("level"), std::string::npos);
+    EXPECT_NE(messageOf([](RenderSettings& s) { s.material.paint.anisotropy = 17; }).find("sphere map.anisotropy"), std::string::npos);
+    EXPECT_NE(messageOf([](RenderSettings& s) { s.material.paint.flecks.density = 1.5; }).find("flecks.density"), std::string::npos);
+    EXPECT_NE(messageOf([](RenderSettings& s) { s.windowDepths.y = -1.0f; }).find("middle_depth"), std::string::npos);
     EXPECT_EQ(messageOf([](RenderSettings&) {}), "");
 }

@@ -185,7 +185,7 @@ TEST_F(RendererTest, AWhiteCoatedBodyInAUniformRoomIsInvisibleForEveryIndex)
 TEST_F(RendererTest, MapsThatAreNotNeededAreNotAskedFor)
 {
     RenderSettings settings = small(GeometryKind::Sphere);
-    settings.background.kind = BackgroundKind::Color;
+    settings.background.kind = Backdrop::Color;
     Renderer renderer;
     EXPECT_NO_THROW(renderer.renderRadiance(settings, {constantMap(1.0f), {}, {}}));
     settings.material.specular = glm::vec3(0.0f);
@@ -199,7 +199,7 @@ TEST_F(RendererTest, SamplesChangeEdgesOnly)
     RenderSettings settings = small(GeometryKind::Teapot);
     const MapLevels map = asLevels(environmentFrom({Parameterization::Cube, 64, 0}, smoothRadiance));
     Renderer renderer;
-    settings.background.kind = BackgroundKind::None;
+    settings.background.kind = Backdrop::None;
     const Image one = renderer.renderRadiance(settings, {map, {}, {}});
     settings.samples = 4;
     const Image four = renderer.renderRadiance(settings, {map, {}, {}});
@@ -222,8 +222,8 @@ TEST_F(RendererTest, EyeSpaceLookupsTurnWithTheCamera)
 {
     RenderSettings settings = small(GeometryKind::Sphere);
     settings.geometry.level = 64;
-    settings.background.kind = BackgroundKind::None;
-    settings.material.space = LookupSpace::Eye;
+    settings.background.kind = Backdrop::None;
+    settings.material.space = MapSpace::Eye;
     const MapLevels map = asLevels(environmentFrom({Parameterization::Sphere, 128, 0}, smoothRadiance));
     Renderer renderer(TexelFormat::Float);
     settings.camera.yaw = settings.camera.pitch = 0.0f;
@@ -280,7 +280,7 @@ TEST_F(RendererTest, AnisotropicLookupsAreNearerToTheSupersampledPicture)
         const RenderMaps maps{
             std::make_shared<const std::vector<EnvironmentMap>>(buildMipPyramid(environmentFrom(layout, stripes)).levels), {}, {}};
         RenderSettings settings = small(GeometryKind::Torus);
-        settings.background.kind = BackgroundKind::None;
+        settings.background.kind = Backdrop::None;
         settings.camera.pitch = 0.1f;
         settings.geometry.level = 48;
         constexpr int factor = 8;
@@ -326,8 +326,8 @@ TEST_F(RendererTest, AnOrthographicCameraSeesTheBackgroundInTheSameAngle)
     const Image picture = renderer.renderRadiance(settings, {map, {}, map});
     for (const glm::ivec2 p : {glm::ivec2(1, 1), glm::ivec2(158, 2), glm::ivec2(3, 117), glm::ivec2(155, 60)})
         EXPECT_LT(glm::distance(at(picture, p.x, p.y), glm::dvec3(map->front().radiance(backgroundDirection(settings, p.x, p.y)))), 1e-3);
-    settings.background = {.kind = BackgroundKind::Color, .color = {0.1f, 0.2f, 0.3f}};
+    settings.background = {.kind = Backdrop::Color, .color = {0.1f, 0.2f, 0.3f}};
     EXPECT_LT(glm::distance(at(renderer.renderRadiance(settings, {map, {}, {}}), 1, 1), glm::dvec3(0.1, 0.2, 0.3)), 1e-6);
-    settings.background.kind = BackgroundKind::None;
+    settings.background.kind = Backdrop::None;
     EXPECT_EQ(renderer.renderRadiance(settings, {map, {}, {}}).texel(1, 1)[3], 0.0f);
 }

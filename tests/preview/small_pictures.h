@@ -24,7 +24,7 @@ inline bool isInterior(const Image& buffer, int x, int y)
     return true;
 }
 
-inline preview::RenderSettings small(preview::GeometryKind kind)
+inline preview::RenderSettings small(GeometryKind kind)
 {
     preview::RenderSettings settings;
     settings.width = 160;

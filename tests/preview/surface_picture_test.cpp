@@ -39,8 +39,8 @@ RenderSettings squareSettings(float repeats = 1.0f)
     settings.width = settings.height = edge;
     settings.samples = 1;
     settings.geometry.mesh = square(repeats);
-    settings.background.kind = BackgroundKind::None;
-    settings.camera = {.distance = 4.0f, .fieldOfView = 2.0f * std::atan(0.25f), .projection = preview::Projection::Orthographic};
+    settings.background.kind = Backdrop::None;
+    settings.camera = {.distance = 4.0f, .fieldOfView = 2.0f * std::atan(0.25f), .projection = Projection::Orthographic};
     settings.material.specular = glm::vec3(0.0f);
     return settings;
 }
@@ -95,7 +95,7 @@ SphereMapChain places()
 RenderSettings fleckedSquare(float size = 0.05f)
 {
     RenderSettings settings = squareSettings();
-    settings.material.paint = {.use = PaintUse::Replace, .flecks = {.density = 0.6f, .size = size, .spread = 0.5f}};
+    settings.material.paint = {.use = SphereMapUse::Replace, .flecks = {.density = 0.6f, .size = size, .spread = 0.5f}};
     return settings;
 }
 
@@ -157,7 +157,7 @@ TEST_F(SurfacePictures, ThatAreWhiteChangeNothing)
 {
     Renderer renderer;
     const MapLevels light = asLevels(environmentFrom({Parameterization::Cube, 16, 0}, smoothRadiance));
-    for (const PaintUse use : {PaintUse::None, PaintUse::Add}) {
+    for (const std::optional<SphereMapUse> use : {std::optional<SphereMapUse>{}, std::optional{SphereMapUse::Add}}) {
         RenderSettings settings;
         settings.width = 96;
         settings.height = 64;
@@ -258,6 +258,6 @@ TEST(SurfacePictureOfAScene, IsRefusedBeforeAnyWorkOnAMeshWithoutTextureCoordina
                          "unwrap the mesh in a modeller, or leave the picture out");
     scene.material.diffuse.picture.clear();
     EXPECT_EQ(problem(), "");
-    scene.material.sphereMap = {.source = "jade", .use = SphereMapUse::Over, .flecks = {.density = 0.5, .pattern = "gone.exr"}};
+    scene.material.sphereMap = {.source = "jade", .use = SphereMapUse::Over, .flecks = {.cells = {.density = 0.5}, .pattern = "gone.exr"}};
     EXPECT_EQ(problem().find("material.sphere_map.flecks.pattern: \"gone.exr\""), 0u) << problem();
 }

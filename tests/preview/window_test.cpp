@@ -28,14 +28,14 @@ SphereMapChain places(float alpha = 1.0f)
     return std::make_shared<const SphereMapTexels>(SphereMapTexels{.levels = {image}});
 }
 
-RenderSettings view(DiscSpace space)
+RenderSettings view(MapSpace space)
 {
     RenderSettings settings;
     settings.width = 160;
     settings.height = 120;
     settings.samples = 1;
     settings.geometry.kind = GeometryKind::Window;
-    settings.background.kind = BackgroundKind::None;
+    settings.background.kind = Backdrop::None;
     settings.material.paint.space = space;
     settings.camera = Camera{.yaw = 0.2f, .pitch = 0.1f, .distance = 3.0f};
     settings.windowDepths = glm::vec3(1e6f);
@@ -56,7 +56,7 @@ TEST_F(WindowTest, ShowsWhatLiesAlongTheLineOfSight)
 {
     Renderer renderer;
     for (const float depth : {0.0f, 4.0f, 1000.0f}) {
-        RenderSettings settings = view(DiscSpace::World);
+        RenderSettings settings = view(MapSpace::World);
         settings.windowDepths.x = depth;
         const Image picture = renderer.renderRadiance(settings, {.sphereMaps = {places()}});
         int compared = 0;
@@ -88,7 +88,7 @@ TEST_F(WindowTest, TurningTheCameraChangesNothingOutside)
                fx * ((1 - fy) * placeAt(picture, x + 1, y) + fy * placeAt(picture, x + 1, y + 1));
     };
     const glm::vec3 point(0.25f, 0.0f, 0.0f);
-    RenderSettings settings = view(DiscSpace::World);
+    RenderSettings settings = view(MapSpace::World);
     const glm::dvec2 before = placeOf(settings, point);
     RenderSettings turned = settings;
     // The same eye, looking elsewhere: the target moves about it.
@@ -96,12 +96,12 @@ TEST_F(WindowTest, TurningTheCameraChangesNothingOutside)
     turned.camera.pitch = 0.0f;
     turned.camera.target = settings.camera.eye() - 3.0f * turned.camera.cameraToWorld()[2];
     EXPECT_LT(glm::distance(placeOf(turned, point), before), 0.01);
-    for (const DiscSpace space : {DiscSpace::Eye, DiscSpace::World}) {
+    for (const MapSpace space : {MapSpace::Eye, MapSpace::World}) {
         RenderSettings upright = view(space), rolled = upright;
         rolled.camera.roll = 0.5f;
         EXPECT_LT(glm::distance(placeOf(rolled, point), placeOf(upright, point)), 0.01) << int(space);
     }
-    turned.material.paint.space = settings.material.paint.space = DiscSpace::Eye; // the form of 1999 shifts
+    turned.material.paint.space = settings.material.paint.space = MapSpace::Eye; // the form of 1999 shifts
     EXPECT_GT(glm::distance(placeOf(turned, point), placeOf(settings, point)), 0.03);
 }
 
@@ -130,7 +130,7 @@ TEST_F(WindowTest, NearLayersCoverFarOnesByTheirOpacity)
             image.texels[i] = c[int(i % 4)];
         return std::make_shared<const SphereMapTexels>(SphereMapTexels{.levels = {image}});
     };
-    const RenderSettings settings = view(DiscSpace::World);
+    const RenderSettings settings = view(MapSpace::World);
     const RenderMaps maps{.sphereMaps = {constant({0.2f, 0, 0, 0.2f}), constant({0, 0.5f, 0, 0.5f}), constant({0, 0, 1, 1})}};
     int x = 80, y = 55;
     ASSERT_TRUE(isPane(settings, renderer, x, y) || isPane(settings, renderer, x += 6, y));

@@ -161,9 +161,9 @@ void SphereMapSettingsTest::theRestOfTheMapIsSetInItsTab()
     auto* density = named<NumberField>(form, "material.sphere_map.flecks.density");
     emit density->edited(0.4);
     emit density->finished();
-    QCOMPARE(map().flecks.density, 0.4);
+    QCOMPARE(map().flecks.cells.density, 0.4);
     named<QSpinBox>(form, "material.sphere_map.flecks.seed")->setValue(7);
-    QCOMPARE(map().flecks.seed, 7);
+    QCOMPARE(map().flecks.cells.seed, 7);
     pick(form, "material.sphere_map.document.index", static_cast<int>(SphereMapIndex::Reflection));
     QVERIFY(painting.editor().map()->index == SphereMapIndex::Reflection);
     auto* title = named<QLineEdit>(form, "material.sphere_map.document.title");
@@ -401,7 +401,7 @@ void SphereMapSettingsTest::looksWell()
         settle();
         keepScreenshot(*window, name + QStringLiteral("-layers"));
         painting.panel().tabs().setCurrentIndex(3);
-        window.document().edit({}, {}, [](Scene& scene) { scene.material.sphereMap.flecks.density = 0.4; });
+        window.document().edit({}, {}, [](Scene& scene) { scene.material.sphereMap.flecks.cells.density = 0.4; });
         settle();
         keepScreenshot(*window, name + QStringLiteral("-map"));
         painting.panel().tabs().setCurrentIndex(2);

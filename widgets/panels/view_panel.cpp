@@ -13,7 +13,6 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-#include <array>
 #include <utility>
 
 namespace mirrorball::studio {
@@ -29,8 +28,6 @@ auto backdropIs(Backdrop kind)
 {
     return [kind](const Scene& scene) { return scene.view.background.kind == kind; };
 }
-
-bool showsWindow(const Scene& scene) { return scene.view.geometry == "window"; }
 
 /// The camera of a geometry's first view, with what the artist chose of the lens.
 CameraSettings firstView(const std::string& geometry, const CameraSettings& now)
@@ -69,7 +66,7 @@ void useGeometry(Scene& scene, const std::string& geometry)
             window.middle = windowViewPresets()[1].name;
             window.far = windowViewPresets()[2].name;
         }
-    } else if (before == "window" && map == firstOutside()) {
+    } else if (builtinGeometry(before) == GeometryKind::Window && map == firstOutside()) {
         map = {}; // no material for a model
     }
 }
@@ -124,11 +121,10 @@ ViewPanel::ViewPanel(Workspace& workspace, QWidget* parent) : QWidget(parent), m
 
 void ViewPanel::addGeometry()
 {
-    constexpr std::array bodies{"teapot", "torus", "sphere", "box", "window"};
     auto* bodiesBox = new QuietCombo;
-    for (const char* body : bodies)
-        bodiesBox->addItem(labelText(body), QLatin1String(body));
-    const int meshItem = static_cast<int>(bodies.size());
+    for (const std::string_view body : words(GeometryKind{}))
+        bodiesBox->addItem(labelText(body), toQString(body));
+    const int meshItem = bodiesBox->count();
     bodiesBox->addItem(tr("Mesh file…"));
     connect(bodiesBox, &QComboBox::activated, this, [this, bodiesBox, meshItem](int index) {
         if (index == meshItem) {

@@ -245,7 +245,7 @@ void PictureInspector::showValues()
     const bool isAsked = !at->isKept || order.snapshotSettings.geometry == order.settings.geometry;
     if (m_picked.hit && isAsked)
         setText("direction", directionText(glm::dvec3(m_picked.hit->lookup)));
-    else if (!m_picked.hit && isAsked && settings.background.kind == preview::BackgroundKind::Environment)
+    else if (!m_picked.hit && isAsked && isEnvironment(settings.background.kind))
         setText("direction", directionText(backgroundDirection(settings, at->pixel)));
     if (m_picked.level && !at->isKept)
         setText("level", QString::number(static_cast<double>(*m_picked.level), 'f', 2));

@@ -27,7 +27,7 @@ preview::RenderSettings placesOnly(const preview::RenderSettings& settings)
     only.windowDepths = settings.windowDepths;
     only.yaw = settings.yaw;
     only.material.paint.space = settings.material.paint.space;
-    only.material.paint.place = settings.material.paint.place;
+    only.material.paint.lookup = settings.material.paint.lookup;
     return only;
 }
 
@@ -225,7 +225,7 @@ void PreviewWidget::frame()
         CameraSettings& camera = scene.view.camera;
         camera.distance = initial.distance;
         camera.target = initial.target;
-        if (scene.view.geometry == "window") { // which is seen from the room alone
+        if (showsWindow(scene)) { // which is seen from the room alone
             camera.yawDeg = initial.yawDeg;
             camera.pitchDeg = initial.pitchDeg;
             camera.rollDeg = initial.rollDeg;

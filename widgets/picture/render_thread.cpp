@@ -96,7 +96,7 @@ struct RenderThread::Context {
         }
         patchMap(order, patches);
         paint(order);
-        picture.image = readPicture(target, order.settings.background.kind != preview::BackgroundKind::None, pixels);
+        picture.image = readPicture(target, order.settings.background.kind != Backdrop::None, pixels);
         picture.seconds = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
         return picture;
     }
@@ -104,7 +104,7 @@ struct RenderThread::Context {
     PicturePair drawPair(const PictureOrder& order)
     {
         drawBoth(order);
-        const bool isOpaque = order.settings.background.kind != preview::BackgroundKind::None;
+        const bool isOpaque = order.settings.background.kind != Backdrop::None;
         return {readPicture(difference.drawn(1), isOpaque, pixels), readPicture(difference.drawn(0), isOpaque, pixels)};
     }
 

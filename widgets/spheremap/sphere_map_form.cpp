@@ -19,14 +19,10 @@ namespace {
 constexpr auto mapOf = [](auto& scene) -> auto& { return scene.material.sphereMap; };
 constexpr auto flecksOf = [](auto& scene) -> auto& { return scene.material.sphereMap.flecks; };
 
-bool showsWindow(const Scene& scene) { return scene.view.geometry == "window"; }
-
 bool isOnModel(const Scene& scene) { return !showsWindow(scene); }
 
 /// The scene's own map, where the scene has one.
 bool isOwn(const Scene& scene) { return static_cast<bool>(scene.material.sphereMap.document); }
-
-bool hasColor(SphereMapUse use) { return use == SphereMapUse::Replace || use == SphereMapUse::Multiply; }
 
 } // namespace
 
@@ -76,7 +72,7 @@ void SphereMapUseRow::follow()
     m_use->setCurrentIndex(static_cast<int>(map.use));
     m_opacity->setValue(map.opacity);
     m_color->setColor(map.color);
-    m_color->setVisible(hasColor(map.use));
+    m_color->setVisible(hidesMaterial(map.use));
 }
 
 // ---- the form ------------------------------------------------------------------------------------------------------------------

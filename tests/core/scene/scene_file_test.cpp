@@ -404,4 +404,19 @@ TEST(MaterialPresets, AreValidDistinctAndDescribed)
 }
 
 } // namespace
+
+TEST(BuiltinGeometry, IsTheKindOfItsWordAndNothingElse)
+{
+    const std::pair<const char*, GeometryKind> bodies[] = {{"teapot", GeometryKind::Teapot},
+                                                           {"torus", GeometryKind::Torus},
+                                                           {"sphere", GeometryKind::Sphere},
+                                                           {"box", GeometryKind::Box},
+                                                           {"window", GeometryKind::Window}};
+    for (const auto& [word, kind] : bodies)
+        EXPECT_EQ(builtinGeometry(word), kind) << word;
+    EXPECT_EQ(std::size(bodies), words(GeometryKind{}).size());
+    for (const char* other : {"", "Teapot", "./box", "box.obj"})
+        EXPECT_FALSE(builtinGeometry(other)) << other;
+}
+
 } // namespace mirrorball

@@ -92,7 +92,7 @@ TEST_F(SurfacePicture, IsReadOnlyWhereTheMaterialShowsIt)
     leftOut("read diffuse picture", Because::SphereMapReplaces);
     leftOut("read fleck pattern", Because::FleckDensityIsZero);
     scene.material.sphereMap.use = SphereMapUse::Add;
-    scene.material.sphereMap.flecks.density = 0.5;
+    scene.material.sphereMap.flecks.cells.density = 0.5;
     const Plan plan = makePlan(scene, probe);
     ASSERT_TRUE(plan.diffusePicture && plan.fleckPattern);
     EXPECT_EQ(test::needed<ReadsSurfacePicture>(plan, "read diffuse picture").source, "checker.png");
