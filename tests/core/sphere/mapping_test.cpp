@@ -50,9 +50,11 @@ TEST(Mapping, LongestSideIsTheOneOfEveryTexel)
         const double longest = mapping(layout.kind).longestSide / layout.size;
         if (longest == 0.0)
             continue;
-        for (const glm::dvec3& d : test::randomDirections(200))
-            if (std::abs(d.y) < 0.99 && d.z > -0.99) // away from poles and rim
+        for (const glm::dvec3& d : test::randomDirections(200)) {
+            if (std::abs(d.y) < 0.99 && d.z > -0.99) { // away from poles and rim
                 EXPECT_NEAR(distortion(layout, coordinate(layout, d)).major / longest, 1.0, 1e-4) << describe(layout);
+            }
+        }
     }
 }
 
