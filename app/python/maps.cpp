@@ -32,8 +32,8 @@ Map mapOf(const std::string& kind, const py::object& texels, int border)
     if (image.channels != 3)
         throw InvalidArgument("texels: must have 3 channels; it has " + std::to_string(image.channels));
     const Parameterization p = toKind(kind, "kind");
-    const bool isTall = p == Parameterization::Latlong || p == Parameterization::Paraboloid;
-    const MapLayout layout = toLayout(kind, isTall ? image.height : image.width, border);
+    const bool isWide = mapping(p).columns > mapping(p).rows;
+    const MapLayout layout = toLayout(kind, isWide ? image.height : image.width, border);
     if (layout.width() != image.width || layout.height() != image.height)
         throw InvalidArgument("texels: a " + kind + " map of size " + std::to_string(layout.size) + " has the shape [" +
                               std::to_string(layout.height()) + ", " + std::to_string(layout.width()) + ", 3]; it is [" +

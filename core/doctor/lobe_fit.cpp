@@ -144,9 +144,13 @@ int quarterTexels(const MapLayout& layout)
         return layout.size;
     case Parameterization::Latlong:
         return std::max(1, layout.size / 2);
-    default:
-        return std::max(1, layout.size / 4);
+    case Parameterization::Sphere:
+    case Parameterization::Angular:
+    case Parameterization::Paraboloid:
+    case Parameterization::Octahedral:
+        break;
     }
+    return std::max(1, layout.size / 4);
 }
 
 double unresolvedAlpha(int size) { return 0.3 * (0.5 * pi) / size; }

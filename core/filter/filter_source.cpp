@@ -66,24 +66,7 @@ double darkShare(const EnvironmentMap& latlong)
 
 } // namespace
 
-int latlongHeight(const MapLayout& layout)
-{
-    switch (layout.kind) {
-    case Parameterization::Latlong:
-        return layout.size;
-    case Parameterization::Cube:
-        return 3 * layout.size;
-    case Parameterization::Sphere:
-        return 2 * layout.size;
-    case Parameterization::Angular:
-        return layout.size;
-    case Parameterization::Paraboloid:
-        return 2 * layout.size;
-    case Parameterization::Octahedral:
-        return 2 * layout.size;
-    }
-    return layout.size;
-}
+int latlongHeight(const MapLayout& layout) { return mapping(layout.kind).latlongRows * layout.size; }
 
 FilterSource::FilterSource(EnvironmentMap probe, const JobControl& job)
 {

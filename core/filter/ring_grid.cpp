@@ -330,7 +330,7 @@ void RingGrid::read(std::span<const SpherePoint> points, float* rgbn) const
 std::vector<SpherePoint> spherePoints(const MapLayout& layout, const JobControl& job)
 {
     const int width = layout.width(), height = layout.height();
-    const int chart = layout.kind == Parameterization::Latlong ? width : layout.size;
+    const int chart = layout.chartWidth();
     std::vector<SpherePoint> points(static_cast<size_t>(width) * static_cast<size_t>(height));
     const TexelOutlines places(layout, 0.0, glm::dmat3(1.0), MapCharts(layout));
     parallelRows(height, job, [&](int first, int last) {

@@ -91,17 +91,10 @@ glm::vec3 onCubeFace(const EnvironmentMap& map, const glm::dvec2& p)
     return result;
 }
 
-disc::Disc discAt(const MapLayout& layout, const glm::dvec2& p)
-{
-    if (layout.kind == Parameterization::Paraboloid)
-        return dual_paraboloid::half(layout.size, layout.border, p.x >= layout.size);
-    return disc::inscribed(layout.size);
-}
-
 /// Bilinear among those of the four texels whose centers the disc holds: the others may be anything, black in a foreign file.
 glm::vec3 withinDisc(const EnvironmentMap& map, const glm::dvec2& p)
 {
-    const disc::Disc d = discAt(map.layout, p);
+    const disc::Disc d = disc::at(map.layout, p.x);
     const Taps taps(p);
     glm::dvec3 sum(0.0);
     double total = 0.0;
@@ -124,7 +117,7 @@ glm::vec3 withinDisc(const EnvironmentMap& map, const glm::dvec2& p)
 /// a paraboloid's border are such values already and are read as they are.
 glm::vec3 onDisc(const EnvironmentMap& map, const glm::dvec2& p)
 {
-    const disc::Disc d = discAt(map.layout, p);
+    const disc::Disc d = disc::at(map.layout, p.x);
     const Taps taps(p);
     const int x = taps.base.x, y = taps.base.y;
     if (map.layout.border > 0 || (d.holdsCenter(x, y) && d.holdsCenter(x + 1, y) && d.holdsCenter(x, y + 1) && d.holdsCenter(x + 1, y + 1)))
@@ -142,7 +135,7 @@ glm::vec3 onDisc(const EnvironmentMap& map, const glm::dvec2& p)
         // The center of the other half's disc keeps the tap's own half: continue the formula of the half that p lies in.
         glm::dvec2 q = d.fromImage({tx + 0.5, ty + 0.5});
         glm::dvec2 there;
-        if (map.layout.kind == Parameterization::Paraboloid)
+        if (mapping(map.layout.kind).charts == Charts::Halves)
             there = dual_paraboloid::half(map.layout.size, 0, p.x < map.layout.size).toImage(q / glm::dot(q, q));
         else
             there = coordinate(map.layout, direction(map.layout, {tx + 0.5, ty + 0.5}));
@@ -156,15 +149,16 @@ glm::vec3 onDisc(const EnvironmentMap& map, const glm::dvec2& p)
 glm::vec3 EnvironmentMap::radiance(const glm::dvec3& d) const
 {
     const glm::dvec2 p = coordinate(layout, glm::normalize(d));
-    switch (layout.kind) {
-    case Parameterization::Latlong:
-    case Parameterization::Octahedral:
+    switch (mapping(layout.kind).charts) {
+    case Charts::Whole:
         return onWholeSquare(*this, p);
-    case Parameterization::Cube:
+    case Charts::Faces:
         return onCubeFace(*this, p);
-    default:
+    case Charts::Disc:
+    case Charts::Halves:
         return onDisc(*this, p);
     }
+    return {};
 }
 
 glm::dvec3 meanRadiance(const EnvironmentMap& map)

@@ -64,16 +64,17 @@ std::optional<Detection> asCube(const ImageFileInfo& info)
 /// The sizes that a kind comes in, for messages.
 std::string sizesOf(Parameterization kind)
 {
-    switch (kind) {
-    case Parameterization::Latlong:
-        return "2N x N, or an option --fit";
-    case Parameterization::Cube:
+    const Mapping& row = mapping(kind);
+    switch (row.charts) {
+    case Charts::Faces:
         return "N x 6N, 6N x N, 3N x 2N, 2N x 3N, a cross of 4N x 3N or one of 3N x 4N";
-    case Parameterization::Paraboloid:
+    case Charts::Halves:
         return "2N x N, the two halves side by side";
-    default:
-        return "N x N, or an option --fit";
+    case Charts::Whole:
+    case Charts::Disc:
+        break;
     }
+    return std::string(row.columns == 2 ? "2N x N" : "N x N") + ", or an option --fit";
 }
 
 /// An image of this size as a map of this kind, if it can be one.
@@ -109,7 +110,7 @@ std::optional<Detection> fromOwnAttributes(const ImageFileInfo& info)
     const auto kind = parameterizationFromName(found->second);
     if (!kind)
         return {};
-    const bool hasBorder = *kind == Parameterization::Paraboloid || *kind == Parameterization::Cube;
+    const bool hasBorder = mapping(*kind).hasBorder || *kind == Parameterization::Cube;
     auto detection = asKind(info, *kind, hasBorder ? borderOf(info) : 0);
     if (detection) {
         detection->reason = "the file says " + found->second;
@@ -220,7 +221,7 @@ std::optional<Detection> fitted(const ImageFileInfo& info, const ProbeReading& r
         return exact;
     if (reading.fit != Fit::None && kind == Parameterization::Latlong)
         return partialLatlong(info, reading);
-    if (reading.fit != Fit::None && (kind == Parameterization::Cube || kind == Parameterization::Paraboloid))
+    if (reading.fit != Fit::None && mapping(kind).chartCount() > 1)
         throw InvalidArgument("fit: belongs to latlong, sphere, angular and octahedral, not to " + std::string(name(kind)));
     if (reading.fit != Fit::None) {
         Detection found{{kind, squareSize(info.width, info.height, reading.fit), 0}, Arrangement::NotSquare};
@@ -253,21 +254,10 @@ Assumption handedness(const Detection& found)
     default:
         break;
     }
-    switch (found.layout.kind) {
-    case Parameterization::Cube:
-        return {"handedness", "faces as OpenGL draws them", shape, Certainty::Likely, {mirrored, "another order or turn: --faces"}};
-    case Parameterization::Latlong:
-        return {"handedness", "a picture from inside: +Z in the middle, +X left of it", shape, Certainty::Likely, {mirrored}};
-    case Parameterization::Angular:
-        return {"handedness", "a picture from inside: +Z in the middle, +X left of it", shape, Certainty::Likely, {mirrored}};
-    case Parameterization::Sphere:
-        return {"handedness", "a ball seen from +Z: +X right", shape, Certainty::Likely, {mirrored}};
-    case Parameterization::Paraboloid:
-        return {"handedness", "+X right in both halves", shape, Certainty::Likely, {mirrored}};
-    case Parameterization::Octahedral:
-        break;
-    }
-    return {"handedness", "+Y in the middle, +X right", shape, Certainty::Likely, {mirrored}};
+    Assumption result{"handedness", std::string(mapping(found.layout.kind).seen), shape, Certainty::Likely, {mirrored}};
+    if (found.layout.kind == Parameterization::Cube)
+        result.others.push_back("another order or turn: --faces");
+    return result;
 }
 
 void finish(Detection& found, const ImageFileInfo& info, const ProbeReading& reading)

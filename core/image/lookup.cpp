@@ -3,7 +3,6 @@
 #include "latlong_positions.h"
 
 #include "core/sphere/disc.h"
-#include "core/sphere/dual_paraboloid.h"
 
 #include <algorithm>
 #include <array>
@@ -23,14 +22,13 @@ namespace {
 /// Whether all 4 x 4 texels from (x, y) on lie in the chart of `at` and hold radiance.
 bool fits(const MapLayout& layout, Texel at, int x, int y)
 {
-    const int n = layout.size, chartWidth = layout.kind == Parameterization::Latlong ? 2 * n : n;
+    const int n = layout.size, chartWidth = layout.chartWidth();
     const int left = at.x / chartWidth * chartWidth, top = at.y / n * n;
     if (x < left || x + 3 >= left + chartWidth || y < top || y + 3 >= top + n)
         return false;
-    const bool paraboloid = layout.kind == Parameterization::Paraboloid;
-    if (layout.kind != Parameterization::Sphere && layout.kind != Parameterization::Angular && !(paraboloid && layout.border < 2))
+    if (!mapping(layout.kind).hasDiscs() || layout.border >= 2)
         return true;
-    const disc::Disc disc = paraboloid ? dual_paraboloid::half(n, layout.border, at.x >= n) : disc::inscribed(n);
+    const disc::Disc disc = disc::at(layout, at.x);
     return disc.holdsCenter(x, y) && disc.holdsCenter(x + 3, y) && disc.holdsCenter(x, y + 3) && disc.holdsCenter(x + 3, y + 3);
 }
 

@@ -15,10 +15,8 @@ constexpr int magnifiedSteps = 32;
 
 double texelAngle(const MapLayout& layout, const glm::dvec3& d)
 {
-    if (layout.kind == Parameterization::Latlong)
-        return pi / layout.size;
-    if (layout.kind == Parameterization::Angular)
-        return 2.0 * pi / layout.size;
+    if (const double longest = mapping(layout.kind).longestSide; longest > 0.0)
+        return longest / layout.size;
     const double omega = density(layout, coordinate(layout, d));
     return omega > 0.0 ? std::sqrt(omega) : 4.0 / layout.size; // outside a disc
 }

@@ -2,10 +2,9 @@
 
 #include "latlong_positions.h"
 
-#include "core/sphere/angular_map.h"
 #include "core/sphere/cube_map.h"
+#include "core/sphere/disc.h"
 #include "core/sphere/dual_paraboloid.h"
-#include "core/sphere/sphere_map.h"
 
 #include <algorithm>
 #include <array>
@@ -83,9 +82,11 @@ std::span<const glm::dvec3> MapCharts::planes() const
         return halves;
     case Parameterization::Octahedral:
         return octants;
-    default:
+    case Parameterization::Sphere:
+    case Parameterization::Angular:
         return quadrants;
     }
+    return {};
 }
 
 bool MapCharts::isSingular(const glm::dvec3& d) const
@@ -97,9 +98,12 @@ bool MapCharts::isSingular(const glm::dvec3& d) const
     case Parameterization::Sphere:
     case Parameterization::Angular:
         return d.z < 0.0 && d.x * d.x + d.y * d.y < tiny * d.z * d.z;
-    default:
+    case Parameterization::Cube:
+    case Parameterization::Paraboloid:
+    case Parameterization::Octahedral:
         return false;
     }
+    return false;
 }
 
 glm::dvec2 MapCharts::position(int chart, const glm::dvec3& d, const glm::dvec3& beside) const
@@ -173,9 +177,7 @@ double MapCharts::density(int x, int y) const
     case Parameterization::Paraboloid: {
         if (!isInside(m_layout, x, y))
             return 0.0;
-        const disc::Disc disc = m_layout.kind == Parameterization::Paraboloid
-                                    ? dual_paraboloid::half(m_layout.size, m_layout.border, x >= m_layout.size)
-                                    : disc::inscribed(m_layout.size);
+        const disc::Disc disc = disc::at(m_layout, x);
         const glm::dvec2 q = disc.fromImage(middle);
         const double rho = glm::length(q);
         return mirrorball::density(m_layout, rho < 1.0 ? middle : disc.toImage(q * (1.0 - 1e-9) / rho));
@@ -186,9 +188,10 @@ double MapCharts::density(int x, int y) const
             return texelSolidAngle(m_layout, x, y);
         return mirrorball::density(m_layout, middle);
     }
-    default:
-        return mirrorball::density(m_layout, middle);
+    case Parameterization::Cube:
+        break;
     }
+    return mirrorball::density(m_layout, middle);
 }
 
 } // namespace mirrorball

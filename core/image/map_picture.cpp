@@ -45,7 +45,7 @@ float coverage(const MapLayout& layout, const glm::dvec2& p)
 {
     if (density(layout, p) > 0.0)
         return 1.0f;
-    return layout.kind == Parameterization::Paraboloid && layout.border > 0 ? 0.4f : 0.0f;
+    return layout.border > 0 ? 0.4f : 0.0f;
 }
 
 /// Luminances of the texels that lie on the map, of at most about two hundred thousand of them.
@@ -183,12 +183,11 @@ Image mapOverlay(const MapWindow& window, const MapOverlays& overlays, const Job
     if (!(overlays.gridStepDeg > 0.0 && overlays.gridStepDeg <= 90.0))
         throw InvalidArgument("gridStepDeg: must be above 0 and at most 90 degrees");
     const MapLayout& layout = window.layout;
-    const bool halves = layout.kind == Parameterization::Paraboloid;
-    const double mean =
-        4.0 * pi /
-        (layout.kind == Parameterization::Sphere || layout.kind == Parameterization::Angular ? 0.25 * pi * layout.size * layout.size
-         : halves ? 0.5 * pi * std::pow(layout.size - 2.0 * layout.border, 2.0)
-                  : static_cast<double>(layout.width()) * layout.height());
+    const Charts charts = mapping(layout.kind).charts;
+    const double mean = 4.0 * pi /
+                        (charts == Charts::Disc     ? 0.25 * pi * layout.size * layout.size
+                         : charts == Charts::Halves ? 0.5 * pi * std::pow(layout.size - 2.0 * layout.border, 2.0)
+                                                    : static_cast<double>(layout.width()) * layout.height());
     const double pixel = 1.0 / window.scale, step = overlays.gridStepDeg * pi / 180.0;
     return painted(window, job, [&](float* out, const glm::dvec2& p) {
         const bool inside = density(layout, p) > 0.0;

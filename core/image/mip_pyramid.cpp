@@ -17,12 +17,6 @@ namespace mirrorball {
 
 namespace {
 
-bool isDisc(const MapLayout& layout)
-{
-    return layout.kind == Parameterization::Sphere || layout.kind == Parameterization::Angular ||
-           layout.kind == Parameterization::Paraboloid;
-}
-
 MapLayout halved(const MapLayout& layout)
 {
     MapLayout half{layout.kind, std::max(1, layout.size / 2), 0};
@@ -71,8 +65,8 @@ Image exchanged(const EnvironmentMap& map, const SolidAngles& solidAngles, const
 {
     const MapLayout& layout = map.layout;
     const int n = layout.size;
-    const int chartWidth = layout.kind == Parameterization::Latlong ? 2 * n : n;
-    const bool disc = isDisc(layout);
+    const int chartWidth = layout.chartWidth();
+    const bool disc = mapping(layout.kind).hasDiscs();
     const std::vector<double> across = edgeStrengths(boxes, chartWidth), down = edgeStrengths(boxes, n);
     Image result(map.image.width, map.image.height, 3);
     parallelRows(map.image.height, job, [&](int first, int last) {
@@ -167,7 +161,7 @@ EnvironmentMap halvePairs(const EnvironmentMap& fine, const SolidAngles& solidAn
     constexpr std::array<Weighted, 8> outer{
         {{-1, 0, 0, 0}, {0, -1, 0, 0}, {2, 0, 1, 0}, {1, -1, 1, 0}, {-1, 1, 0, 1}, {0, 2, 0, 1}, {2, 1, 1, 1}, {1, 2, 1, 1}}};
     const MapLayout& layout = fine.layout;
-    const int n = layout.size, chartWidth = layout.kind == Parameterization::Latlong ? 2 * n : n;
+    const int n = layout.size, chartWidth = layout.chartWidth();
     EnvironmentMap coarse(halved(layout));
     parallelRows(coarse.image.height, job, [&](int first, int last) {
         std::array<float, 12> weights{};
@@ -185,7 +179,7 @@ EnvironmentMap halvePairs(const EnvironmentMap& fine, const SolidAngles& solidAn
                         outside[k] = acrossSeam(layout, {fx, fy}, outside[k].x, outside[k].y);
                     texels[4 + k] = fine.image.texel(outside[k].x, outside[k].y);
                 }
-                if (layout.kind != Parameterization::Latlong || x == 0) { // along a latlong's row they are the same
+                if (!mapping(layout.kind).rowsAreAlike || x == 0) { // else they are those of the box before
                     std::array<double, 4> w{}, kept{};
                     double total = 0.0;
                     for (size_t k = 0; k < 4; ++k)
@@ -220,10 +214,10 @@ EnvironmentMap halve(const EnvironmentMap& fine, const JobControl& job)
     EnvironmentMap coarse(halved(fine.layout));
     const Boxes boxes(fine.layout, coarse.layout);
     const SolidAngles solidAngles(fine.layout, job);
-    if (boxes.isPairs() && !isDisc(fine.layout))
+    if (boxes.isPairs() && !mapping(fine.layout.kind).hasDiscs())
         return halvePairs(fine, solidAngles, job);
     Image source = exchanged(fine, solidAngles, boxes, job);
-    if (isDisc(fine.layout))
+    if (mapping(fine.layout.kind).hasDiscs())
         exchangeOverRim(source, fine.layout, solidAngles);
 
     const int n = fine.layout.size, half = coarse.layout.size;

@@ -2,6 +2,8 @@
 
 #include "target_tile.h"
 
+#include "core/sphere/disc.h"
+
 #include <algorithm>
 #include <numeric>
 #include <vector>
@@ -14,18 +16,12 @@ constexpr int leastSourceSize = 384; ///< smaller sources are cut up, so that th
 constexpr size_t bandBytes = size_t{12} << 20;
 constexpr int leastBandRows = 8;
 
-bool hasRim(const MapLayout& layout)
-{
-    return layout.kind == Parameterization::Sphere || layout.kind == Parameterization::Angular ||
-           (layout.kind == Parameterization::Paraboloid && layout.border == 0);
-}
-
 /// The same map with each texel cut into side x side. Of texels that a disc's rim cuts only those whose centers it holds are sure to hold
 /// radiance, the others may be black in a foreign file: they become what acrossSeam() leads to.
 EnvironmentMap cutUp(const EnvironmentMap& map, int side)
 {
     EnvironmentMap fine({map.layout.kind, map.layout.size * side, map.layout.border * side});
-    const bool rim = hasRim(map.layout);
+    const bool rim = disc::hasRim(map.layout);
     for (int y = 0; y < map.image.height; ++y)
         for (int x = 0; x < map.image.width; ++x) {
             const Texel from = rim && isInside(map.layout, x, y) ? acrossSeam(map.layout, {x, y}, x, y) : Texel{x, y};
@@ -123,7 +119,7 @@ EnvironmentMap Remapper::run(const RowReader& readRows, const float* texels, con
         if (!texels)
             readRows(y, count, rows.data());
         m_band.assign(y, count, band, quiet);
-        if (hasRim(m_result.layout))
+        if (disc::hasRim(m_result.layout))
             m_band.addWhole(m_total);
         for (; next < waiting.size() && m_tiles[waiting[next]].firstRow < y + count; ++next)
             active.push_back(waiting[next]);
@@ -160,7 +156,7 @@ EnvironmentMap Remapper::run(const RowReader& readRows, const float* texels, con
 EnvironmentMap remap(const EnvironmentMap& source, const ReprojectOptions& options, const JobControl& job)
 {
     const int side = (leastSourceSize + source.layout.size - 1) / source.layout.size;
-    const bool cuts = side > 1 || hasRim(source.layout);
+    const bool cuts = side > 1 || disc::hasRim(source.layout);
     const EnvironmentMap cut = cuts ? cutUp(source, side) : EnvironmentMap();
     const EnvironmentMap& used = cuts ? cut : source;
     return Remapper(source.layout, &source, used.layout, options).run({}, used.image.texels.data(), job);

@@ -48,7 +48,7 @@ EnvironmentMap reproject(const EnvironmentMap& source, const ReprojectOptions& o
     EnvironmentMap result(options.target);
     const bool turns = options.turn != glm::dmat3(1.0);
     const TexelOutlines places(options.target, options.yaw, options.turn, MapCharts(source.layout));
-    const int width = result.image.width, chart = options.target.kind == Parameterization::Latlong ? width : options.target.size;
+    const int width = result.image.width, chart = options.target.chartWidth();
     parallelRows(result.image.height, job, [&](int first, int last) {
         const size_t count = static_cast<size_t>(chart);
         std::vector<double> x(count), y(count), z(count);
@@ -68,9 +68,7 @@ EnvironmentMap reproject(const EnvironmentMap& source, const ReprojectOptions& o
 
 bool canReprojectRows(const MapLayout& source, const ReprojectOptions& options)
 {
-    const bool disc =
-        source.kind == Parameterization::Sphere || source.kind == Parameterization::Angular || source.kind == Parameterization::Paraboloid;
-    return !disc && magnification(source, options).smallest >= 1.1 * magnifiedBelow;
+    return !mapping(source.kind).hasDiscs() && magnification(source, options).smallest >= 1.1 * magnifiedBelow;
 }
 
 EnvironmentMap reprojectRows(const MapLayout& source, const RowReader& readRows, const ReprojectOptions& options, const JobControl& job)

@@ -198,11 +198,11 @@ RowSums::Window RowSums::window(const Bounds& bounds) const
     if (buffer.size() < needed)
         buffer.resize(needed);
     const size_t row = static_cast<size_t>(firstRow - m_first), column = static_cast<size_t>(firstColumn);
-    const bool latlong = m_charts.layout().kind == Parameterization::Latlong;
-    const size_t perRow = latlong ? 1 : static_cast<size_t>(width);
+    const bool alike = mapping(m_charts.layout().kind).rowsAreAlike;
+    const size_t perRow = alike ? 1 : static_cast<size_t>(width);
     result.isPositive =
         sumRows(m_rgb + 3 * (row * static_cast<size_t>(width) + column), 3 * static_cast<size_t>(width), result.sums.columns,
-                result.sums.rows, m_weights.data() + (latlong ? row : row * perRow + column), perRow, buffer.data()) >= 0.0f;
+                result.sums.rows, m_weights.data() + (alike ? row : row * perRow + column), perRow, buffer.data()) >= 0.0f;
     result.sums.sums = buffer.data();
     return result;
 }
@@ -212,8 +212,8 @@ void RowSums::assign(int first, int rows, const float* rgb, const JobControl& jo
     m_first = first;
     m_rows = rows;
     m_rgb = rgb;
-    const bool latlong = m_charts.layout().kind == Parameterization::Latlong;
-    const size_t perRow = latlong ? 1 : static_cast<size_t>(m_charts.layout().width());
+    const bool alike = mapping(m_charts.layout().kind).rowsAreAlike;
+    const size_t perRow = alike ? 1 : static_cast<size_t>(m_charts.layout().width());
     m_weights.resize(static_cast<size_t>(rows) * perRow);
     parallelRows(rows, {.stop = job.stop, .progress = {}, .threads = job.threads}, [&](int from, int to) {
         for (int y = from; y < to; ++y)
@@ -246,9 +246,9 @@ bool RowSums::addGrid(const Grid& grid, double* sums) const
 void RowSums::addWhole(double* sum) const
 {
     const size_t width = static_cast<size_t>(m_charts.layout().width());
-    const bool latlong = m_charts.layout().kind == Parameterization::Latlong;
+    const bool alike = mapping(m_charts.layout().kind).rowsAreAlike;
     for (size_t i = 0; i < width * static_cast<size_t>(m_rows); ++i) {
-        const double w = m_weights[latlong ? i / width : i];
+        const double w = m_weights[alike ? i / width : i];
         for (size_t c = 0; c < 3; ++c)
             sum[c] += w * static_cast<double>(m_rgb[3 * i + c]);
         sum[3] += w;

@@ -115,7 +115,7 @@ std::vector<TargetTile> TargetTiles::all(Order order, const JobControl& job) con
     const int columns = std::max(1, std::clamp(side, leastSide, mostColumns) / m_side);
     const int rows = std::max(1, std::clamp(side, leastSide, mostRows) / m_side);
     // A tile lies in one chart of the target.
-    const int chartColumns = m_target.kind == Parameterization::Latlong ? 2 * m_target.size : m_target.size;
+    const int chartColumns = m_target.chartWidth();
     std::vector<TargetTile> whole;
     for (int top = 0; top < m_target.height(); top += m_target.size)
         for (int left = 0; left < m_target.width(); left += chartColumns)

@@ -1,6 +1,7 @@
 #include "texel_outline.h"
 
 #include "core/sphere/cube_map.h"
+#include "core/sphere/disc.h"
 #include "core/sphere/dual_paraboloid.h"
 
 #include <algorithm>
@@ -15,18 +16,6 @@ namespace {
 constexpr double offChart = 1e9; ///< a bend larger than any tolerance
 constexpr double samePoint = 1e-13;
 constexpr double least = 1e-9; ///< texels: what is smaller is rounding
-
-disc::Disc discOf(const MapLayout& layout, int x)
-{
-    return layout.kind == Parameterization::Paraboloid ? dual_paraboloid::half(layout.size, layout.border, x >= layout.size)
-                                                       : disc::inscribed(layout.size);
-}
-
-bool hasRim(const MapLayout& layout)
-{
-    return layout.kind == Parameterization::Sphere || layout.kind == Parameterization::Angular ||
-           (layout.kind == Parameterization::Paraboloid && layout.border == 0);
-}
 
 bool isOnRim(const MapLayout& layout, const glm::dvec2& p)
 {
@@ -50,17 +39,24 @@ glm::dvec3 TexelOutlines::directionIn(int x, int y, const glm::dvec2& p) const
 {
     const int n = m_target.size;
     glm::dvec3 d;
-    if (m_target.kind == Parameterization::Cube) {
+    switch (mapping(m_target.kind).charts) {
+    case Charts::Faces: {
         const int face = y / n;
         d = glm::normalize(cube_map::facePoint(face, 2.0 * p.x / n - 1.0, 2.0 * (p.y - static_cast<double>(face) * n) / n - 1.0));
-    } else if (m_target.kind == Parameterization::Paraboloid) {
+        break;
+    }
+    case Charts::Halves: {
         const glm::dvec2 q = dual_paraboloid::half(n, m_target.border, x >= n).fromImage(p);
         const double rho2 = glm::dot(q, q), scale = 1.0 / (1.0 + rho2), z = (1.0 - rho2) * scale;
         d = {2.0 * q.x * scale, 2.0 * q.y * scale, x >= n ? -z : z};
-    } else if (m_target.kind != Parameterization::Octahedral && m_target.kind != Parameterization::Latlong && isOnRim(m_target, p)) {
-        d = {0.0, 0.0, -1.0}; // to either side of the rim rounding would put it on either side of -Z
-    } else {
+        break;
+    }
+    case Charts::Disc: // to either side of the rim rounding would put it on either side of -Z
+        d = isOnRim(m_target, p) ? glm::dvec3(0.0, 0.0, -1.0) : direction(m_target, p);
+        break;
+    case Charts::Whole:
         d = direction(m_target, p);
+        break;
     }
     return turnedBack(d);
 }
@@ -109,9 +105,9 @@ void TexelOutlines::directions(int x, int y, const Places& places, double* dx, d
 
 bool TexelOutlines::endsAtRim(int x, int y) const
 {
-    if (!hasRim(m_target) || !isInside(m_target, x, y))
+    if (!disc::hasRim(m_target) || !isInside(m_target, x, y))
         return false;
-    const disc::Disc disc = discOf(m_target, x);
+    const disc::Disc disc = disc::at(m_target, x);
     const double dx = std::max(std::abs(x - disc.center.x), std::abs(x + 1 - disc.center.x));
     const double dy = std::max(std::abs(y - disc.center.y), std::abs(y + 1 - disc.center.y));
     return dx * dx + dy * dy > disc.radius * disc.radius;
@@ -177,7 +173,7 @@ std::vector<glm::dvec3> TexelOutlines::boundary(int x, int y, Rim rim) const
 /// The square within the disc: parts of its sides, joined by arcs of the rim.
 std::vector<glm::dvec3> TexelOutlines::clippedBoundary(int x, int y) const
 {
-    const disc::Disc disc = discOf(m_target, x);
+    const disc::Disc disc = disc::at(m_target, x);
     const std::array<glm::dvec2, 4> corners{{{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}}};
     struct Side {
         glm::dvec2 from, to;
@@ -289,8 +285,7 @@ void TexelOutlines::layOut(const std::vector<glm::dvec3>& polygon, int chart, st
     const size_t count = polygon.size();
     OutlinePiece piece;
     std::vector<glm::dvec2>& corners = piece.corners;
-    const bool halves = m_source.layout().kind == Parameterization::Paraboloid;
-    const bool disc = m_source.layout().kind == Parameterization::Sphere || m_source.layout().kind == Parameterization::Angular;
+    const Charts charts = mapping(m_source.layout().kind).charts;
     for (size_t i = 0; i < count; ++i) {
         const glm::dvec3 &a = polygon[i], &b = polygon[(i + 1) % count];
         const glm::dvec2 pa = m_source.position(chart, a, b), pb = m_source.position(chart, b, a);
@@ -298,7 +293,7 @@ void TexelOutlines::layOut(const std::vector<glm::dvec3>& polygon, int chart, st
             // The stretch of the image's edge that the point stands for, from where the outline came to where it goes on.
             const glm::dvec2 came = m_source.position(chart, a, polygon[(i + count - 1) % count]);
             corners.push_back(came);
-            if (disc) {
+            if (charts == Charts::Disc) {
                 const glm::dvec2 center(0.5 * m_source.layout().size);
                 const glm::dvec2 from = came - center, to = pa - center;
                 const double radius = center.x, turn = std::atan2(from.x * to.y - from.y * to.x, glm::dot(from, to));
@@ -313,7 +308,7 @@ void TexelOutlines::layOut(const std::vector<glm::dvec3>& polygon, int chart, st
         }
         if (corners.empty())
             corners.push_back(pa);
-        if (halves && std::max(std::abs(a.z), std::abs(b.z)) < samePoint)
+        if (charts == Charts::Halves && std::max(std::abs(a.z), std::abs(b.z)) < samePoint)
             layOutRim(chart, a, pa, b, pb, 0, corners);
         else // followed, or along a cut, which is a straight line in the image
             corners.push_back(pb);

@@ -22,9 +22,13 @@ void BoundMap::release()
     m_source.reset();
 }
 
+std::string shaderFunction(Parameterization kind, const char* what) { return std::string(name(kind)) + what; }
+
 void addMapDefines(std::vector<ShaderDefine>& defines, const std::string& role, const EnvironmentTexture& texture)
 {
-    defines.emplace_back(role + "_KIND", std::to_string(static_cast<int>(texture.kind())));
+    defines.emplace_back(role + "_CUBE", texture.kind() == Parameterization::Cube ? "1" : "0");
+    defines.emplace_back(role + "_COORDINATE", shaderFunction(texture.kind(), "Coordinate"));
+    defines.emplace_back(role + "_TEXEL_ANGLE", shaderFunction(texture.kind(), "TexelAngle"));
     defines.emplace_back(role + "_MIPS", texture.levelCount() > 1 ? "1" : "0");
 }
 

@@ -25,7 +25,10 @@ private:
     std::unique_ptr<EnvironmentTexture> m_texture{};
 };
 
-/// What lib/environment_map.glsl needs to know of a map when it is compiled: `role`_KIND and `role`_MIPS.
+/// The function of a mapping that lib/mappings.glsl lists. @param what  "Coordinate", "TexelAngle" or "Seam"
+std::string shaderFunction(Parameterization kind, const char* what);
+
+/// What lib/environment_map.glsl needs to know of a map when it is compiled: `role`_CUBE, _COORDINATE, _TEXEL_ANGLE and _MIPS.
 void addMapDefines(std::vector<ShaderDefine>& defines, const std::string& role, const EnvironmentTexture& texture);
 
 /// Its uniforms, `role` before their names, and its texture. @param rotation world to map

@@ -270,7 +270,7 @@ void Renderer::Resources::drawDebug(const RenderSettings& settings, const Render
                                          {"LEVEL_VALUE", output == Output::Values ? "1" : "0"},
                                          {"HAS_SPECULAR", hasLevels ? "1" : "0"}};
     if (settings.shading == Shading::Seams)
-        defines.emplace_back("SEAMS_OF", number(static_cast<int>(settings.seamsOf)));
+        defines.emplace_back("SEAM", shaderFunction(settings.seamsOf, "Seam"));
     if (hasLevels) {
         addMapDefines(defines, "SPECULAR", specular.update(maps.specular, format, "specular"));
         defines.emplace_back("SPECULAR_ANISOTROPY", number(settings.material.anisotropy));

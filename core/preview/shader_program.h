@@ -24,7 +24,7 @@ std::span<const ShaderFile> shaderFiles();
 /// @throws WorkError for a path that is not compiled in
 std::string_view shaderText(std::string_view path);
 
-/// A macro defined ahead of the source: {"SPECULAR_KIND", "1"}.
+/// A macro defined ahead of the source: {"SPECULAR_MIPS", "1"}.
 using ShaderDefine = std::pair<std::string, std::string>;
 
 /// GLSL of one stage with every `#include "lib/x.glsl"` put in (files that begin with `#pragma once` count only once), under a #version and

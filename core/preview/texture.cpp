@@ -62,7 +62,7 @@ glm::vec3 discTexel(const EnvironmentMap& map, int chart, int x, int y)
 {
     const MapLayout& layout = map.layout;
     const glm::dvec2 center(x + 0.5, y + 0.5);
-    const bool isHalf = layout.kind == Parameterization::Paraboloid, isBack = chart == 1;
+    const bool isHalf = mapping(layout.kind).charts == Charts::Halves, isBack = chart == 1;
     const disc::Disc here = isHalf ? dual_paraboloid::half(layout.size, layout.border, isBack) : disc::inscribed(layout.size);
     const int left = chart * layout.size;
     const bool isInImage = x >= left && x < left + layout.size && y >= 0 && y < layout.size;
@@ -78,14 +78,8 @@ glm::vec3 discTexel(const EnvironmentMap& map, int chart, int x, int y)
 // What a bilinear tap at (x, y) reads, in the image or one texel beyond its chart.
 glm::vec3 framedTexel(const EnvironmentMap& map, int chart, int x, int y)
 {
-    switch (map.layout.kind) {
-    case Parameterization::Sphere:
-    case Parameterization::Angular:
-    case Parameterization::Paraboloid:
+    if (mapping(map.layout.kind).hasDiscs())
         return discTexel(map, chart, x, y);
-    default:
-        break;
-    }
     const Texel across = acrossSeam(map.layout, {0, 0}, x, y);
     return texelAt(map.image, across.x, across.y);
 }
@@ -156,7 +150,7 @@ void EnvironmentTexture::uploadCube(std::span<const EnvironmentMap> levels, GLen
 // Level 0 stands at the top, the others in a row below it: each is half as wide as the one before, so all fit.
 void EnvironmentTexture::uploadAtlas(std::span<const EnvironmentMap> levels, GLenum internalFormat)
 {
-    const int charts = m_kind == Parameterization::Paraboloid ? 2 : 1;
+    const int charts = mapping(m_kind).chartCount();
     struct Place {
         int x, y, width, height; // of one framed chart
     };

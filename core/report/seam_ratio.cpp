@@ -16,7 +16,7 @@ constexpr std::array<Step, 4> steps{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
 /// Whether a texel belongs to a chart proper: a disc's texels count when their centers lie inside.
 bool isIn(const MapLayout& layout, const SolidAngles& solidAngles, Texel chart, int x, int y)
 {
-    const int chartWidth = layout.kind == Parameterization::Latlong ? 2 * layout.size : layout.size;
+    const int chartWidth = layout.chartWidth();
     const int left = chart.x / chartWidth * chartWidth, top = chart.y / layout.size * layout.size;
     if (x < left || x >= left + chartWidth || y < top || y >= top + layout.size)
         return false;

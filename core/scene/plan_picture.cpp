@@ -18,11 +18,7 @@ constexpr int irradianceSize = 64;
 constexpr int smallestMap = 32;
 
 /// A chain ends where texels are about as wide as a lobe of roughness 1 can stand.
-int smallestChainLevel(Parameterization kind)
-{
-    const bool wholeTurn = kind == Parameterization::Sphere || kind == Parameterization::Angular; // 360 degrees across the edge
-    return kind == Parameterization::Cube ? 8 : wholeTurn ? 32 : 16;
-}
+int smallestChainLevel(Parameterization kind) { return 8 * mapping(kind).quarterTurns; }
 /// Of a chain's levels: between them lookups are linear, which misses far more.
 constexpr double chainTolerance = 1e-3;
 
@@ -36,8 +32,7 @@ MapLayout withSize(MapLayout layout, int size)
 /// The size at which bilinear lookups show all that a filtered map holds: eight texels to the shortest wave of its band limit.
 int sizeForBandLimit(Parameterization kind, int bandLimit)
 {
-    const bool wholeTurn = kind == Parameterization::Sphere || kind == Parameterization::Angular; // 360 degrees across the edge
-    const int perDegree = kind == Parameterization::Cube ? 2 : wholeTurn ? 8 : 4;
+    const int perDegree = 2 * mapping(kind).quarterTurns;
     int size = 16;
     while (size < perDegree * bandLimit && size < 16384)
         size *= 2;

@@ -43,7 +43,7 @@ std::array<std::string_view, count> namesOf(const Values& values)
 
 void checkBorder(const std::string& path, const MapLayout& layout)
 {
-    if (layout.border > 0 && (layout.kind != Parameterization::Paraboloid || 2 * layout.border >= layout.size))
+    if (layout.border > 0 && (!mapping(layout.kind).hasBorder || 2 * layout.border >= layout.size))
         throw InvalidArgument(path + ".border: must be 0 but for a paraboloid, where it must be less than half the size; it is " +
                               std::to_string(layout.border));
 }

@@ -16,39 +16,21 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Where the axes lie in a map of each kind, as parameterization.h draws it.
-const char* axesText(Parameterization kind)
-{
-    switch (kind) {
-    case Parameterization::Latlong:
-        return "the center is +Z, the left quarter +X, the top +Y; d = (sin(lon) cos(lat), sin(lat), cos(lon) cos(lat)), lon = pi - 2 pi "
-               "u, "
-               "lat = pi/2 - pi v; texel centers at (i + 1/2)/N";
-    case Parameterization::Cube:
-        return "faces +X -X +Y -Y +Z -Z, each with OpenGL's face axes (OpenGL 4.5, table 8.19)";
-    case Parameterization::Sphere:
-        return "GL_SPHERE_MAP: (s, t) = r.xy / (2 sqrt(rx^2 + ry^2 + (rz + 1)^2)) + 1/2; the center is +Z, right +X, top +Y";
-    case Parameterization::Angular:
-        return "the distance from the center is the angle from +Z over pi, in radii of the disc; left is +X, top +Y";
-    case Parameterization::Paraboloid:
-        return "front half (z >= 0) on the left: (x, y) = r.xy / (1 + r.z); back half on the right: (x, y) = r.xy / (1 - r.z); right is +X "
-               "and top +Y in both";
-    case Parameterization::Octahedral:
-        return "+Y at the center, -Y at the corners; right is +X and down +Z";
-    }
-    return "";
-}
-
 std::string borderText(const MapLayout& layout, int faceBorder)
 {
     if (faceBorder > 0)
         return std::to_string(faceBorder) +
                " texels around each face, copied from the neighboring faces, at corners from one that meets there";
-    if (layout.kind == Parameterization::Paraboloid)
+    switch (mapping(layout.kind).charts) {
+    case Charts::Halves:
         return "discs inscribed, with " + std::to_string(layout.border) +
                " texels kept free around each; texels outside a disc continue the paraboloid";
-    if (layout.kind == Parameterization::Sphere || layout.kind == Parameterization::Angular)
+    case Charts::Disc:
         return "disc inscribed; texels outside it continue the mapping through the rim";
+    case Charts::Whole:
+    case Charts::Faces:
+        break;
+    }
     return "none: texels beyond an edge are found across the seam";
 }
 
@@ -174,7 +156,7 @@ std::string sidecar(const Scene& scene, const ExportPlan& planned, const std::ve
     json["border_rule"] = borderText(layout, target.faceBorder());
     json["handedness"] = "right";
     json["up"] = "+Y";
-    json["axes"] = axesText(layout.kind);
+    json["axes"] = mapping(layout.kind).axes;
     json["value"] = diffuse ? "irradiance over pi for the surface normal d; a constant environment of 1 gives 1"
                             : "radiance arriving from direction d, which points away from the object; filtered maps keep a constant 1";
     json["indexed_by"] = indexedBy(target.kind);

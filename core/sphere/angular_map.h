@@ -51,4 +51,28 @@ inline double density(int n, const glm::dvec2& p)
 double solidAngle(int n, const glm::dvec2& min, const glm::dvec2& max);
 Texel acrossSeam(int n, int x, int y);
 
+inline constexpr Mapping mapping{
+    .kind = Parameterization::Angular,
+    .name = "angular",
+    .axes = "the distance from the center is the angle from +Z over pi, in radii of the disc; left is +X, top +Y",
+    .seen = "a picture from inside: +Z in the middle, +X left of it",
+    .charts = Charts::Disc,
+    .columns = 1,
+    .rows = 1,
+    .chartColumns = 1,
+    .hasBorder = false,
+    .rowsAreAlike = false,
+    .quarterTurns = 4,
+    .longestSide = 2.0 * pi,
+    .latlongRows = 1,
+    .sheetColumns = 1,
+    .sheetRows = 1,
+    .sheetCells = {},
+    .direction = [](const MapLayout& layout, const glm::dvec2& p) { return direction(layout.size, p); },
+    .coordinate = [](const MapLayout& layout, const glm::dvec3& d) { return coordinate(layout.size, d); },
+    .density = [](const MapLayout& layout, const glm::dvec2& p) { return density(layout.size, p); },
+    .solidAngle = [](const MapLayout& layout, const glm::dvec2& min, const glm::dvec2& max) { return solidAngle(layout.size, min, max); },
+    .acrossSeam = [](const MapLayout& layout, Texel, int x, int y) { return acrossSeam(layout.size, x, y); },
+};
+
 } // namespace mirrorball::angular_map

@@ -89,4 +89,35 @@ double solidAngle(int n, const glm::dvec2& min, const glm::dvec2& max);
 /// faces meet, that ends on the face across t: a texel that exists and is as far from the corner as the step went.
 Texel acrossSeam(int n, Texel chart, int x, int y);
 
+/// How people look at it: a cross of 4N x 3N. OpenGL's face axes meet along these edges as they are, so no face is turned.
+///
+///          +Y
+///      -X  +Z  +X  -Z
+///          -Y
+inline constexpr std::array<SheetCell, 6> cross{{{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1}}}; ///< of +X -X +Y -Y +Z -Z
+
+inline constexpr Mapping mapping{
+    .kind = Parameterization::Cube,
+    .name = "cube",
+    .axes = "faces +X -X +Y -Y +Z -Z, each with OpenGL's face axes (OpenGL 4.5, table 8.19)",
+    .seen = "faces as OpenGL draws them",
+    .charts = Charts::Faces,
+    .columns = 1,
+    .rows = 6,
+    .chartColumns = 1,
+    .hasBorder = false,
+    .rowsAreAlike = false,
+    .quarterTurns = 1,
+    .longestSide = 0.0,
+    .latlongRows = 3,
+    .sheetColumns = 4,
+    .sheetRows = 3,
+    .sheetCells = cross,
+    .direction = [](const MapLayout& layout, const glm::dvec2& p) { return direction(layout.size, p); },
+    .coordinate = [](const MapLayout& layout, const glm::dvec3& d) { return coordinate(layout.size, d); },
+    .density = [](const MapLayout& layout, const glm::dvec2& p) { return density(layout.size, p); },
+    .solidAngle = [](const MapLayout& layout, const glm::dvec2& min, const glm::dvec2& max) { return solidAngle(layout.size, min, max); },
+    .acrossSeam = [](const MapLayout& layout, Texel chart, int x, int y) { return acrossSeam(layout.size, chart, x, y); },
+};
+
 } // namespace mirrorball::cube_map

@@ -48,6 +48,16 @@ struct Disc {
 /// The disc inscribed in a square of n texels whose left edge is at x.
 inline Disc inscribed(int n, double x = 0.0, int border = 0) { return {{x + 0.5 * n, 0.5 * n}, 0.5 * n - border}; }
 
+/// The disc of a map that has discs: of the chart at column x, which for this may lie beyond the image.
+inline Disc at(const MapLayout& layout, double x)
+{
+    const bool second = mapping(layout.kind).charts == Charts::Halves && x >= layout.size;
+    return inscribed(layout.size, second ? layout.size : 0.0, layout.border);
+}
+
+/// Whether the map ends at the rims of discs: beyond a border it goes on.
+inline bool hasRim(const MapLayout& layout) { return mapping(layout.kind).hasDiscs() && layout.border == 0; }
+
 /// Solid angle of the part of a rectangle that lies in the unit disc, for a map whose colatitude theta depends on rho = |q| alone.
 ///
 /// d omega = sin(theta) d theta d phi = d((1 - cos theta) d phi), so by Green's theorem the solid angle of a region is the integral of

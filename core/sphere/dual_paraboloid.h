@@ -47,4 +47,30 @@ inline double density(int n, int border, const glm::dvec2& p)
 double solidAngle(int n, int border, const glm::dvec2& min, const glm::dvec2& max);
 Texel acrossSeam(int n, int border, Texel chart, int x, int y);
 
+inline constexpr Mapping mapping{
+    .kind = Parameterization::Paraboloid,
+    .name = "paraboloid",
+    .axes = "front half (z >= 0) on the left: (x, y) = r.xy / (1 + r.z); back half on the right: (x, y) = r.xy / (1 - r.z); right is +X "
+            "and top +Y in both",
+    .seen = "+X right in both halves",
+    .charts = Charts::Halves,
+    .columns = 2,
+    .rows = 1,
+    .chartColumns = 1,
+    .hasBorder = true,
+    .rowsAreAlike = false,
+    .quarterTurns = 2,
+    .longestSide = 0.0,
+    .latlongRows = 2,
+    .sheetColumns = 2,
+    .sheetRows = 1,
+    .sheetCells = {},
+    .direction = [](const MapLayout& layout, const glm::dvec2& p) { return direction(layout.size, layout.border, p); },
+    .coordinate = [](const MapLayout& layout, const glm::dvec3& d) { return coordinate(layout.size, layout.border, d); },
+    .density = [](const MapLayout& layout, const glm::dvec2& p) { return density(layout.size, layout.border, p); },
+    .solidAngle = [](const MapLayout& layout, const glm::dvec2& min,
+                     const glm::dvec2& max) { return solidAngle(layout.size, layout.border, min, max); },
+    .acrossSeam = [](const MapLayout& layout, Texel chart, int x, int y) { return acrossSeam(layout.size, layout.border, chart, x, y); },
+};
+
 } // namespace mirrorball::dual_paraboloid

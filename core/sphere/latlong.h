@@ -44,4 +44,29 @@ inline double solidAngle(int n, const glm::dvec2& min, const glm::dvec2& max)
 
 Texel acrossSeam(int n, int x, int y);
 
+inline constexpr Mapping mapping{
+    .kind = Parameterization::Latlong,
+    .name = "latlong",
+    .axes = "the center is +Z, the left quarter +X, the top +Y; d = (sin(lon) cos(lat), sin(lat), cos(lon) cos(lat)), lon = pi - 2 pi "
+            "u, lat = pi/2 - pi v; texel centers at (i + 1/2)/N",
+    .seen = "a picture from inside: +Z in the middle, +X left of it",
+    .charts = Charts::Whole,
+    .columns = 2,
+    .rows = 1,
+    .chartColumns = 2,
+    .hasBorder = false,
+    .rowsAreAlike = true,
+    .quarterTurns = 2,
+    .longestSide = pi,
+    .latlongRows = 1,
+    .sheetColumns = 2,
+    .sheetRows = 1,
+    .sheetCells = {},
+    .direction = [](const MapLayout& layout, const glm::dvec2& p) { return direction(layout.size, p); },
+    .coordinate = [](const MapLayout& layout, const glm::dvec3& d) { return coordinate(layout.size, d); },
+    .density = [](const MapLayout& layout, const glm::dvec2& p) { return density(layout.size, p); },
+    .solidAngle = [](const MapLayout& layout, const glm::dvec2& min, const glm::dvec2& max) { return solidAngle(layout.size, min, max); },
+    .acrossSeam = [](const MapLayout& layout, Texel, int x, int y) { return acrossSeam(layout.size, x, y); },
+};
+
 } // namespace mirrorball::latlong

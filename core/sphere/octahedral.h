@@ -56,4 +56,28 @@ inline double density(int n, const glm::dvec2& p)
 double solidAngle(int n, const glm::dvec2& min, const glm::dvec2& max);
 Texel acrossSeam(int n, int x, int y);
 
+inline constexpr Mapping mapping{
+    .kind = Parameterization::Octahedral,
+    .name = "octahedral",
+    .axes = "+Y at the center, -Y at the corners; right is +X and down +Z",
+    .seen = "+Y in the middle, +X right",
+    .charts = Charts::Whole,
+    .columns = 1,
+    .rows = 1,
+    .chartColumns = 1,
+    .hasBorder = false,
+    .rowsAreAlike = false,
+    .quarterTurns = 2,
+    .longestSide = 0.0,
+    .latlongRows = 2,
+    .sheetColumns = 1,
+    .sheetRows = 1,
+    .sheetCells = {},
+    .direction = [](const MapLayout& layout, const glm::dvec2& p) { return direction(layout.size, p); },
+    .coordinate = [](const MapLayout& layout, const glm::dvec3& d) { return coordinate(layout.size, d); },
+    .density = [](const MapLayout& layout, const glm::dvec2& p) { return density(layout.size, p); },
+    .solidAngle = [](const MapLayout& layout, const glm::dvec2& min, const glm::dvec2& max) { return solidAngle(layout.size, min, max); },
+    .acrossSeam = [](const MapLayout& layout, Texel, int x, int y) { return acrossSeam(layout.size, x, y); },
+};
+
 } // namespace mirrorball::octahedral

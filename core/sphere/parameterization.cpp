@@ -1,35 +1,14 @@
 #include "parameterization.h"
 
-#include "angular_map.h"
+#include "disc.h"
+
 #include "core/base/error.h"
-#include "cube_map.h"
-#include "dual_paraboloid.h"
-#include "latlong.h"
-#include "octahedral.h"
-#include "sphere_map.h"
 
 #include <cstddef>
 
 namespace mirrorball {
 
-std::string_view name(Parameterization p)
-{
-    switch (p) {
-    case Parameterization::Latlong:
-        return "latlong";
-    case Parameterization::Cube:
-        return "cube";
-    case Parameterization::Sphere:
-        return "sphere";
-    case Parameterization::Angular:
-        return "angular";
-    case Parameterization::Paraboloid:
-        return "paraboloid";
-    case Parameterization::Octahedral:
-        return "octahedral";
-    }
-    return {};
-}
+std::string_view name(Parameterization p) { return mapping(p).name; }
 
 std::optional<Parameterization> parameterizationFromName(std::string_view word)
 {
@@ -43,7 +22,7 @@ void validate(const MapLayout& layout)
 {
     if (layout.size < 1 || layout.size > 32768)
         throw InvalidArgument("size " + std::to_string(layout.size) + " is out of range: give 1 to 32768 texels");
-    if (layout.kind != Parameterization::Paraboloid && layout.border != 0)
+    if (!mapping(layout.kind).hasBorder && layout.border != 0)
         throw InvalidArgument("border " + std::to_string(layout.border) + ": only a paraboloid map has one, give 0 for " +
                               std::string(name(layout.kind)));
     if (layout.border < 0 || (layout.border > 0 && 2 * layout.border >= layout.size))
@@ -51,101 +30,28 @@ void validate(const MapLayout& layout)
                               " texels: give 0 to " + std::to_string((layout.size - 1) / 2));
 }
 
-glm::dvec3 direction(const MapLayout& layout, const glm::dvec2& p)
-{
-    switch (layout.kind) {
-    case Parameterization::Latlong:
-        return latlong::direction(layout.size, p);
-    case Parameterization::Cube:
-        return cube_map::direction(layout.size, p);
-    case Parameterization::Sphere:
-        return sphere_map::direction(layout.size, p);
-    case Parameterization::Angular:
-        return angular_map::direction(layout.size, p);
-    case Parameterization::Paraboloid:
-        return dual_paraboloid::direction(layout.size, layout.border, p);
-    case Parameterization::Octahedral:
-        return octahedral::direction(layout.size, p);
-    }
-    return {};
-}
+glm::dvec3 direction(const MapLayout& layout, const glm::dvec2& p) { return mapping(layout.kind).direction(layout, p); }
 
-glm::dvec2 coordinate(const MapLayout& layout, const glm::dvec3& d)
-{
-    switch (layout.kind) {
-    case Parameterization::Latlong:
-        return latlong::coordinate(layout.size, d);
-    case Parameterization::Cube:
-        return cube_map::coordinate(layout.size, d);
-    case Parameterization::Sphere:
-        return sphere_map::coordinate(layout.size, d);
-    case Parameterization::Angular:
-        return angular_map::coordinate(layout.size, d);
-    case Parameterization::Paraboloid:
-        return dual_paraboloid::coordinate(layout.size, layout.border, d);
-    case Parameterization::Octahedral:
-        return octahedral::coordinate(layout.size, d);
-    }
-    return {};
-}
+glm::dvec2 coordinate(const MapLayout& layout, const glm::dvec3& d) { return mapping(layout.kind).coordinate(layout, d); }
 
 bool isInside(const MapLayout& layout, int x, int y)
 {
     if (x < 0 || y < 0 || x >= layout.width() || y >= layout.height())
         return false;
-    switch (layout.kind) {
-    case Parameterization::Sphere:
-    case Parameterization::Angular:
-        return disc::inscribed(layout.size).holdsPart(x, y);
-    case Parameterization::Paraboloid:
-        return dual_paraboloid::half(layout.size, layout.border, x >= layout.size).holdsPart(x, y);
-    default:
-        return true;
-    }
+    return !mapping(layout.kind).hasDiscs() || disc::at(layout, x).holdsPart(x, y);
 }
 
 double solidAngle(const MapLayout& layout, const glm::dvec2& min, const glm::dvec2& max)
 {
-    switch (layout.kind) {
-    case Parameterization::Latlong:
-        return latlong::solidAngle(layout.size, min, max);
-    case Parameterization::Cube:
-        return cube_map::solidAngle(layout.size, min, max);
-    case Parameterization::Sphere:
-        return sphere_map::solidAngle(layout.size, min, max);
-    case Parameterization::Angular:
-        return angular_map::solidAngle(layout.size, min, max);
-    case Parameterization::Paraboloid:
-        return dual_paraboloid::solidAngle(layout.size, layout.border, min, max);
-    case Parameterization::Octahedral:
-        return octahedral::solidAngle(layout.size, min, max);
-    }
-    return 0.0;
+    return mapping(layout.kind).solidAngle(layout, min, max);
 }
 
 double texelSolidAngle(const MapLayout& layout, int x, int y) { return solidAngle(layout, {x, y}, {x + 1, y + 1}); }
 
-double density(const MapLayout& layout, const glm::dvec2& p)
-{
-    switch (layout.kind) {
-    case Parameterization::Latlong:
-        return latlong::density(layout.size, p);
-    case Parameterization::Cube:
-        return cube_map::density(layout.size, p);
-    case Parameterization::Sphere:
-        return sphere_map::density(layout.size, p);
-    case Parameterization::Angular:
-        return angular_map::density(layout.size, p);
-    case Parameterization::Paraboloid:
-        return dual_paraboloid::density(layout.size, layout.border, p);
-    case Parameterization::Octahedral:
-        return octahedral::density(layout.size, p);
-    }
-    return 0.0;
-}
+double density(const MapLayout& layout, const glm::dvec2& p) { return mapping(layout.kind).density(layout, p); }
 
 SolidAngles::SolidAngles(const MapLayout& layout, const JobControl& job)
-    : m_columns(layout.kind == Parameterization::Latlong ? 1 : layout.size), m_rows(layout.size),
+    : m_columns(mapping(layout.kind).rowsAreAlike ? 1 : layout.size), m_rows(layout.size),
       m_values(static_cast<size_t>(m_columns) * static_cast<size_t>(m_rows))
 {
     const JobControl quiet{.stop = job.stop, .progress = {}, .threads = job.threads}; // progress is the caller's to report
@@ -156,23 +62,6 @@ SolidAngles::SolidAngles(const MapLayout& layout, const JobControl& job)
     });
 }
 
-Texel acrossSeam(const MapLayout& layout, Texel chart, int x, int y)
-{
-    switch (layout.kind) {
-    case Parameterization::Latlong:
-        return latlong::acrossSeam(layout.size, x, y);
-    case Parameterization::Cube:
-        return cube_map::acrossSeam(layout.size, chart, x, y);
-    case Parameterization::Sphere:
-        return sphere_map::acrossSeam(layout.size, x, y);
-    case Parameterization::Angular:
-        return angular_map::acrossSeam(layout.size, x, y);
-    case Parameterization::Paraboloid:
-        return dual_paraboloid::acrossSeam(layout.size, layout.border, chart, x, y);
-    case Parameterization::Octahedral:
-        return octahedral::acrossSeam(layout.size, x, y);
-    }
-    return chart;
-}
+Texel acrossSeam(const MapLayout& layout, Texel chart, int x, int y) { return mapping(layout.kind).acrossSeam(layout, chart, x, y); }
 
 } // namespace mirrorball

@@ -1,23 +1,18 @@
 #pragma once
 
 #include "direction.h"
+#include "mapping.h"
 
 #include "core/base/job.h"
 
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 /// How directions become texels. Each mapping has a file of its own (latlong, cube_map, sphere_map, angular_map, dual_paraboloid,
-/// octahedral) that answers the same questions; this header names the mapping at run time and dispatches to it.
+/// octahedral) that answers the same questions; this header asks the row (mapping.h) of the one that is named at run time.
 namespace mirrorball {
-
-enum class Parameterization { Latlong, Cube, Sphere, Angular, Paraboloid, Octahedral };
-
-inline constexpr std::array allParameterizations{Parameterization::Latlong, Parameterization::Cube,       Parameterization::Sphere,
-                                                 Parameterization::Angular, Parameterization::Paraboloid, Parameterization::Octahedral};
 
 /// "latlong", "cube", "sphere", "angular", "paraboloid", "octahedral": the KIND words of the command line.
 std::string_view name(Parameterization p);
@@ -37,8 +32,9 @@ struct MapLayout {
     int size = 0;   ///< N, at least 1
     int border = 0; ///< texels, in [0, N/2); 0 for every kind but paraboloid
 
-    int width() const { return kind == Parameterization::Latlong || kind == Parameterization::Paraboloid ? 2 * size : size; }
-    int height() const { return kind == Parameterization::Cube ? 6 * size : size; }
+    int width() const { return mapping(kind).columns * size; }
+    int height() const { return mapping(kind).rows * size; }
+    int chartWidth() const { return mapping(kind).chartColumns * size; } ///< texels; a chart is `size` high
     bool operator==(const MapLayout&) const = default;
 };
 

@@ -52,4 +52,28 @@ inline double density(int n, const glm::dvec2& p)
 double solidAngle(int n, const glm::dvec2& min, const glm::dvec2& max);
 Texel acrossSeam(int n, int x, int y);
 
+inline constexpr Mapping mapping{
+    .kind = Parameterization::Sphere,
+    .name = "sphere",
+    .axes = "GL_SPHERE_MAP: (s, t) = r.xy / (2 sqrt(rx^2 + ry^2 + (rz + 1)^2)) + 1/2; the center is +Z, right +X, top +Y",
+    .seen = "a ball seen from +Z: +X right",
+    .charts = Charts::Disc,
+    .columns = 1,
+    .rows = 1,
+    .chartColumns = 1,
+    .hasBorder = false,
+    .rowsAreAlike = false,
+    .quarterTurns = 4,
+    .longestSide = 0.0,
+    .latlongRows = 2,
+    .sheetColumns = 1,
+    .sheetRows = 1,
+    .sheetCells = {},
+    .direction = [](const MapLayout& layout, const glm::dvec2& p) { return direction(layout.size, p); },
+    .coordinate = [](const MapLayout& layout, const glm::dvec3& d) { return coordinate(layout.size, d); },
+    .density = [](const MapLayout& layout, const glm::dvec2& p) { return density(layout.size, p); },
+    .solidAngle = [](const MapLayout& layout, const glm::dvec2& min, const glm::dvec2& max) { return solidAngle(layout.size, min, max); },
+    .acrossSeam = [](const MapLayout& layout, Texel, int x, int y) { return acrossSeam(layout.size, x, y); },
+};
+
 } // namespace mirrorball::sphere_map

@@ -88,15 +88,15 @@ TEST_F(ShaderTwins, CoordinatesOfEveryMapping)
         const char* call;
     };
     const Case cases[] = {{{Parameterization::Latlong, 256, 0},
-                           "lib/latlong.glsl\"\nvec4 twin(vec4 d) { return vec4(latlongCoordinate(d.xyz, 256.0), 0.0); }"},
+                           "lib/latlong.glsl\"\nvec4 twin(vec4 d) { return vec4(latlongCoordinate(d.xyz, 256.0, 0.0), 0.0); }"},
                           {{Parameterization::Sphere, 256, 0},
-                           "lib/sphere_map.glsl\"\nvec4 twin(vec4 d) { return vec4(sphereCoordinate(d.xyz, 256.0), 0.0); }"},
+                           "lib/sphere_map.glsl\"\nvec4 twin(vec4 d) { return vec4(sphereCoordinate(d.xyz, 256.0, 0.0), 0.0); }"},
                           {{Parameterization::Angular, 256, 0},
-                           "lib/angular_map.glsl\"\nvec4 twin(vec4 d) { return vec4(angularCoordinate(d.xyz, 256.0), 0.0); }"},
+                           "lib/angular_map.glsl\"\nvec4 twin(vec4 d) { return vec4(angularCoordinate(d.xyz, 256.0, 0.0), 0.0); }"},
                           {{Parameterization::Paraboloid, 256, 4},
                            "lib/dual_paraboloid.glsl\"\nvec4 twin(vec4 d) { return vec4(paraboloidCoordinate(d.xyz, 256.0, 4.0), 0.0); }"},
                           {{Parameterization::Octahedral, 256, 0},
-                           "lib/octahedral.glsl\"\nvec4 twin(vec4 d) { return vec4(octahedralCoordinate(d.xyz, 256.0), 0.0); }"}};
+                           "lib/octahedral.glsl\"\nvec4 twin(vec4 d) { return vec4(octahedralCoordinate(d.xyz, 256.0, 0.0), 0.0); }"}};
     for (const Case& c : cases) {
         const auto results = evaluateGlsl(std::string("#include \"") + c.call, asInputs(directions));
         for (size_t i = 0; i < directions.size(); ++i) {
@@ -124,12 +124,13 @@ TEST_F(ShaderTwins, TexelAnglesAreTheRootOfTheTexelsSolidAngle)
         const char* call;
     };
     const Case cases[] = {
-        {{Parameterization::Cube, 64, 0}, "lib/cube_map.glsl\"\nvec4 twin(vec4 d) { return vec4(cubeTexelAngle(d.xyz, 64.0)); }"},
-        {{Parameterization::Sphere, 64, 0}, "lib/sphere_map.glsl\"\nvec4 twin(vec4 d) { return vec4(sphereTexelAngle(64.0)); }"},
+        {{Parameterization::Cube, 64, 0}, "lib/cube_map.glsl\"\nvec4 twin(vec4 d) { return vec4(cubeTexelAngle(d.xyz, 64.0, 0.0)); }"},
+        {{Parameterization::Sphere, 64, 0},
+         "lib/sphere_map.glsl\"\nvec4 twin(vec4 d) { return vec4(sphereTexelAngle(d.xyz, 64.0, 0.0)); }"},
         {{Parameterization::Paraboloid, 64, 3},
          "lib/dual_paraboloid.glsl\"\nvec4 twin(vec4 d) { return vec4(paraboloidTexelAngle(d.xyz, 64.0, 3.0)); }"},
         {{Parameterization::Octahedral, 64, 0},
-         "lib/octahedral.glsl\"\nvec4 twin(vec4 d) { return vec4(octahedralTexelAngle(d.xyz, 64.0)); }"}};
+         "lib/octahedral.glsl\"\nvec4 twin(vec4 d) { return vec4(octahedralTexelAngle(d.xyz, 64.0, 0.0)); }"}};
     for (const Case& c : cases) {
         const auto results = evaluateGlsl(std::string("#include \"") + c.call, asInputs(directions));
         for (size_t i = 0; i < directions.size(); ++i) {

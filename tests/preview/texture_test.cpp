@@ -4,6 +4,7 @@
 #include "test_environments.h"
 
 #include "core/image/mip_pyramid.h"
+#include "core/preview/bound_map.h"
 
 using namespace mirrorball;
 using namespace mirrorball::preview;
@@ -17,17 +18,17 @@ namespace {
 std::vector<glm::vec4> lookUp(const EnvironmentTexture& texture, const std::vector<glm::vec4>& inputs)
 {
     const std::string text = "#define MAP_RADIANCE radianceOf\n#define MAP_SAMPLER map\n#define MAP_LEVELS levels\n"
-                             "#define MAP_SETTINGS settings\n#define MAP_KIND KIND\n#define MAP_MIPS MIPS\n"
+                             "#define MAP_SETTINGS settings\n"
                              "#include \"lib/environment_map.glsl\"\n"
                              "vec4 twin(vec4 x) { return vec4(radianceOf(x.w, normalize(x.xyz)), 1.0); }\n";
-    return evaluateGlsl(text, inputs,
-                        {{"KIND", std::to_string(static_cast<int>(texture.kind()))}, {"MIPS", texture.levelCount() > 1 ? "1" : "0"}},
-                        [&](const ShaderProgram& program) {
-                            texture.bind(1);
-                            program.set("map", 1);
-                            program.set("levels", texture.levels());
-                            program.set("settings", glm::vec4(texture.scale(), float(texture.levelCount() - 1), 0.0f, 0.0f));
-                        });
+    std::vector<ShaderDefine> defines;
+    addMapDefines(defines, "MAP", texture);
+    return evaluateGlsl(text, inputs, defines, [&](const ShaderProgram& program) {
+        texture.bind(1);
+        program.set("map", 1);
+        program.set("levels", texture.levels());
+        program.set("settings", glm::vec4(texture.scale(), float(texture.levelCount() - 1), 0.0f, 0.0f));
+    });
 }
 
 // Nothing smooth: neighboring texels differ as much as any two.

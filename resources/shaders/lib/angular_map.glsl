@@ -1,6 +1,7 @@
 #pragma once
+#include "lib/seams.glsl"
 // Twin: core/sphere/angular_map. The distance from the center is the angle from +Z over pi; a picture from inside, -X on the right.
-vec3 angularCoordinate(vec3 d, float size)
+vec3 angularCoordinate(vec3 d, float size, float border)
 {
     const float pi = 3.14159265358979;
     float s = length(d.xy);
@@ -10,7 +11,13 @@ vec3 angularCoordinate(vec3 d, float size)
 }
 
 // Angle that a texel spans along the radius: 2 pi over N texels. Around the rim it is less.
-float angularTexelAngle(float size)
+float angularTexelAngle(vec3 d, float size, float border)
 {
     return 2.0 * 3.14159265358979 / size;
+}
+
+// The seam is the rim, which is one direction.
+Seam angularSeam(vec3 d)
+{
+    return Seam(d.z < 0.0 ? awayFrom(vec3(d.xy, 0.0)) : d, 0);
 }

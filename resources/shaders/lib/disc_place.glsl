@@ -13,7 +13,7 @@ vec2 discPlace(vec3 n, vec3 v)
     v = sphereRotation * v;
 #if SPHERE_INDEX == 1
     // Seen edge-on an interpolated normal can lean away: the rim, where it points.
-    vec3 place = sphereCoordinate(normalize(2.0 * max(dot(n, v), 1e-3) * n - v), 2.0);
+    vec3 place = sphereCoordinate(normalize(2.0 * max(dot(n, v), 1e-3) * n - v), 2.0, 0.0);
     return vec2(place.x - 1.0, 1.0 - place.y);
 #else
 #if SPHERE_SPACE == 0

@@ -2,7 +2,8 @@
 //   MAP_RADIANCE  name of the function to make:  vec3 MAP_RADIANCE(vec3 d, float lambda), d a unit vector
 //   MAP_LOD       name of another:               float MAP_LOD(vec3 d, float lambda), the level that the former reads
 //   MAP_SAMPLER, MAP_LEVELS, MAP_SETTINGS  names of the uniforms
-//   MAP_KIND      parameterization, in the order of core's enum: 0 latlong, 1 cube, 2 sphere, 3 angular, 4 paraboloid, 5 octahedral
+//   MAP_CUBE      1 for a cube map, which is a texture of its own kind; 0 for an atlas
+//   MAP_COORDINATE, MAP_TEXEL_ANGLE  the functions of the map's mapping (mappings.glsl)
 //   MAP_MIPS      1 when the map has more than one level
 //   MAP_ANISOTROPY  most lookups along the longer side of a footprint; 1 for one lookup
 // Twin: EnvironmentMap::radiance in core/image/environment_map on every level.
@@ -12,14 +13,9 @@
 //   lod = log2(max(|dd/dx|, |dd/dy|) / texelAngle),
 // a bias may move it, and lambda is the least level that may be used: max(lod + bias, lambda), a clamp and not a bias. Source: 002
 // section 2.
-#include "lib/angular_map.glsl"
-#include "lib/cube_map.glsl"
-#include "lib/dual_paraboloid.glsl"
-#include "lib/latlong.glsl"
-#include "lib/octahedral.glsl"
-#include "lib/sphere_map.glsl"
+#include "lib/mappings.glsl"
 
-#if MAP_KIND == 1
+#if MAP_CUBE
 uniform samplerCube MAP_SAMPLER;
 #else
 uniform sampler2D MAP_SAMPLER;
@@ -27,30 +23,11 @@ uniform sampler2D MAP_SAMPLER;
 uniform vec4 MAP_LEVELS[16];  // place in the atlas, size, border
 uniform vec4 MAP_SETTINGS;    // x: factor to radiance, y: last level, z: bias of the level
 
-#if MAP_KIND == 1
-#define MAP_TEXEL_ANGLE(d, level) cubeTexelAngle(d, level.z)
-#elif MAP_KIND == 0
-#define MAP_TEXEL_ANGLE(d, level) latlongTexelAngle(level.z)
-#define MAP_COORDINATE(d, level) latlongCoordinate(d, level.z)
-#elif MAP_KIND == 2
-#define MAP_TEXEL_ANGLE(d, level) sphereTexelAngle(level.z)
-#define MAP_COORDINATE(d, level) sphereCoordinate(d, level.z)
-#elif MAP_KIND == 3
-#define MAP_TEXEL_ANGLE(d, level) angularTexelAngle(level.z)
-#define MAP_COORDINATE(d, level) angularCoordinate(d, level.z)
-#elif MAP_KIND == 4
-#define MAP_TEXEL_ANGLE(d, level) paraboloidTexelAngle(d, level.z, level.w)
-#define MAP_COORDINATE(d, level) paraboloidCoordinate(d, level.z, level.w)
-#else
-#define MAP_TEXEL_ANGLE(d, level) octahedralTexelAngle(d, level.z)
-#define MAP_COORDINATE(d, level) octahedralCoordinate(d, level.z)
-#endif
-
 // One level of an atlas. Framed charts stand N + 2 texels apart.
-#if MAP_KIND != 1
+#if !MAP_CUBE
 vec3 MAP_RADIANCE(vec3 d, vec4 level)
 {
-    vec3 p = MAP_COORDINATE(d, level);
+    vec3 p = MAP_COORDINATE(d, level.z, level.w);
     vec2 place = level.xy + vec2(p.x + p.z * (level.z + 2.0), p.y);
     return textureLod(MAP_SAMPLER, place / vec2(textureSize(MAP_SAMPLER, 0)), 0.0).rgb;
 }
@@ -59,7 +36,7 @@ vec3 MAP_RADIANCE(vec3 d, vec4 level)
 // At a level of one's own choice.
 vec3 MAP_RADIANCE(float lod, vec3 d)
 {
-#if MAP_KIND == 1
+#if MAP_CUBE
 #if MAP_MIPS
     return MAP_SETTINGS.x * textureLod(MAP_SAMPLER, d, lod).rgb;
 #else
@@ -92,7 +69,7 @@ Footprint MAP_LOD(vec3 d, vec3 dx, vec3 dy, float lambda)
     float longer2 = max(mean + apart, 1e-20);
     vec2 along = xx >= yy ? vec2(longer2 - yy, xy) : vec2(xy, longer2 - xx);
     along = dot(along, along) > 0.0 ? normalize(along) : vec2(1.0, 0.0);
-    float texel = MAP_TEXEL_ANGLE(d, MAP_LEVELS[0]);
+    float texel = MAP_TEXEL_ANGLE(d, MAP_LEVELS[0].z, MAP_LEVELS[0].w);
     float shorter2 = max(mean - apart, longer2 / float(MAP_ANISOTROPY * MAP_ANISOTROPY));
     float lod = clamp(max(0.5 * log2(shorter2 / (texel * texel)) + MAP_SETTINGS.z, lambda), 0.0, MAP_SETTINGS.y);
     int lookups = int(clamp(ceil(sqrt(longer2) / (texel * exp2(lod))), 1.0, float(MAP_ANISOTROPY)));
@@ -117,7 +94,7 @@ float MAP_LOD(vec3 d, float lambda)
 #if MAP_MIPS
     vec3 dx = dFdx(d), dy = dFdy(d);
     float footprint2 = max(dot(dx, dx), dot(dy, dy));
-    float texel = MAP_TEXEL_ANGLE(d, MAP_LEVELS[0]);
+    float texel = MAP_TEXEL_ANGLE(d, MAP_LEVELS[0].z, MAP_LEVELS[0].w);
     float lod = 0.5 * log2(max(footprint2, 1e-20) / (texel * texel));
     return clamp(max(lod + MAP_SETTINGS.z, lambda), 0.0, MAP_SETTINGS.y);
 #else
@@ -137,6 +114,6 @@ vec3 MAP_RADIANCE(vec3 d, float lambda)
 #undef MAP_SAMPLER
 #undef MAP_LEVELS
 #undef MAP_SETTINGS
-#undef MAP_KIND
+#undef MAP_CUBE
 #undef MAP_MIPS
 #undef MAP_ANISOTROPY

@@ -10,7 +10,7 @@ uniform mat3 worldToCamera;
 uniform vec4 rollCancelled; // xy: cosine and sine of the turn that brings the world's up to the screen's
 vec2 straightAhead(vec3 direction)
 {
-    vec3 place = sphereCoordinate(normalize(vec3(direction.xy, -direction.z)), 2.0);
+    vec3 place = sphereCoordinate(normalize(vec3(direction.xy, -direction.z)), 2.0, 0.0);
     return vec2(place.x - 1.0, 1.0 - place.y);
 }
 vec2 windowPlace(vec3 position, vec3 sight, float depth)
@@ -19,7 +19,7 @@ vec2 windowPlace(vec3 position, vec3 sight, float depth)
     vec3 behind = position + sight * (depth / max(-sight.z, 1e-6));
     return straightAhead(behind - reference.xyz);
 #else
-    vec3 place = sphereCoordinate(worldToCamera * vec3(sight.xy, -sight.z), 2.0);
+    vec3 place = sphereCoordinate(worldToCamera * vec3(sight.xy, -sight.z), 2.0, 0.0);
     vec2 p = vec2(place.x - 1.0, 1.0 - place.y);
     p = vec2(rollCancelled.x * p.x - rollCancelled.y * p.y, rollCancelled.y * p.x + rollCancelled.x * p.y);
     return mix(straightAhead(position - reference.xyz), p, depth / (depth + reference.z));

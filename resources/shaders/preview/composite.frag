@@ -7,7 +7,9 @@
 #define MAP_SAMPLER backgroundMap
 #define MAP_LEVELS backgroundLevels
 #define MAP_SETTINGS backgroundSettings
-#define MAP_KIND BACKGROUND_KIND
+#define MAP_CUBE BACKGROUND_CUBE
+#define MAP_COORDINATE BACKGROUND_COORDINATE
+#define MAP_TEXEL_ANGLE BACKGROUND_TEXEL_ANGLE
 #define MAP_MIPS BACKGROUND_MIPS
 #define MAP_ANISOTROPY 1
 #include "lib/environment_map.glsl"

@@ -1,12 +1,12 @@
 // What a material is computed from: SHADING 1 wireframe, 2 normals, 3 texture coordinates, 4 seams, 5 mip levels, 6 and 7 the ground that
 // lines are drawn over; HAS_SPECULAR says
-// whether there is a map to have levels; LEVEL_VALUE: the level itself in place of its color. Colors are meant for the display: neither exposed nor tone-mapped.
+// whether there is a map to have levels; SEAM: the function of the mapping whose seams are shown; LEVEL_VALUE: the level itself in place of its color. Colors are meant for the display: neither exposed nor tone-mapped.
 #include "lib/surface_point.glsl"
 #if ENCODED // nothing comes after
 #include "lib/color.glsl"
 #endif
 #if SHADING == 4
-#include "lib/seams.glsl"
+#include "lib/mappings.glsl"
 #elif SHADING == 5
 #include "lib/level_color.glsl"
 #if HAS_SPECULAR
@@ -15,7 +15,9 @@
 #define MAP_SAMPLER specularMap
 #define MAP_LEVELS specularLevels
 #define MAP_SETTINGS specularSettings
-#define MAP_KIND SPECULAR_KIND
+#define MAP_CUBE SPECULAR_CUBE
+#define MAP_COORDINATE SPECULAR_COORDINATE
+#define MAP_TEXEL_ANGLE SPECULAR_TEXEL_ANGLE
 #define MAP_MIPS SPECULAR_MIPS
 #define MAP_ANISOTROPY SPECULAR_ANISOTROPY
 #include "lib/environment_map.glsl"
@@ -68,7 +70,7 @@ void main()
     const vec3 charts[6] = vec3[6](vec3(0.75, 0.12, 0.1), vec3(0.1, 0.5, 0.55), vec3(0.2, 0.55, 0.1), vec3(0.5, 0.12, 0.5),
                                    vec3(0.12, 0.25, 0.75), vec3(0.75, 0.55, 0.08));
     vec3 d = specularRotation * p.r;
-    Seam s = seam(d);
+    Seam s = SEAM(d);
     float slope = max(length(vec2(dot(s.across, dFdx(d)), dot(s.across, dFdy(d)))), 1e-6);
     color = vec4(mix(light * charts[s.chart], vec3(1.0), line(abs(dot(s.across, d)) / slope, 2.0)), 1.0);
 #elif SHADING >= 6

@@ -11,7 +11,9 @@
 #define MAP_SAMPLER specularMap
 #define MAP_LEVELS specularLevels
 #define MAP_SETTINGS specularSettings
-#define MAP_KIND SPECULAR_KIND
+#define MAP_CUBE SPECULAR_CUBE
+#define MAP_COORDINATE SPECULAR_COORDINATE
+#define MAP_TEXEL_ANGLE SPECULAR_TEXEL_ANGLE
 #define MAP_MIPS SPECULAR_MIPS
 #define MAP_ANISOTROPY SPECULAR_ANISOTROPY
 #include "lib/environment_map.glsl"
@@ -31,7 +33,9 @@ uniform float lambdaGrazing;
 #define MAP_SAMPLER diffuseMap
 #define MAP_LEVELS diffuseLevels
 #define MAP_SETTINGS diffuseSettings
-#define MAP_KIND DIFFUSE_KIND
+#define MAP_CUBE DIFFUSE_CUBE
+#define MAP_COORDINATE DIFFUSE_COORDINATE
+#define MAP_TEXEL_ANGLE DIFFUSE_TEXEL_ANGLE
 #define MAP_MIPS DIFFUSE_MIPS
 #define MAP_ANISOTROPY 1
 #include "lib/environment_map.glsl"
@@ -44,7 +48,9 @@ uniform vec3 diffuseColor;
 #define MAP_SAMPLER clearCoatMap
 #define MAP_LEVELS clearCoatLevels
 #define MAP_SETTINGS clearCoatSettings
-#define MAP_KIND CLEAR_COAT_KIND
+#define MAP_CUBE CLEAR_COAT_CUBE
+#define MAP_COORDINATE CLEAR_COAT_COORDINATE
+#define MAP_TEXEL_ANGLE CLEAR_COAT_TEXEL_ANGLE
 #define MAP_MIPS CLEAR_COAT_MIPS
 #define MAP_ANISOTROPY CLEAR_COAT_ANISOTROPY
 #include "lib/environment_map.glsl"
