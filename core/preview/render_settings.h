@@ -140,6 +140,7 @@ struct RenderSettings {
     float exposure = 0.0f;                   ///< EV: display pictures are multiplied by 2^exposure; radiance pictures are not
     ToneCurve toneCurve = ToneCurve::Filmic; ///< display pictures only
     std::optional<ToneCurve> objectCurve{};  ///< of the object, where it is not toneCurve: paint is shown as it was painted
+    bool dither = false;                     ///< display pictures only: before they are rounded to 8 bits, lib/dither.glsl
     /// In place of tone curve and sRGB, display pictures only; a new pointer means a new transform.
     std::shared_ptr<const DisplayTransform> display = nullptr;
 

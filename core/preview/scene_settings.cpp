@@ -121,6 +121,7 @@ RenderSettings renderSettings(const Scene& scene, const Plan& plan, std::shared_
     settings.toneCurve = curves.behind;
     if (curves.object != curves.behind)
         settings.objectCurve = curves.object;
+    settings.dither = view.dither;
     validate(settings);
     return settings;
 }

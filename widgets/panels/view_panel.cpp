@@ -93,6 +93,7 @@ ViewPanel::ViewPanel(Workspace& workspace, QWidget* parent) : QWidget(parent), m
                       {{"tessellation", {.label = tr("Tessellation"), .isShown = [](const Scene& scene) { return !showsWindow(scene); }}},
                        {"tone", hidden},
                        {"exposure", hidden},
+                       {"dither", hidden},
                        {"width", hidden},
                        {"height", hidden},
                        {"shading", {.label = tr("Shading")}}});
@@ -117,6 +118,7 @@ ViewPanel::ViewPanel(Workspace& workspace, QWidget* parent) : QWidget(parent), m
                       {{"shading", hidden},
                        {"exposure", {.sliderLow = -8.0, .sliderHigh = 8.0, .step = 0.1}},
                        {"tone", {.label = tr("Tone curve")}},
+                       {"dither", {.label = tr("Dithering")}},
                        {"width", {.label = tr("Picture width")}},
                        {"tessellation", hidden},
                        {"height", {.label = tr("Picture height")}}});

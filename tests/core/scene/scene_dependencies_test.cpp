@@ -23,7 +23,8 @@ const std::map<std::string, Touches> classes = [] {
                                        {"material.specular.lobe", MapsAndMeasurement},
                                        {"material.specular.exponent", MapsAndMeasurement}, // of a phong lobe
                                        {"view.exposure", Nothing},
-                                       {"view.tone", Nothing}};
+                                       {"view.tone", Nothing},
+                                       {"view.dither", Nothing}};
     for (const char* field : {"yaw", "pitch", "roll", "distance", "fov", "target", "projection"})
         all.emplace(std::string("view.camera.") + field, Nothing);
     for (const char* field : {"probe.exposure",
