@@ -40,6 +40,8 @@ void validate(const RenderSettings& settings)
     require(std::isfinite(settings.yaw), "yaw must be finite");
     require(settings.material.clearCoat.weight >= 0.0f && settings.material.clearCoat.weight <= 1.0f,
             "weight of the clear coat must be 0 to 1");
+    require(settings.material.normalStrength >= 0.0f && std::isfinite(settings.material.normalStrength),
+            "strength of the normal map must be 0 or more");
     validate(settings.material.fresnel);
     validate(Fresnel{.kind = FresnelKind::Dielectric, .index = settings.material.clearCoat.index});
 }
@@ -70,6 +72,8 @@ NeededMaps neededMaps(const RenderSettings& settings)
     const bool isLevels = settings.shading == Shading::Mips;
     const bool hidden = material.combine == Combine::Coat && material.fresnel.kind == FresnelKind::None && !material.hasBrdf;
     const bool hasDiffuse = isMaterial && material.diffuse != glm::vec3(0.0f) && !hidden;
+    const bool showsNormals =
+        !isWindow && (isShown || isLevels || settings.shading == Shading::Normals || settings.shading == Shading::Seams);
     const bool hasFlecks = isShown && !isWindow && paint != PaintUse::None && material.paint.flecks.density > 0.0f;
     return {.specular = (isMaterial || isLevels) && material.specular != glm::vec3(0.0f),
             .diffuse = hasDiffuse,
@@ -77,7 +81,8 @@ NeededMaps neededMaps(const RenderSettings& settings)
             .sphereMap = isShown && (isWindow || paint != PaintUse::None),
             .diffusePicture = hasDiffuse && material.hasDiffusePicture,
             .fleckPattern = hasFlecks && material.paint.hasFleckPattern,
-            .clearCoat = isMaterial && material.clearCoat.weight > 0.0f};
+            .clearCoat = isMaterial && material.clearCoat.weight > 0.0f,
+            .normalMap = showsNormals && material.normalStrength > 0.0f};
 }
 
 } // namespace mirrorball::preview

@@ -81,6 +81,8 @@ struct MaterialSettings {
     glm::vec3 specular{1.0f};
     glm::vec3 diffuse{0.0f};
     bool hasDiffusePicture = false; ///< whether L_d is times the maps' picture, too, by the mesh's texture coordinates
+    /// How far the maps' normal map tilts normals, times its own; 0: there is none, and its shader code is not built.
+    float normalStrength = 0.0f;
     /// Whether the specular map is a ggx chain (chainRoughness()), read at each pixel by the lookups that the maps' table has: they stand
     /// for F L_m, and their weights' sum for F. Otherwise one lookup by the mirror direction.
     bool hasBrdf = false;
@@ -165,6 +167,7 @@ struct RenderMaps {
     PictureLevels diffusePicture{}; ///< linear RGB
     PictureLevels fleckPattern{};   ///< shares in the first channel, [0, 1]
     MapLevels clearCoat{};          ///< for the clear coat, as `specular` for the material
+    PictureLevels normalMap{};      ///< vectors of tangent space, components in [-1, 1]
 };
 
 /// @throws InvalidArgument naming the field that is out of range
@@ -176,6 +179,7 @@ struct NeededMaps {
     bool sphereMap = false;
     bool diffusePicture = false, fleckPattern = false;
     bool clearCoat = false;
+    bool normalMap = false;
     bool operator==(const NeededMaps&) const = default;
 };
 NeededMaps neededMaps(const RenderSettings& settings);

@@ -251,6 +251,10 @@ void Planner::planSurfacePictures()
     plan(m_plan.fleckPattern,
          {"fleck pattern", "material.sphere_map.flecks.pattern", material.sphereMap.flecks.pattern, SurfacePictureUse::Share},
          whyNoFlecks());
+    plan(m_plan.normalMap, {"normal map", "material.normal_map.source", material.normalMap.source, SurfacePictureUse::Normal},
+         material.normalMap.strength == 0.0 ? "strength is 0"
+         : showsNormals()                   ? ""
+                                            : whyNoMaterial());
 }
 
 PlannedFilter Planner::withTolerance(PrefilterOptions filter) const

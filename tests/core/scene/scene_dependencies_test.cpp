@@ -54,6 +54,8 @@ const std::map<std::string, Touches> classes = [] {
                               "material.clear_coat.lobe",
                               "material.clear_coat.exponent",
                               "material.clear_coat.roughness",
+                              "material.normal_map.source",
+                              "material.normal_map.strength",
                               "material.lambda",
                               "material.lambda_grazing",
                               "material.lod_bias",
