@@ -159,6 +159,13 @@ void FileActions::fillRecent(QMenu& menu)
     for (const RecentFile& file : recentFiles()) {
         QAction* action = menu.addAction(tr("%1  (%2)").arg(QFileInfo(file.path).fileName(), kindText(file.kind)), this,
                                          [this, path = file.path] { m_opener.open({path}); });
+        if (file.kind == FileKind::Mesh) {
+            action->setIcon(m_workspace.meshes.icon(file.path));
+            connect(&m_workspace.meshes, &MeshThumbnails::made, action, [this, action, path = file.path](const QString& geometry) {
+                if (geometry == path)
+                    action->setIcon(m_workspace.meshes.icon(path));
+            });
+        }
         action->setToolTip(QDir::toNativeSeparators(file.path));
         action->setStatusTip(QDir::toNativeSeparators(file.path));
     }

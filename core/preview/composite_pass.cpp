@@ -29,6 +29,7 @@ void Renderer::Resources::drawComposite(const RenderSettings& settings, const Re
     if (part.width <= 0 || part.height <= 0)
         return;
     std::vector<ShaderDefine> defines = {{"OBJECT_SAMPLES", object ? std::to_string(settings.samples) : "0"}};
+    defines.emplace_back("DITHER", settings.dither && output == Output::Display ? "1" : "0");
     addOutputDefines(defines, settings, output, settings.toneCurve);
     const EnvironmentTexture* texture = nullptr;
     switch (settings.background.kind) {

@@ -168,11 +168,19 @@ static std::vector<ShaderDefine> materialDefines(const MaterialSettings& materia
             {"COAT", material.combine == Combine::Coat ? "1" : "0"},
             {"LAMBDA_BY_ANGLE", material.lambda > 0.0f && material.lambdaGrazing > 0.0f ? "1" : "0"},
             {"MARKER", hasMarker ? "1" : "0"},
-            {"HAS_TEXCOORD", needed.diffusePicture || needed.fleckPattern ? "1" : "0"},
+            {"HAS_TEXCOORD", needed.diffusePicture || needed.fleckPattern || needed.normalMap ? "1" : "0"},
+            {"NORMAL_MAP", needed.normalMap ? "1" : "0"},
             {"DIFFUSE_PICTURE", needed.diffusePicture ? "1" : "0"},
             {"FLECK_PATTERN", needed.fleckPattern ? "1" : "0"},
             {"SPHERE_USE", useDefine(material.paint.use)},
             {"SPHERE_VERTEX", needed.sphereMap && material.paint.lookup == LookupAt::Vertex ? "1" : "0"}};
+}
+
+void Renderer::Resources::bindNormalMap(const RenderSettings& settings, const ShaderProgram& shader)
+{
+    normalMap.bind(3);
+    shader.set("normalMap", 3);
+    shader.set("normalStrength", settings.material.normalStrength);
 }
 
 void Renderer::Resources::drawObject(const RenderSettings& settings, const RenderMaps& maps, Output output)
@@ -239,6 +247,10 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
         fleckPattern.bind(6);
         shader.set("fleckPattern", 6);
     }
+    if (needed.normalMap) {
+        normalMap.update(maps.normalMap, "normal map");
+        bindNormalMap(settings, shader);
+    }
     if (needed.sphereMap) {
         const bool isShifted = hasFlecks || sphereMaps[0].source()->hasAuthoredLevels;
         sphereMaps[0].bind(4, isShifted ? 1 : paint.anisotropy, paint.onlyLevel);
@@ -262,9 +274,11 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
 
 void Renderer::Resources::drawDebug(const RenderSettings& settings, const RenderMaps& maps, Output output)
 {
-    const bool hasLevels = neededMaps(settings).specular;
+    const NeededMaps needed = neededMaps(settings);
+    const bool hasLevels = needed.specular;
     std::vector<ShaderDefine> defines = {{"SHADING", shadingDefine(settings.shading)},
-                                         {"HAS_TEXCOORD", settings.shading == Shading::TexCoords ? "1" : "0"},
+                                         {"HAS_TEXCOORD", settings.shading == Shading::TexCoords || needed.normalMap ? "1" : "0"},
+                                         {"NORMAL_MAP", needed.normalMap ? "1" : "0"},
                                          {"SPHERE_VERTEX", "0"},
                                          {"ENCODED", settings.display && output == Output::Display ? "1" : "0"},
                                          {"LEVEL_VALUE", output == Output::Values ? "1" : "0"},
@@ -282,6 +296,10 @@ void Renderer::Resources::drawDebug(const RenderSettings& settings, const Render
         bindMap(shader, "specular", 0, *specular.texture(), mapRotation(settings), settings.material.lodBias);
         shader.set("lambda", settings.material.lambda);
         shader.set("lambdaGrazing", settings.material.lambdaGrazing);
+    }
+    if (needed.normalMap) {
+        normalMap.update(maps.normalMap, "normal map");
+        bindNormalMap(settings, shader);
     }
     shader.set("specularRotation", mapRotation(settings));
     shader.set("pixelRatio", settings.pixelRatio);
@@ -313,8 +331,14 @@ void Renderer::Resources::drawBuffers(const RenderSettings& settings, const Rend
     glDisable(GL_SCISSOR_TEST);
     beginDrawing(target);
     const bool isPick = target.colors.size() > 3;
+    const bool isMapped = neededMaps(settings).normalMap && normalMap.isHeld();
     const ShaderProgram& shader =
-        programs.get({"preview/object.vert", "preview/buffers.frag"}, {{"HAS_TEXCOORD", isPick ? "1" : "0"}, {"SPHERE_VERTEX", "0"}});
+        programs.get({"preview/object.vert", "preview/buffers.frag"}, {{"HAS_TEXCOORD", isPick || isMapped ? "1" : "0"},
+                                                                       {"PICK", isPick ? "1" : "0"},
+                                                                       {"NORMAL_MAP", isMapped ? "1" : "0"},
+                                                                       {"SPHERE_VERTEX", "0"}});
+    if (isMapped)
+        bindNormalMap(settings, shader);
     shader.set("specularRotation", mapRotation(settings));
     drawMesh(settings, shader);
     glDisable(GL_DEPTH_TEST);
@@ -325,8 +349,10 @@ void Renderer::Resources::drawDiscPlaces(const RenderSettings& settings, SphereM
 {
     const PaintSettings& paint = settings.material.paint;
     const bool isWindow = settings.geometry.kind == GeometryKind::Window && !settings.geometry.mesh;
+    const bool isMapped = neededMaps(settings).normalMap && normalMap.isHeld();
     std::vector<ShaderDefine> defines = {{"WINDOW", isWindow ? "1" : "0"},
-                                         {"HAS_TEXCOORD", isWindow ? "1" : "0"},
+                                         {"HAS_TEXCOORD", isWindow || isMapped ? "1" : "0"},
+                                         {"NORMAL_MAP", isMapped ? "1" : "0"},
                                          {"SPHERE_VERTEX", !isWindow && paint.lookup == LookupAt::Vertex ? "1" : "0"}};
     if (isWindow) {
         defines.emplace_back("WINDOW_SPACE", spaceDefine(paint.space));
@@ -340,6 +366,8 @@ void Renderer::Resources::drawDiscPlaces(const RenderSettings& settings, SphereM
     beginDrawing(target, glm::vec4(DiscPlaces::noPlace));
     const ShaderProgram& shader = programs.get({"preview/object.vert", "preview/disc_places.frag"}, defines);
     shader.set("noPlace", DiscPlaces::noPlace);
+    if (isMapped)
+        bindNormalMap(settings, shader);
     if (isWindow) {
         setWindowView(settings, shader);
         shader.set("layerDepth", settings.windowDepths.x);

@@ -16,6 +16,7 @@ public:
     void update(const PictureLevels& levels, const char* role);
     void bind(GLuint unit) const { glBindTextureUnit(unit, m_texture); }
     void release();
+    bool isHeld() const { return m_source != nullptr; }
 
 private:
     PictureLevels m_source{};

@@ -28,7 +28,7 @@ struct Renderer::Resources {
     BoundMap specular{}, diffuse{}, clearCoat{}, background{};
     LookupTexture brdfLookups{};
     SphereMapTexture sphereMaps[3]{};
-    PictureTexture diffusePicture{}, fleckPattern{};
+    PictureTexture diffusePicture{}, fleckPattern{}, normalMap{};
     ProgramCache programs{};
     DisplayTables displayTables{};
     Geometry geometry{};
@@ -46,6 +46,7 @@ struct Renderer::Resources {
     PixelRectangle beginObject(const RenderSettings& settings, const RenderTarget& target);
     void drawMesh(const RenderSettings& settings, const ShaderProgram& shader);
     void drawObject(const RenderSettings& settings, const RenderMaps& maps, Output output);
+    void bindNormalMap(const RenderSettings& settings, const ShaderProgram& shader);
     void drawWindow(const RenderSettings& settings, const RenderMaps& maps, Output output);
     void drawDebug(const RenderSettings& settings, const RenderMaps& maps, Output output);
     /// The object, or the window, as the material shows it.
@@ -83,9 +84,9 @@ const char* spaceDefine(MapSpace space);
 void addOutputDefines(std::vector<ShaderDefine>& defines, const RenderSettings& settings, Output output, ToneCurve curve);
 std::string_view outputPrelude(const RenderSettings& settings, Output output);
 
-/// Texture units: 0 specular, 1 diffuse, 2 background and, on an object, the clear coat, 3 the object's samples, 4 to 6 painted maps, on an
-/// object 4 alone and then 5 the diffuse picture, 6 the flecks' pattern; 7 the table of a BRDF's lookups, from here on tables of the
-/// display.
+/// Texture units: 0 specular, 1 diffuse, 2 background and, on an object, the clear coat, 3 the object's samples and, on an object, the
+/// normal map, 4 to 6 painted maps, on an object 4 alone and then 5 the diffuse picture, 6 the flecks' pattern; 7 the table of a BRDF's
+/// lookups, from here on tables of the display.
 inline constexpr GLuint displayUnit = 8;
 
 } // namespace mirrorball::preview

@@ -60,6 +60,8 @@ void validate(const RenderSettings& settings)
     require(std::isfinite(settings.material.lambdaGrazing) && settings.material.lambdaGrazing >= 0.0f, "lambda grazing must be 0 or more");
     require(std::isfinite(settings.material.lodBias), "LOD bias must be finite");
     require(std::isfinite(settings.yaw), "yaw must be finite");
+    require(settings.material.normalStrength >= 0.0f && std::isfinite(settings.material.normalStrength),
+            "strength of the normal map must be 0 or more");
     validate(settings.material.fresnel);
 }
 
@@ -89,6 +91,8 @@ NeededMaps neededMaps(const RenderSettings& settings)
     const bool isLevels = settings.shading == Shading::Mips;
     const bool hidden = material.combine == Combine::Coat && material.fresnel.kind == FresnelKind::None && !material.hasBrdf;
     const bool hasDiffuse = isMaterial && material.diffuse != glm::vec3(0.0f) && !hidden;
+    const bool showsNormals =
+        !isWindow && (isShown || isLevels || settings.shading == Shading::Normals || settings.shading == Shading::Seams);
     const bool hasFlecks = isShown && !isWindow && paint && material.paint.flecks.density > 0.0f;
     return {.specular = (isMaterial || isLevels) && material.specular != glm::vec3(0.0f),
             .diffuse = hasDiffuse,
@@ -96,7 +100,8 @@ NeededMaps neededMaps(const RenderSettings& settings)
             .sphereMap = isShown && (isWindow || paint),
             .diffusePicture = hasDiffuse && material.hasDiffusePicture,
             .fleckPattern = hasFlecks && material.paint.hasFleckPattern,
-            .clearCoat = isMaterial && material.clearCoat.weight > 0.0f};
+            .clearCoat = isMaterial && material.clearCoat.weight > 0.0f,
+            .normalMap = showsNormals && material.normalStrength > 0.0f};
 }
 
 } // namespace mirrorball::preview

@@ -62,6 +62,8 @@ struct MaterialSettings {
     glm::vec3 specular{1.0f};
     glm::vec3 diffuse{0.0f};
     bool hasDiffusePicture = false; ///< whether L_d is times the maps' picture, too, by the mesh's texture coordinates
+    /// How far the maps' normal map tilts normals, times its own; 0: there is none, and its shader code is not built.
+    float normalStrength = 0.0f;
     /// Whether the specular map is a ggx chain (chainRoughness()), read at each pixel by the lookups that the maps' table has: they stand
     /// for F L_m, and their weights' sum for F. Otherwise one lookup by the mirror direction.
     bool hasBrdf = false;
@@ -107,6 +109,7 @@ struct RenderSettings {
     float exposure = 0.0f;                   ///< EV: display pictures are multiplied by 2^exposure; radiance pictures are not
     ToneCurve toneCurve = ToneCurve::Filmic; ///< display pictures only
     std::optional<ToneCurve> objectCurve{};  ///< of the object, where it is not toneCurve: paint is shown as it was painted
+    bool dither = false;                     ///< display pictures only: before they are rounded to 8 bits, lib/dither.glsl
     /// In place of tone curve and sRGB, display pictures only; a new pointer means a new transform.
     std::shared_ptr<const DisplayTransform> display = nullptr;
 
@@ -131,6 +134,7 @@ struct RenderMaps {
     PictureLevels diffusePicture{}; ///< linear RGB
     PictureLevels fleckPattern{};   ///< shares in the first channel, [0, 1]
     MapLevels clearCoat{};          ///< for the clear coat, as `specular` for the material
+    PictureLevels normalMap{};      ///< vectors of tangent space, components in [-1, 1]
 };
 
 /// @throws InvalidArgument naming the field that is out of range
@@ -142,6 +146,7 @@ struct NeededMaps {
     bool sphereMap = false;
     bool diffusePicture = false, fleckPattern = false;
     bool clearCoat = false;
+    bool normalMap = false;
     bool operator==(const NeededMaps&) const = default;
 };
 NeededMaps neededMaps(const RenderSettings& settings);

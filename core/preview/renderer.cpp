@@ -84,6 +84,8 @@ void Renderer::Resources::drawScene(const RenderSettings& settings, const Render
         diffusePicture.release();
     if (!needed.fleckPattern)
         fleckPattern.release();
+    if (!needed.normalMap)
+        normalMap.release();
 
     displayTables.update(output == Output::Display ? settings.display : nullptr);
     if (!needed.sphereMap)

@@ -65,7 +65,8 @@ public:
     /// Leaves blending, depth and scissor tests off, no program and no vertex array bound, and the viewport on the picture.
     void drawDisplay(const RenderSettings& settings, const RenderMaps& maps, const Destination& destination);
 
-    /// One sample per pixel.
+    /// One sample per pixel. A normal map tilts normals as it did in the last picture: it has no maps of its own, nor have pick() and
+    /// discPlaces().
     GeometryBuffers renderBuffers(const RenderSettings& settings);
 
     /// What one pixel of the picture shows, x and y from the upper left; nothing beside the object. Draws that pixel only.

@@ -47,7 +47,9 @@ std::optional<DisplayChoice> displayChoice(const Scene& scene)
 
 std::string texCoordProblem(const Plan& plan, const Mesh& mesh, const std::string& geometry)
 {
-    const std::optional<SurfacePicturePlan>& picture = plan.diffusePicture ? plan.diffusePicture : plan.fleckPattern;
+    const std::optional<SurfacePicturePlan>& picture = plan.diffusePicture ? plan.diffusePicture
+                                                       : plan.fleckPattern ? plan.fleckPattern
+                                                                           : plan.normalMap;
     if (!picture || !mesh.texCoords.empty())
         return {};
     return picture->field + ": " + inQuotes(picture->source) + " lies on the mesh by its texture coordinates, and " + inQuotes(geometry) +
@@ -93,6 +95,7 @@ RenderSettings renderSettings(const Scene& scene, const Plan& plan, std::shared_
                          .anisotropy = scene.map.anisotropy,
                          .space = scene.map.space};
     settings.material.hasDiffusePicture = plan.diffusePicture.has_value();
+    settings.material.normalStrength = plan.normalMap ? static_cast<float>(scene.material.normalMap.strength) : 0.0f;
     settings.material.paint = paintSettings(scene.material.sphereMap);
     settings.material.paint.hasFleckPattern = plan.fleckPattern.has_value();
     settings.windowDepths = {view.window.depth, view.window.middle.empty() ? view.window.farDepth : view.window.middleDepth,
@@ -105,6 +108,7 @@ RenderSettings renderSettings(const Scene& scene, const Plan& plan, std::shared_
     settings.toneCurve = curves.behind;
     if (curves.object != curves.behind)
         settings.objectCurve = curves.object;
+    settings.dither = view.dither;
     validate(settings);
     return settings;
 }
@@ -118,7 +122,8 @@ RenderMaps renderMaps(const SceneMaps& maps)
             .sphereMaps = maps.sphereMaps,
             .diffusePicture = maps.diffusePicture,
             .fleckPattern = maps.fleckPattern,
-            .clearCoat = maps.clearCoat};
+            .clearCoat = maps.clearCoat,
+            .normalMap = maps.normalMap};
 }
 
 } // namespace mirrorball::preview

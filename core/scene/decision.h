@@ -39,6 +39,7 @@ enum class Because {
     SphereMapReplaces, ///< the reflection
     NoSphereMapForFlecks,
     FleckDensityIsZero,
+    StrengthIsZero, ///< of the normal map
     LambdaHoldsNoLevel,
     LambdaIsTheSame, ///< at every angle
     FinestLevelIsEnough,

@@ -247,6 +247,7 @@ MadeScene LiveMaps::update(const Scene& scene, const MapDetail& detail, const Jo
     made.maps.sphereMaps = sphereMaps(scene, made.plan, job, made.record);
     made.maps.diffusePicture = m_diffusePicture.update(scene, made.plan.diffusePicture, job, made.record);
     made.maps.fleckPattern = m_fleckPattern.update(scene, made.plan.fleckPattern, job, made.record);
+    made.maps.normalMap = m_normalMap.update(scene, made.plan.normalMap, job, made.record);
     made.probeLayout = m_now.layout;
     made.environment = m_now.isStreamed ? m_now.probe.environment : m_now.environment;
     made.repaired = m_now.probe.repaired;
@@ -266,7 +267,7 @@ MadeScene LiveMaps::update(const Scene& scene, const MapDetail& detail, const Jo
         if (map.isKept)
             made.keptFiles.push_back(map.path);
     }
-    for (const LivePicture* picture : {&m_diffusePicture, &m_fleckPattern}) {
+    for (const LivePicture* picture : {&m_diffusePicture, &m_fleckPattern, &m_normalMap}) {
         addProblem(picture->problem());
         if (!picture->keptFile().empty())
             made.keptFiles.push_back(picture->keptFile());

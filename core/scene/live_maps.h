@@ -106,7 +106,7 @@ private:
     bool m_isKept = false;            ///< what is open now is that: the file cannot be read any more
     std::optional<KeptBrdf> m_brdf{};
     std::vector<KeptSphereMap> m_sphereMaps{};
-    LivePicture m_diffusePicture{}, m_fleckPattern{};
+    LivePicture m_diffusePicture{}, m_fleckPattern{}, m_normalMap{};
 };
 
 /// What stands in for a probe that is missing: a checkerboard of magenta and dark gray, that nobody takes for light.

@@ -6,6 +6,19 @@
 
 namespace mirrorball {
 
+namespace {
+
+/// White multiplies by 1; normals that all point outwards tilt none.
+PictureLevels withoutEffect(SurfacePictureUse use)
+{
+    Image one(1, 1, 3, 1.0f);
+    if (use == SurfacePictureUse::Normal)
+        one.texels = {0.0f, 0.0f, 1.0f};
+    return std::make_shared<const std::vector<Image>>(1, std::move(one));
+}
+
+} // namespace
+
 PictureLevels LivePicture::update(const Scene& scene, const std::optional<SurfacePicturePlan>& plan, const JobControl& job,
                                   WorkRecord& record)
 {
@@ -31,8 +44,7 @@ PictureLevels LivePicture::update(const Scene& scene, const std::optional<Surfac
         } catch (const Error& error) {
             now.m_problem = error.what();
             now.m_isKept = before != nullptr;
-            // White multiplies by 1.
-            now.m_levels = now.m_isKept ? before : std::make_shared<const std::vector<Image>>(1, Image(1, 1, 3, 1.0f));
+            now.m_levels = now.m_isKept ? before : withoutEffect(plan->use);
         }
     });
     *this = std::move(now);

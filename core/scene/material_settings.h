@@ -75,6 +75,23 @@ struct DiffuseSettings {
     }
 };
 
+/// A picture of normals on the mesh by its texture coordinates, in tangent space: red towards u, green towards v, blue outwards, as OpenGL
+/// has it.
+struct NormalMapSettings {
+    std::string source{}; ///< an image file, whose path starts at the scene's folder
+    double strength = 1.0;
+    UnknownKeys unknown{};
+
+    bool operator==(const NormalMapSettings&) const = default;
+    template <typename Self, typename Visit>
+    static void visitFields(Self& self, Visit&& visit)
+    {
+        visit(Field{"source", "normal map of tangent space by the mesh's texture coordinates, +Y up as in OpenGL; empty: none"},
+              self.source);
+        visit(Field{"strength", "how far normals tilt, times the map's own; 0: not at all", 0, 4}, self.strength);
+    }
+};
+
 /// A lobe that knows the view, in place of the specular lobe and the Fresnel term: the picture reads it as a few lookups into an ordinary
 /// ggx chain, as an engine would. lookup_table.h
 struct BrdfSettings {
@@ -192,6 +209,7 @@ struct Material {
     Combine combine = Combine::Add;
     DiffuseSettings diffuse{};
     ClearCoatSettings clearCoat{};
+    NormalMapSettings normalMap{};
     double lambda = 0.0;
     double lambdaGrazing = 0.0;
     double lodBias = 0.0;
@@ -209,6 +227,7 @@ struct Material {
               self.combine);
         visit(Field{"diffuse", "the matt part"}, self.diffuse);
         visit(Field{"clear_coat", "a clear layer over all of it, with a lobe of its own"}, self.clearCoat);
+        visit(Field{"normal_map", "normals of a finer surface than the mesh"}, self.normalMap);
         visit(Field{"lambda", "least mip level of the reflection: blurs it without filtering", 0, 16}, self.lambda);
         visit(Field{"lambda_grazing",
                     "with lambda: sharper where the surface is seen at a grazing angle; 1 as rough surfaces do, more exaggerates", 0, 8},

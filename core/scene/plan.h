@@ -88,7 +88,7 @@ struct Plan {
     std::optional<MapPlan> clearCoat{};
     std::optional<MapPlan> background{};
     std::vector<SphereMapPlan> sphereMaps{}; ///< the material's, and behind it the layers of a window
-    std::optional<SurfacePicturePlan> diffusePicture{}, fleckPattern{};
+    std::optional<SurfacePicturePlan> diffusePicture{}, fleckPattern{}, normalMap{};
     std::vector<MapPlan> others{}; ///< PlanExtent::Everything: the specular map in every other parameterization; not shown
     std::vector<ExportPlan> exports{};
     double sharedSeconds = 0.0; ///< of reading the probe and of its spectrum, CPU time, about

@@ -246,6 +246,10 @@ void Planner::planSurfacePictures()
     plan(m_plan.fleckPattern,
          {"fleck pattern", "material.sphere_map.flecks.pattern", material.sphereMap.flecks.pattern, SurfacePictureUse::Share},
          whyNoFlecks());
+    plan(m_plan.normalMap, {"normal map", "material.normal_map.source", material.normalMap.source, SurfacePictureUse::Normal},
+         material.normalMap.strength == 0.0 ? std::optional<Decision>(Because::StrengthIsZero)
+         : showsNormals()                   ? std::nullopt
+                                            : std::optional<Decision>(whyNoMaterial()));
 }
 
 PlannedFilter Planner::withTolerance(PrefilterOptions filter) const

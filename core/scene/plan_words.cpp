@@ -113,6 +113,8 @@ struct Words {
             return "there is no sphere map that they look up";
         case Because::FleckDensityIsZero:
             return "density is 0";
+        case Because::StrengthIsZero:
+            return "strength is 0";
         case Because::LambdaHoldsNoLevel:
             return "lambda is 0: no level is held";
         case Because::LambdaIsTheSame:

@@ -45,6 +45,12 @@ private:
     /// A debug view shows what the material is computed from, and not the material.
     bool showsMaterial() const { return m_scene.view.shading == Shading::Material; }
     bool isWindow() const { return showsWindow(m_scene); }
+    /// Views of normals, and of what mirror directions find, show those of a normal map.
+    bool showsNormals() const
+    {
+        const Shading shading = m_scene.view.shading;
+        return !isWindow() && (showsMaterial() || shading == Shading::Normals || shading == Shading::Seams || shading == Shading::Mips);
+    }
     /// Nor does a sphere map that replaces the material show it, nor a room.
     bool readsMaterial() const;
     Decision whyNoMaterial() const;

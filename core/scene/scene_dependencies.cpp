@@ -10,6 +10,7 @@ void copyMomentary(Scene& to, const Scene& from)
     to.view.camera = from.view.camera;
     to.view.exposure = from.view.exposure;
     to.view.tone = from.view.tone;
+    to.view.dither = from.view.dither;
     if (to.map.space == MapSpace::World) // the picture's lookups turn then; a map in eye space has the turn in it
         to.probe.yawDeg = from.probe.yawDeg;
 }

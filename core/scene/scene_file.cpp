@@ -99,7 +99,7 @@ Scene loadScene(const std::filesystem::path& path)
         setFolder(scene.material.sphereMap.document, scene.folder);
         for (std::string* file : {&scene.probe.source, &scene.view.geometry, &scene.material.sphereMap.source, &scene.view.window.middle,
                                   &scene.view.window.far, &scene.view.display.config, &scene.material.diffuse.picture,
-                                  &scene.material.sphereMap.flecks.pattern})
+                                  &scene.material.normalMap.source, &scene.material.sphereMap.flecks.pattern})
             *file = withSlashes(*file, scene.folder);
         if (std::string& model = scene.material.brdf.model; isBrdfFile(model))
             model = withSlashes(model, scene.folder);
@@ -131,6 +131,7 @@ Scene storedIn(Scene scene, const std::filesystem::path& folder)
     if (isBrdfFile(scene.material.brdf.model))
         store(scene.material.brdf.model);
     store(scene.material.diffuse.picture);
+    store(scene.material.normalMap.source);
     store(scene.material.sphereMap.flecks.pattern);
     storeFile(scene.view.display.config, [](const std::string& path) { return path == "env"; });
     scene.material.sphereMap.document = storedIn(scene.material.sphereMap.document, folder);
@@ -155,7 +156,7 @@ Material loadMaterial(const std::filesystem::path& path)
             map = (folderOf(path) / map).lexically_normal().string(); // an absolute path replaces the folder
         if (std::string& model = material.brdf.model; isBrdfFile(model))
             model = (folderOf(path) / model).lexically_normal().string();
-        for (std::string* picture : {&material.diffuse.picture, &material.sphereMap.flecks.pattern})
+        for (std::string* picture : {&material.diffuse.picture, &material.normalMap.source, &material.sphereMap.flecks.pattern})
             if (!picture->empty())
                 *picture = (folderOf(path) / *picture).lexically_normal().string();
         return material;

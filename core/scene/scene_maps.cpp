@@ -176,6 +176,7 @@ SceneMaps buildMaps(const Scene& scene, const Plan& plan, SceneProbe& probe, con
     };
     maps.diffusePicture = read(plan.diffusePicture); // first: a name that is mistyped is told before anything is filtered
     maps.fleckPattern = read(plan.fleckPattern);
+    maps.normalMap = read(plan.normalMap);
     if (plan.specular)
         maps.specular = build(*plan.specular);
     if (plan.brdf)

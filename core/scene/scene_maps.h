@@ -80,7 +80,7 @@ struct SceneMaps {
     MapLevels clearCoat{};
     MapLevels background{};
     std::vector<SphereMapChain> sphereMaps{}; ///< those of the plan
-    PictureLevels diffusePicture{}, fleckPattern{};
+    PictureLevels diffusePicture{}, fleckPattern{}, normalMap{};
     std::vector<MapLevels> others{}; ///< of PlanExtent::Everything
     WorkRecord record{};             ///< what making them took
 };

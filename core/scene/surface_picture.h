@@ -7,14 +7,17 @@
 
 #include <string>
 
-/// Pictures that lie on a mesh by its texture coordinates: the color of the diffuse part, the pattern of flecks. The coordinates are (0, 0)
-/// at the picture's lower left and (1, 1) at its upper right corner; beyond, the picture repeats.
+/// Pictures that lie on a mesh by its texture coordinates: the color of the diffuse part, normals, the pattern of flecks. The coordinates
+/// are (0, 0) at the picture's lower left and (1, 1) at its upper right corner; beyond, the picture repeats.
 namespace mirrorball {
 
 /// What of a picture is used.
 enum class SurfacePictureUse {
     Color, ///< linear RGB, not below 0
     Share, ///< luminance, [0, 1]: one channel
+    /// Vectors, each component in [-1, 1]: stored values x are 2 x - 1, whatever the file says of its colors. A file of floats may also
+    /// hold the vectors themselves; it is taken as that in which their lengths are nearer to 1.
+    Normal,
 };
 
 /// One picture to read.

@@ -104,6 +104,7 @@ struct ViewSettings {
     ToneChoice tone = ToneChoice::Auto;
     double exposure = 0.0;
     DisplaySettings display{};
+    bool dither = false; ///< pictures of scenes that say nothing of it stay as they were
     BackdropSettings background{};
     int width = 1280;
     int height = 720;
@@ -130,6 +131,8 @@ struct ViewSettings {
               self.tone);
         visit(Field{"exposure", "brightness of the display picture: times 2^exposure", -64, 64, "EV"}, self.exposure);
         visit(Field{"display", "display through OpenColorIO"}, self.display);
+        visit(Field{"dither", "8-bit pictures are rounded by a fine pattern of half a step, so that dark gradients show no bands"},
+              self.dither);
         visit(Field{"background", "what stands behind the object"}, self.background);
         visit(Field{"width", "of the picture", 1, 16384, "pixels"}, self.width);
         visit(Field{"height", "of the picture", 1, 16384, "pixels"}, self.height);

@@ -79,6 +79,7 @@ TEST_F(SurfacePicture, IsNamedOrLeftOutByAnOption)
 TEST_F(SurfacePicture, ThatIsMissingOrHasNoPlaceOnTheMeshIsOneLine)
 {
     EXPECT_FAILS(render("--set material.diffuse.picture=missing.png"), 2, "material.diffuse.picture: " + in("missing.png") + ": ");
+    EXPECT_FAILS(render("--set material.normal_map.source=missing.png"), 2, "material.normal_map.source: " + in("missing.png") + ": ");
     EXPECT_FAILS(render("--geometry '" + in("bare.stl") + "'"), 2, "material.diffuse.picture: \"checker.png\" lies on the mesh");
     EXPECT_FAILS(render("--sphere-map jade --set material.sphere_map.flecks.density=0.5 --set material.sphere_map.flecks.pattern=gone.exr"),
                  2, "material.sphere_map.flecks.pattern: " + in("gone.exr") + ": ");
@@ -87,12 +88,13 @@ TEST_F(SurfacePicture, ThatIsMissingOrHasNoPlaceOnTheMeshIsOneLine)
 TEST_F(SurfacePicture, IsAnInputOfTheRecipe)
 {
     writeImage(folder / "half.exr", Image(2, 1, 3, 0.5f));
+    writeImage(folder / "flat.exr", Image(2, 1, 3, 0.5f));
     ASSERT_EQ(render("--recipe --sphere-map jade --use over --set material.sphere_map.flecks.density=0.5 "
-                     "--set material.sphere_map.flecks.pattern=half.exr")
+                     "--set material.sphere_map.flecks.pattern=half.exr --set material.normal_map.source=flat.exr")
                   .status,
               0);
     const std::string recipe = test::readBytes(folder / "out.png.recipe.json");
-    for (const char* input : {"checker.png", "half.exr", "square.obj", "white.exr"})
+    for (const char* input : {"checker.png", "half.exr", "flat.exr", "square.obj", "white.exr"})
         EXPECT_NE(recipe.find(input), std::string::npos) << input << " in " << recipe;
 }
 

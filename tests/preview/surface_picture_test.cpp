@@ -1,5 +1,6 @@
 #include "core/scene/surface_picture.h"
 
+#include "flat_square.h"
 #include "gl_fixture.h"
 #include "test_environments.h"
 
@@ -17,33 +18,7 @@ using SurfacePictures = mirrorball::test::GlTest;
 
 namespace {
 
-constexpr int edge = 64; ///< of the square's picture, in pixels
-
-/// A square from -1 to 1 that looks to +Z, its texture coordinates from 0 to `repeats`.
-std::shared_ptr<const Mesh> square(float repeats)
-{
-    Mesh mesh;
-    for (const glm::vec2 corner : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1), glm::vec2(0, 1)}) {
-        mesh.positions.emplace_back(2.0f * corner - 1.0f, 0.0f);
-        mesh.normals.emplace_back(0.0f, 0.0f, 1.0f);
-        mesh.texCoords.push_back(repeats * corner);
-    }
-    mesh.indices = {0, 1, 2, 0, 2, 3};
-    return std::make_shared<const Mesh>(std::move(mesh));
-}
-
-/// Straight on, it fills the picture.
-RenderSettings squareSettings(float repeats = 1.0f)
-{
-    RenderSettings settings;
-    settings.width = settings.height = edge;
-    settings.samples = 1;
-    settings.geometry.mesh = square(repeats);
-    settings.background.kind = Backdrop::None;
-    settings.camera = {.distance = 4.0f, .fieldOfView = 2.0f * std::atan(0.25f), .projection = Projection::Orthographic};
-    settings.material.specular = glm::vec3(0.0f);
-    return settings;
-}
+constexpr int edge = squareEdge;
 
 RenderSettings diffuseSquare(float repeats = 1.0f)
 {

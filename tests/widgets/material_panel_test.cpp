@@ -85,6 +85,8 @@ void MaterialPanelTest::aDisplayConfigurationIsReadInTheBackgroundAndChosenFrom(
     ViewPanel view(workspace);
     auto* displays = qobject_cast<QComboBox*>(view.form().control(QStringLiteral("view.display")));
     QCOMPARE(displays->count(), 2);
+    auto* bodies = qobject_cast<QComboBox*>(view.form().control(QStringLiteral("view.geometry")));
+    QTRY_VERIFY(!bodies->itemIcon(bodies->findData(QStringLiteral("torus"))).isNull());
     view.openDisplayConfig(QString::fromStdString(writeDisplayConfig(folder)));
     QTRY_COMPARE(displays->count(), 4);
     QCOMPARE(displays->currentText(), QStringLiteral("monitor: plain"));

@@ -104,7 +104,7 @@ void WholeJobTest::fromADroppedProbeToTheMapsThatTheCommandLineWrites()
     // Everything that was done can be undone, back to the first scene.
     while (window.document().undoStack().canUndo())
         window.document().undoStack().undo();
-    QVERIFY(differing(window.document().scene(), Scene{}) == Parts());
+    QVERIFY(differing(window.document().scene(), newScene()) == Parts());
 }
 
 } // namespace mirrorball::test

@@ -32,6 +32,7 @@ constexpr auto brdfOf = [](auto& scene) -> auto& { return scene.material.brdf; }
 constexpr auto fresnelOf = [](auto& scene) -> auto& { return scene.material.fresnel; };
 constexpr auto diffuseOf = [](auto& scene) -> auto& { return scene.material.diffuse; };
 constexpr auto clearCoatOf = [](auto& scene) -> auto& { return scene.material.clearCoat; };
+constexpr auto normalMapOf = [](auto& scene) -> auto& { return scene.material.normalMap; };
 constexpr auto mapOf = [](auto& scene) -> auto& { return scene.map; };
 constexpr auto materialOf = [](auto& scene) -> auto& { return scene.material; };
 
@@ -101,6 +102,7 @@ MaterialPanel::MaterialPanel(Workspace& workspace, QWidget* parent) : QWidget(pa
     addFresnel();
     addDiffuse();
     addClearCoat();
+    addNormalMap();
     addLookup();
     scroll->setWidget(m_form);
     connect(&m_workspace.document, &Document::changed, this, [this](Parts parts) {
@@ -315,6 +317,15 @@ void MaterialPanel::addClearCoat()
          {"lobe", {.isShown = hasClearCoat}},
          {"exponent", {.sliderLow = 0.1, .sliderHigh = 1e6, .scale = Scale::Logarithmic, .isShown = clearCoatIs(SurfaceLobe::Phong)}},
          {"roughness", {.digits = 3, .isShown = clearCoatIs(SurfaceLobe::Ggx)}}});
+}
+
+void MaterialPanel::addNormalMap()
+{
+    m_form->addHeading(tr("Normal map"));
+    m_form->addFields(
+        "material.normal_map", normalMapOf,
+        {{"source", {.label = tr("Normals"), .isText = true, .fileFilter = imageFilter()}},
+         {"strength", {.step = 0.05, .isShown = [](const Scene& scene) { return !scene.material.normalMap.source.empty(); }}}});
 }
 
 void MaterialPanel::showPreset()

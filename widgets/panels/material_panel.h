@@ -27,6 +27,7 @@ private:
     void addFresnel();
     void addDiffuse();
     void addClearCoat();
+    void addNormalMap();
     void addLookup();
     void showPreset();
 

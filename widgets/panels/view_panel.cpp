@@ -112,6 +112,7 @@ ViewPanel::ViewPanel(Workspace& workspace, QWidget* parent) : QWidget(parent), m
                       {{"shading", hidden},
                        {"exposure", {.sliderLow = -8.0, .sliderHigh = 8.0, .step = 0.1}},
                        {"tone", {.label = tr("Tone curve")}},
+                       {"dither", {.label = tr("Dithering")}},
                        {"width", {.label = tr("Picture width")}},
                        {"tessellation", hidden},
                        {"height", {.label = tr("Picture height")}}});
@@ -126,6 +127,18 @@ void ViewPanel::addGeometry()
         bodiesBox->addItem(labelText(body), toQString(body));
     const int meshItem = bodiesBox->count();
     bodiesBox->addItem(tr("Mesh file…"));
+    bodiesBox->setIconSize({24, 24});
+    const auto showIcons = [this, bodiesBox, meshItem] {
+        for (int i = 0; i < meshItem; ++i)
+            if (const QString body = bodiesBox->itemData(i).toString(); body != QStringLiteral("window"))
+                bodiesBox->setItemIcon(i, m_workspace.meshes.icon(body));
+        const Scene& scene = m_workspace.document.scene();
+        const bool isFile = !builtinGeometry(scene.view.geometry);
+        bodiesBox->setItemIcon(
+            meshItem,
+            isFile ? m_workspace.meshes.icon(QFileInfo(toQString(resolved(scene, scene.view.geometry))).absoluteFilePath()) : QIcon());
+    };
+    connect(&m_workspace.meshes, &MeshThumbnails::made, bodiesBox, showIcons);
     connect(bodiesBox, &QComboBox::activated, this, [this, bodiesBox, meshItem](int index) {
         if (index == meshItem) {
             const QString path =
@@ -139,14 +152,18 @@ void ViewPanel::addGeometry()
         const int builtin = bodiesBox->findData(toQString(m_workspace.document.scene().view.geometry)); // a dialog may have been cancelled
         bodiesBox->setCurrentIndex(builtin >= 0 ? builtin : meshItem);
     });
-    m_form->addControl(QStringLiteral("view.geometry"),
-                       {.name = "geometry", .help = "the body that the material is shown on, or a mesh file"}, {}, bodiesBox,
-                       [bodiesBox, meshItem](const Scene& scene) {
-                           const QString shown = toQString(scene.view.geometry);
-                           const int builtin = bodiesBox->findData(shown);
-                           bodiesBox->setItemText(meshItem, builtin >= 0 ? tr("Mesh file…") : QFileInfo(shown).fileName());
-                           bodiesBox->setCurrentIndex(builtin >= 0 ? builtin : meshItem);
-                       });
+    m_form->addControl(
+        QStringLiteral("view.geometry"), {.name = "geometry", .help = "the body that the material is shown on, or a mesh file"}, {},
+        bodiesBox, [bodiesBox, meshItem, showIcons](const Scene& scene) {
+            const QString shown = toQString(scene.view.geometry);
+            if (bodiesBox->itemData(meshItem, Qt::UserRole + 1).toString() != shown) { // files are not looked at while something is dragged
+                bodiesBox->setItemData(meshItem, shown, Qt::UserRole + 1);
+                showIcons();
+            }
+            const int builtin = bodiesBox->findData(shown);
+            bodiesBox->setItemText(meshItem, builtin >= 0 ? tr("Mesh file…") : QFileInfo(shown).fileName());
+            bodiesBox->setCurrentIndex(builtin >= 0 ? builtin : meshItem);
+        });
 }
 
 // What lies outside, the nearest first. The nearest is the material's sphere map, which may be painted in its dock.

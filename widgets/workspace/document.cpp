@@ -22,6 +22,13 @@ Parts differing(const Scene& a, const Scene& b)
     return parts;
 }
 
+Scene newScene()
+{
+    Scene scene;
+    scene.view.dither = true;
+    return scene;
+}
+
 Document::Document(QObject* parent) : QObject(parent)
 {
     connect(&m_undoStack, &QUndoStack::cleanChanged, this, [this](bool clean) { emit modifiedChanged(!clean); });

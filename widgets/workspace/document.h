@@ -18,6 +18,9 @@ Q_DECLARE_OPERATORS_FOR_FLAGS(Parts)
 /// Which parts of two scenes differ.
 Parts differing(const Scene& a, const Scene& b);
 
+/// What the studio begins with: a scene as a file without a field has it, but dithered - files that say nothing of it keep their bytes.
+Scene newScene();
+
 /// The one place of state: the scene that is being edited, its file, its undo stack. Widgets read scene(), change it through edit() and
 /// redraw on changed(); they never talk to each other.
 class Document : public QObject {
@@ -46,7 +49,7 @@ public:
     bool isDragging() const { return !m_mergeKey.isEmpty(); }
 
     /// A new scene without a file.
-    void reset(const Scene& scene = {});
+    void reset(const Scene& scene = newScene());
     /// @throws FileError; the document then is as it was
     void load(const QString& path);
     /// Writes the scene and makes `path` the document's file. Paths below its folder become relative to it. @throws InvalidArgument,
@@ -67,7 +70,7 @@ private:
     void apply(const Scene& scene);
     void replace(const Scene& scene, const QString& path);
 
-    Scene m_scene{};
+    Scene m_scene = newScene();
     QString m_filePath;
     QUndoStack m_undoStack;
     QString m_mergeKey;

@@ -50,6 +50,7 @@ private:
         prepared.meshProblem += (prepared.meshProblem.empty() ? "" : "; ") + problem;
         prepared.plan.diffusePicture.reset();
         prepared.plan.fleckPattern.reset();
+        prepared.plan.normalMap.reset();
     }
 
     void readDisplay(const preview::DisplayChoice& choice, WorkRecord& record)

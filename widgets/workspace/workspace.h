@@ -2,6 +2,7 @@
 
 #include "document.h"
 #include "live_scene.h"
+#include "mesh_thumbnails.h"
 #include "preset_library.h"
 #include "probe_library.h"
 #include "snapshots.h"
@@ -21,6 +22,7 @@ struct Workspace {
     MethodError methodError{};
     ProbeLibrary library{};
     PresetLibrary presets{};
+    MeshThumbnails meshes{};
     Snapshots snapshots{};
     Notices notices{};
 };

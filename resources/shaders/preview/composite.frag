@@ -1,6 +1,9 @@
 // The background, and over it the mean of the object's samples: BACKGROUND (0 none, 1 color, 2 environment), OBJECT_SAMPLES (0 where
-// the object is not), OUTPUT_RADIANCE.
+// the object is not), OUTPUT_RADIANCE, DITHER (1: what follows is rounded to 8 bits).
 #include "lib/output.glsl"
+#if DITHER
+#include "lib/dither.glsl"
+#endif
 #if BACKGROUND == 2
 #define MAP_RADIANCE backgroundRadiance
 #define MAP_LOD backgroundLod
@@ -49,5 +52,8 @@ void main()
     color = vec4(opacity * encodeOutput(behind.rgb / opacity), behind.a);
 #else
     color = vec4(encodeOutput(behind.rgb), behind.a);
+#endif
+#if DITHER
+    color = dithered(color, ivec2(gl_FragCoord.xy - corner.xy));
 #endif
 }

@@ -1,7 +1,10 @@
 // What a material is computed from: SHADING 1 wireframe, 2 normals, 3 texture coordinates, 4 seams, 5 mip levels, 6 and 7 the ground that
 // lines are drawn over; HAS_SPECULAR says
-// whether there is a map to have levels; SEAM: the function of the mapping whose seams are shown; LEVEL_VALUE: the level itself in place of its color. Colors are meant for the display: neither exposed nor tone-mapped.
+// whether there is a map to have levels; NORMAL_MAP whether normals are those of a picture; SEAM: the function of the mapping whose seams are shown; LEVEL_VALUE: the level itself in place of its color. Colors are meant for the display: neither exposed nor tone-mapped.
 #include "lib/surface_point.glsl"
+#if NORMAL_MAP
+#include "lib/normal_map.glsl"
+#endif
 #if ENCODED // nothing comes after
 #include "lib/color.glsl"
 #endif
@@ -39,7 +42,7 @@ noperspective in vec3 edgeDistance; // in pixels, to each side of the triangle
 #else
 in vec3 worldPosition;
 in vec3 worldNormal;
-#if SHADING == 3
+#if SHADING == 3 || NORMAL_MAP
 in vec2 texCoord;
 #endif
 #endif
@@ -54,6 +57,9 @@ float line(float distance, float width)
 void main()
 {
     SurfacePoint p = surfacePoint(viewer, worldPosition, worldNormal);
+#if NORMAL_MAP
+    p = mappedPoint(p, viewer, worldPosition, texCoord);
+#endif
     float light = 0.25 + 0.75 * p.c;
 #if SHADING == 1
     float distance = min(edgeDistance.x, min(edgeDistance.y, edgeDistance.z));

@@ -1,4 +1,5 @@
 // Where each pixel looks the painted sphere map up, for pens. WINDOW 1: through the pane of a window, in the nearest layer outside.
+// NORMAL_MAP: whether normals are those of a picture.
 #if WINDOW
 #include "lib/window_view.glsl"
 uniform float layerDepth;
@@ -6,6 +7,10 @@ in vec2 texCoord;
 #else
 #include "lib/disc_place.glsl"
 #include "lib/surface_point.glsl"
+#if NORMAL_MAP
+#include "lib/normal_map.glsl"
+in vec2 texCoord;
+#endif
 in vec3 worldNormal;
 #if SPHERE_VERTEX
 in vec2 vertexDiscPlace;
@@ -24,6 +29,10 @@ void main()
 #elif SPHERE_VERTEX
     place = vertexDiscPlace;
 #else
-    place = discPlace(surfacePoint(viewer, worldPosition, worldNormal).n, normalize(viewer.xyz - viewer.w * worldPosition));
+    SurfacePoint p = surfacePoint(viewer, worldPosition, worldNormal);
+#if NORMAL_MAP
+    p = mappedPoint(p, viewer, worldPosition, texCoord);
+#endif
+    place = discPlace(p.n, normalize(viewer.xyz - viewer.w * worldPosition));
 #endif
 }

@@ -1,7 +1,7 @@
 // The material: a map looked up by reflection, a map looked up by normal, the Fresnel term between them. What a material lacks is
 // not compiled: HAS_SPECULAR, HAS_DIFFUSE (0 or 1), FRESNEL (0 none, 1 dielectric, 2 conductor), COAT (0 add, 1 coat), CLEAR_COAT (0 none, 1 coat, 2 add), LAMBDA_BY_ANGLE,
 // MARKER (0 or 1), BRDF_LOOKUPS (how many stand for specular map and Fresnel term; 0: none), SPHERE_USE (a painted sphere map: 0 none, 1 replace, 2 multiply, 3 over, 4 tint, 5 add), FLECKS (0 or 1),
-// DIFFUSE_PICTURE and FLECK_PATTERN (0 or 1: a picture on the mesh).
+// DIFFUSE_PICTURE, FLECK_PATTERN and NORMAL_MAP (0 or 1: a picture on the mesh).
 #include "lib/fresnel.glsl"
 #include "lib/output.glsl"
 #include "lib/surface_point.glsl"
@@ -58,11 +58,14 @@ uniform mat3 clearCoatRotation;
 uniform float clearCoatWeight;
 uniform float clearCoatN2m1;
 #endif
-#if DIFFUSE_PICTURE || FLECK_PATTERN
+#if DIFFUSE_PICTURE || FLECK_PATTERN || NORMAL_MAP
 #include "lib/surface_picture.glsl"
 in vec2 texCoord;
 uniform sampler2D diffusePicture;
 uniform sampler2D fleckPattern;
+#endif
+#if NORMAL_MAP
+#include "lib/normal_map.glsl"
 #endif
 
 #if SPHERE_USE
@@ -142,6 +145,9 @@ vec4 paintedColor(vec2 place)
 void main()
 {
     SurfacePoint p = surfacePoint(viewer, worldPosition, worldNormal);
+#if NORMAL_MAP
+    p = mappedPoint(p, viewer, worldPosition, texCoord);
+#endif
     vec3 mirrored = vec3(0.0), diffuse = vec3(0.0);
 #if HAS_SPECULAR
 #if LAMBDA_BY_ANGLE

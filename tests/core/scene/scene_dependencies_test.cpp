@@ -23,7 +23,8 @@ const std::map<std::string, Touches> classes = [] {
                                        {"material.specular.lobe", MapsAndMeasurement},
                                        {"material.specular.exponent", MapsAndMeasurement}, // of a phong lobe
                                        {"view.exposure", Nothing},
-                                       {"view.tone", Nothing}};
+                                       {"view.tone", Nothing},
+                                       {"view.dither", Nothing}};
     for (const char* field : {"yaw", "pitch", "roll", "distance", "fov", "target", "projection"})
         all.emplace(std::string("view.camera.") + field, Nothing);
     for (const char* field : {"probe.exposure",
@@ -54,6 +55,8 @@ const std::map<std::string, Touches> classes = [] {
                               "material.clear_coat.lobe",
                               "material.clear_coat.exponent",
                               "material.clear_coat.roughness",
+                              "material.normal_map.source",
+                              "material.normal_map.strength",
                               "material.lambda",
                               "material.lambda_grazing",
                               "material.lod_bias",

@@ -63,6 +63,60 @@ TEST_F(SurfacePicture, OfSharesIsItsLuminanceAtMostOne)
     EXPECT_EQ(shares.texels[2], 0.0f);
 }
 
+// Data, not colors: what the file says of its curve plays no part. 128 of 255 is nearest to a component of 0.
+TEST_F(SurfacePicture, OfNormalsIsWhatItsFileStoresWhateverItSaysOfColors)
+{
+    Image stored(1, 1);
+    stored.texels = {0.5f, 0.75f, 1.0f};
+    test::writePng(folder / "plain.png", stored, 8);
+    test::writePng(folder / "gamma.png", stored, 8, test::gammaChunk(0.5));
+    for (const char* file : {"plain.png", "gamma.png"}) {
+        const Image normals = read(file, SurfacePictureUse::Normal)->front();
+        EXPECT_NEAR(normals.texels[0], 0.0f, 1.1f / 255.0f) << file;
+        EXPECT_NEAR(normals.texels[1], 0.5f, 1.1f / 255.0f) << file;
+        EXPECT_EQ(normals.texels[2], 1.0f) << file;
+    }
+}
+
+// Lengths tell: (0.5, 0.5, 1) is 1 long only if it stands for (0, 0, 1), and (-0.6, 0, 0.8) only as it is.
+TEST_F(SurfacePicture, OfNormalsInFloatsHoldsVectorsOrHalvesOfThem)
+{
+    const auto asRead = [&](const std::vector<float>& stored) {
+        Image one(1, 1);
+        one.texels = stored;
+        writeImage(folder / "one.exr", one);
+        const Image normals = read("one.exr", SurfacePictureUse::Normal)->front();
+        return std::vector<float>(normals.texels.begin(), normals.texels.end());
+    };
+    EXPECT_EQ(asRead({0.5f, 0.5f, 1.0f}), (std::vector<float>{0.0f, 0.0f, 1.0f}));
+    EXPECT_EQ(asRead({0.0f, 0.0f, 1.0f}), (std::vector<float>{0.0f, 0.0f, 1.0f}));
+    EXPECT_EQ(asRead({-0.6f, 0.0f, 0.8f}), (std::vector<float>{-0.6f, 0.0f, 0.8f}));
+}
+
+TEST_F(SurfacePicture, OfNormalsIsReadWhereNormalsShowAndFlatWhileItIsMissing)
+{
+    const MapLayout probe{Parameterization::Latlong, 64, 0};
+    scene.material.normalMap.source = "bumps.png";
+    for (const Shading shading : {Shading::Material, Shading::Normals, Shading::Seams, Shading::Mips}) {
+        scene.view.shading = shading;
+        EXPECT_TRUE(makePlan(scene, probe).normalMap);
+    }
+    for (const Shading shading : {Shading::Wireframe, Shading::TexCoords, Shading::Bounds}) {
+        scene.view.shading = shading;
+        EXPECT_FALSE(makePlan(scene, probe).normalMap);
+    }
+    scene.view.shading = Shading::Material;
+    scene.material.normalMap.strength = 0.0;
+    EXPECT_FALSE(makePlan(scene, probe).normalMap);
+    LivePicture live;
+    WorkRecord record;
+    const SurfacePicturePlan plan{"normal map", "material.normal_map.source", "bumps.png", SurfacePictureUse::Normal};
+    const PictureLevels flat = live.update(scene, plan, {}, record);
+    EXPECT_EQ(flat->front().texels[0], 0.0f);
+    EXPECT_EQ(flat->front().texels[2], 1.0f);
+    EXPECT_THAT(live.problem(), HasSubstr("material.normal_map.source: "));
+}
+
 TEST_F(SurfacePicture, ThatCannotBeReadIsToldInOneLineWithFieldAndFile)
 {
     test::writeBytes(folder / "broken.png", "no picture");

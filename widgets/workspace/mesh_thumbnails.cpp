@@ -1,0 +1,102 @@
+#include "mesh_thumbnails.h"
+
+#include "widgets/controls/text.h"
+
+#include "core/base/failure.h"
+#include "core/preview/mesh_file.h"
+#include "core/preview/mesh_picture.h"
+
+#include <QDateTime>
+#include <QFileInfo>
+#include <QImage>
+#include <QPixmap>
+
+#include <cmath>
+#include <optional>
+
+namespace mirrorball::studio {
+
+namespace {
+
+std::optional<preview::GeometryKind> builtinKind(const QString& geometry)
+{
+    if (geometry == QStringLiteral("teapot"))
+        return preview::GeometryKind::Teapot;
+    if (geometry == QStringLiteral("torus"))
+        return preview::GeometryKind::Torus;
+    if (geometry == QStringLiteral("sphere"))
+        return preview::GeometryKind::Sphere;
+    if (geometry == QStringLiteral("box"))
+        return preview::GeometryKind::Box;
+    return std::nullopt;
+}
+
+QImage onScreen(const Image& rgba)
+{
+    QImage image(rgba.width, rgba.height, QImage::Format_ARGB32_Premultiplied);
+    for (int y = 0; y < rgba.height; ++y)
+        for (int x = 0; x < rgba.width; ++x) {
+            const float* t = rgba.texel(x, y);
+            const auto byte = [](float value) { return static_cast<int>(std::lround(255.0f * value)); };
+            image.setPixel(x, y, qRgba(byte(t[0]), byte(t[1]), byte(t[2]), byte(t[3])));
+        }
+    image.setDevicePixelRatio(2.0);
+    return image;
+}
+
+/// Null where there is no such picture: what is wrong with a mesh is told when it is used.
+QImage pictureOf(const QString& geometry, const JobControl& job)
+{
+    QImage picture;
+    failureOf([&] {
+        preview::Geometry body{.level = 12};
+        if (const auto kind = builtinKind(geometry))
+            body.kind = *kind;
+        else
+            body.mesh = std::make_shared<const preview::Mesh>(preview::readMesh(toPath(geometry), job));
+        picture = onScreen(preview::meshPicture(body, 2 * MeshThumbnails::pictureEdge));
+    });
+    return picture;
+}
+
+} // namespace
+
+MeshThumbnails::MeshThumbnails(QObject* parent) : QObject(parent) {}
+MeshThumbnails::~MeshThumbnails() = default;
+
+QIcon MeshThumbnails::icon(const QString& geometry)
+{
+    const qint64 time = builtinKind(geometry) ? 0 : QFileInfo(geometry).lastModified().toMSecsSinceEpoch();
+    const auto found = m_entries.find(geometry);
+    if (found != m_entries.end() && found->time == time)
+        return found->icon;
+    const QIcon before = found != m_entries.end() ? found->icon : QIcon();
+    m_entries.insert(geometry, {before, time});
+    m_queue.push_back(geometry);
+    if (!m_isMaking)
+        makeNext();
+    return before;
+}
+
+void MeshThumbnails::makeNext()
+{
+    m_isMaking = !m_queue.empty();
+    if (!m_isMaking)
+        return;
+    const QString geometry = m_queue.front();
+    m_queue.pop_front();
+    m_runner.start(
+        [geometry](const JobControl& job) {
+            JobControl one = job;
+            one.threads = 1; // the picture and the maps come first
+            return pictureOf(geometry, one);
+        },
+        [this, geometry](const QImage& picture) {
+            m_entries[geometry].icon = picture.isNull() ? QIcon() : QIcon(QPixmap::fromImage(picture));
+            emit made(geometry);
+            makeNext();
+        },
+        Running::Finish);
+}
+
+} // namespace mirrorball::studio
