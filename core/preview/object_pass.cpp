@@ -176,30 +176,24 @@ static std::vector<ShaderDefine> materialDefines(const MaterialSettings& materia
             {"SPHERE_VERTEX", needed.sphereMap && material.paint.lookup == LookupAt::Vertex ? "1" : "0"}};
 }
 
-void Renderer::Resources::bindNormalMap(const RenderSettings& settings, const ShaderProgram& shader)
-{
-    normalMap.bind(3);
-    shader.set("normalMap", 3);
-    shader.set("normalStrength", settings.material.normalStrength);
-}
+static bool hasFlecks(const PaintSettings& paint) { return paint.flecks.density > 0.0f; }
 
-void Renderer::Resources::drawObject(const RenderSettings& settings, const RenderMaps& maps, Output output)
+/// n^2 - 1 of an index of refraction, without the digits that a square near 1 loses.
+static float n2m1(double n) { return static_cast<float>((n - 1.0) * (n + 1.0)); }
+
+std::vector<ShaderDefine> Renderer::Resources::updateObjectMaps(const RenderSettings& settings, const RenderMaps& maps,
+                                                                const NeededMaps& needed)
 {
+    std::vector<ShaderDefine> defines;
     const MaterialSettings& material = settings.material;
-    const NeededMaps needed = neededMaps(settings);
-    const bool hasMarker = settings.marker.has_value() && output == Output::Display;
-    std::vector<ShaderDefine> defines = materialDefines(material, needed, hasMarker);
-    const PaintSettings& paint = material.paint;
-    const bool hasFlecks = needed.sphereMap && paint.flecks.density > 0.0f;
     if (needed.sphereMap) {
         sphereMaps[0].update(maps.sphereMaps.empty() ? nullptr : maps.sphereMaps[0], "sphere map");
         const SphereMapTexels& texels = *sphereMaps[0].source();
         defines.emplace_back("SPHERE_INDEX", number(static_cast<int>(texels.index)));
-        defines.emplace_back("SPHERE_SPACE", spaceDefine(paint.space));
+        defines.emplace_back("SPHERE_SPACE", spaceDefine(material.paint.space));
         defines.emplace_back("SPHERE_LEVELS", texels.hasAuthoredLevels ? "1" : "0");
-        defines.emplace_back("FLECKS", hasFlecks ? "1" : "0");
+        defines.emplace_back("FLECKS", hasFlecks(material.paint) ? "1" : "0");
     }
-    addOutputDefines(defines, settings, output, settings.objectCurve.value_or(settings.toneCurve));
     if (needed.specular) {
         addMapDefines(defines, "SPECULAR", specular.update(maps.specular, format, "specular"));
         defines.emplace_back("SPECULAR_ANISOTROPY", number(material.anisotropy));
@@ -214,13 +208,30 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
         addMapDefines(defines, "CLEAR_COAT", clearCoat.update(maps.clearCoat, format, "clear coat"));
         defines.emplace_back("CLEAR_COAT_ANISOTROPY", number(material.anisotropy));
     }
+    if (needed.diffusePicture)
+        diffusePicture.update(maps.diffusePicture, "diffuse picture");
+    if (needed.fleckPattern)
+        fleckPattern.update(maps.fleckPattern, "fleck pattern");
+    if (needed.normalMap)
+        normalMap.update(maps.normalMap, "normal map");
+    return defines;
+}
 
-    const ShaderProgram& shader = programs.get({"preview/object.vert", "preview/object.frag"}, defines, outputPrelude(settings, output));
-    displayTables.bind(shader, displayUnit);
+void Renderer::Resources::bindNormalMap(const RenderSettings& settings, const ShaderProgram& shader)
+{
+    normalMap.bind(3);
+    shader.set("normalMap", 3);
+    shader.set("normalStrength", settings.material.normalStrength);
+}
+
+void Renderer::Resources::bindReflection(const RenderSettings& settings, const NeededMaps& needed, const ShaderProgram& shader)
+{
+    const MaterialSettings& material = settings.material;
+    const glm::mat3 rotation = mapRotation(settings);
     if (needed.specular) {
-        bindMap(shader, "specular", 0, *specular.texture(), mapRotation(settings), material.lodBias);
+        bindMap(shader, "specular", 0, *specular.texture(), rotation, material.lodBias);
         shader.set("specularColor", material.specular);
-        if (readsBrdf) {
+        if (material.hasBrdf) {
             brdfLookups.bind(7);
             shader.set("brdfTable", 7);
         }
@@ -228,46 +239,65 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
         shader.set("lambdaGrazing", material.lambdaGrazing);
     }
     if (needed.diffuse) {
-        bindMap(shader, "diffuse", 1, *diffuse.texture(), mapRotation(settings));
+        bindMap(shader, "diffuse", 1, *diffuse.texture(), rotation);
         shader.set("diffuseColor", material.diffuse);
     }
-    const auto n2m1 = [](double n) { return static_cast<float>((n - 1.0) * (n + 1.0)); };
     if (needed.clearCoat) {
-        bindMap(shader, "clearCoat", 2, *clearCoat.texture(), mapRotation(settings));
+        bindMap(shader, "clearCoat", 2, *clearCoat.texture(), rotation);
         shader.set("clearCoatWeight", material.clearCoat.weight);
         shader.set("clearCoatN2m1", n2m1(material.clearCoat.index));
     }
+    shader.set("n2m1", n2m1(material.fresnel.index));
+    shader.set("conductorN", glm::vec3(material.fresnel.conductor.n));
+    shader.set("conductorK", glm::max(glm::vec3(material.fresnel.conductor.k), 1e-6f));
+}
+
+void Renderer::Resources::bindSurfacePictures(const RenderSettings& settings, const NeededMaps& needed, const ShaderProgram& shader)
+{
     if (needed.diffusePicture) {
-        diffusePicture.update(maps.diffusePicture, "diffuse picture");
         diffusePicture.bind(5);
         shader.set("diffusePicture", 5);
     }
     if (needed.fleckPattern) {
-        fleckPattern.update(maps.fleckPattern, "fleck pattern");
         fleckPattern.bind(6);
         shader.set("fleckPattern", 6);
     }
-    if (needed.normalMap) {
-        normalMap.update(maps.normalMap, "normal map");
+    if (needed.normalMap)
         bindNormalMap(settings, shader);
-    }
-    if (needed.sphereMap) {
-        const bool isShifted = hasFlecks || sphereMaps[0].source()->hasAuthoredLevels;
-        sphereMaps[0].bind(4, isShifted ? 1 : paint.anisotropy, paint.onlyLevel);
-        shader.set("paintedMap", 4);
-        shader.set("sphereOpacity", paint.opacity);
-        shader.set("sphereColor", paint.color);
-        shader.set("sphereRotation", sphereRotation(settings));
-        shader.set("flecks", glm::vec4(paint.flecks.density, paint.flecks.size, paint.flecks.spread, float(paint.flecks.seed)));
-    }
+}
+
+void Renderer::Resources::bindPaintedMap(const RenderSettings& settings, const ShaderProgram& shader)
+{
+    const PaintSettings& paint = settings.material.paint;
+    const bool isShifted = hasFlecks(paint) || sphereMaps[0].source()->hasAuthoredLevels;
+    sphereMaps[0].bind(4, isShifted ? 1 : paint.anisotropy, paint.onlyLevel);
+    shader.set("paintedMap", 4);
+    shader.set("sphereOpacity", paint.opacity);
+    shader.set("sphereColor", paint.color);
+    shader.set("sphereRotation", sphereRotation(settings));
+    shader.set("flecks", glm::vec4(paint.flecks.density, paint.flecks.size, paint.flecks.spread, float(paint.flecks.seed)));
+}
+
+void Renderer::Resources::drawObject(const RenderSettings& settings, const RenderMaps& maps, Output output)
+{
+    const NeededMaps needed = neededMaps(settings);
+    const bool hasMarker = settings.marker.has_value() && output == Output::Display;
+    std::vector<ShaderDefine> defines = materialDefines(settings.material, needed, hasMarker);
+    const std::vector<ShaderDefine> ofMaps = updateObjectMaps(settings, maps, needed);
+    defines.insert(defines.end(), ofMaps.begin(), ofMaps.end());
+    addOutputDefines(defines, settings, output, settings.objectCurve.value_or(settings.toneCurve));
+
+    const ShaderProgram& shader = programs.get({"preview/object.vert", "preview/object.frag"}, defines, outputPrelude(settings, output));
+    displayTables.bind(shader, displayUnit);
+    bindReflection(settings, needed, shader);
+    bindSurfacePictures(settings, needed, shader);
+    if (needed.sphereMap)
+        bindPaintedMap(settings, shader);
     if (hasMarker) {
         shader.set("marker", glm::normalize(*settings.marker));
         shader.set("markerPixel", settings.pixelRatio);
         shader.set("markerRotation", mapRotation(settings));
     }
-    shader.set("n2m1", n2m1(material.fresnel.index));
-    shader.set("conductorN", glm::vec3(material.fresnel.conductor.n));
-    shader.set("conductorK", glm::max(glm::vec3(material.fresnel.conductor.k), 1e-6f));
     shader.set("exposure", std::exp2(settings.exposure));
     drawMesh(settings, shader);
 }

@@ -46,7 +46,12 @@ struct Renderer::Resources {
     PixelRectangle beginObject(const RenderSettings& settings, const RenderTarget& target);
     void drawMesh(const RenderSettings& settings, const ShaderProgram& shader);
     void drawObject(const RenderSettings& settings, const RenderMaps& maps, Output output);
+    /// What an object shows, on the GPU, and what its shader must know of it when it is compiled.
+    std::vector<ShaderDefine> updateObjectMaps(const RenderSettings& settings, const RenderMaps& maps, const NeededMaps& needed);
+    void bindReflection(const RenderSettings& settings, const NeededMaps& needed, const ShaderProgram& shader);
+    void bindSurfacePictures(const RenderSettings& settings, const NeededMaps& needed, const ShaderProgram& shader);
     void bindNormalMap(const RenderSettings& settings, const ShaderProgram& shader);
+    void bindPaintedMap(const RenderSettings& settings, const ShaderProgram& shader);
     void drawWindow(const RenderSettings& settings, const RenderMaps& maps, Output output);
     void drawDebug(const RenderSettings& settings, const RenderMaps& maps, Output output);
     /// The object, or the window, as the material shows it.
