@@ -1,41 +1,46 @@
 #include "method_row.h"
 
-#include <array>
-
 namespace mirrorball {
 
 namespace {
 
-struct Entry {
-    Method method;
-    const MethodRow& row;
-};
-
-constexpr std::array rows{
-    Entry{Method::Auto, autoMethod},
-    Entry{Method::Reference, referenceMethod},
-    Entry{Method::Spectral, spectralMethod},
-    Entry{Method::Direct, directMethod},
-    Entry{Method::Hierarchical, hierarchicalMethod},
-    Entry{Method::Importance, importanceMethod},
-    Entry{Method::Paraboloid, paraboloidMethod},
-    Entry{Method::Mip, mipMethod},
-    Entry{Method::Sh9, sh9Method},
-};
-
-consteval bool areInOrder()
+/// A switch, so that the compiler names a method that has no row.
+constexpr const MethodRow* find(Method method)
 {
-    if (rows.size() != allMethods.size())
-        return false;
-    for (size_t i = 0; i < rows.size(); ++i)
-        if (rows[i].method != allMethods[i] || static_cast<size_t>(rows[i].method) != i)
-            return false;
-    return true;
+    switch (method) {
+    case Method::Auto:
+        return &autoMethod;
+    case Method::Reference:
+        return &referenceMethod;
+    case Method::Spectral:
+        return &spectralMethod;
+    case Method::Direct:
+        return &directMethod;
+    case Method::Hierarchical:
+        return &hierarchicalMethod;
+    case Method::Importance:
+        return &importanceMethod;
+    case Method::Paraboloid:
+        return &paraboloidMethod;
+    case Method::Mip:
+        return &mipMethod;
+    case Method::Sh9:
+        return &sh9Method;
+    }
+    return nullptr;
 }
-static_assert(areInOrder(), "every method has its row, in the order of Method and of allMethods");
+
+consteval bool areAll()
+{
+    for (size_t i = 0; i < allMethods.size(); ++i)
+        if (static_cast<size_t>(allMethods[i]) != i)
+            return false;
+    return find(static_cast<Method>(allMethods.size())) == nullptr;
+}
+static_assert(areAll(), "allMethods has every method, in the order of the enum");
 
 } // namespace
 
-const MethodRow& rowOf(Method method) { return rows[static_cast<size_t>(method)].row; }
+const MethodRow& rowOf(Method method) { return *find(method); }
 
 } // namespace mirrorball

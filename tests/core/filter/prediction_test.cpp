@@ -1,3 +1,4 @@
+#include "core/filter/method_row.h"
 #include "core/filter/prefilter.h"
 #include "core/filter/ring_grid.h"
 #include "core/image/builtin_probes.h"
@@ -86,7 +87,9 @@ TEST(Prediction, OfMethodsThatApproximateTellsWhereTheLightIsNot)
         for (const Lobe& lobe : {phongLobe(10), phongLobe(50), phongLobe(500), ggxLobe(0.1), ggxLobe(0.3), diffuseLobe()}) {
             FilterSource exactly(probes[i]);
             const EnvironmentMap exact = exactMap(exactly, {.lobe = lobe, .target = cube16});
-            for (const Method method : {Method::Importance, Method::Mip, Method::Paraboloid, Method::Sh9}) {
+            for (const Method method : allMethods) {
+                if (!rowOf(method).spread)
+                    continue;
                 FilterSource source(probes[i]);
                 const PrefilterOptions options{.lobe = lobe, .target = cube16, .method = method, .tolerance = 1e-1};
                 if (!refusal(method, options, traits(source)).empty())
