@@ -5,11 +5,14 @@
 #include "reading_options.h"
 
 #include "core/base/error.h"
+#include "core/base/field_json.h"
 #include "core/engine/filter_chain.h"
+#include "core/filter/lobe_row.h"
 #include "core/image/map_file.h"
 #include "core/image/mip_pyramid.h"
 #include "core/preview/paraboloid_blur.h"
 #include "core/scene/file_filter.h"
+#include "core/scene/scene_kinds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,42 +47,65 @@ void refuse(bool given, const std::string& option, const std::string& because)
         throw InvalidArgument(option + ": " + because);
 }
 
+/// "phong, diffuse or ggx": those that a word makes.
+std::string lobeWords()
+{
+    std::vector<std::string_view> words;
+    for (const LobeRow& row : lobeRows)
+        if (row.make)
+            words.push_back(row.word);
+    return field_json::listed(words);
+}
+
+Lobe parsePhong(const Options& o)
+{
+    refuse(o.alpha.has_value(), "--alpha", "belongs to ggx; phong takes --exponent");
+    refuse(o.exponent && o.roughness, "--roughness", "given beside --exponent; for phong it is 1/exponent, so give one of them");
+    if (o.roughness) {
+        refuse(!(*o.roughness > 0.0 && *o.roughness <= 1.0), "--roughness", "must lie in (0, 1] for phong, where it is 1/exponent");
+        return phongLobe(1.0 / *o.roughness);
+    }
+    if (!o.exponent)
+        throw InvalidArgument("--exponent: is missing; the lobe phong needs it, e.g. --exponent 50");
+    if (!(*o.exponent >= 0.0 && *o.exponent <= 1e300))
+        throw InvalidArgument("--exponent: must be a finite number of at least 0");
+    return phongLobe(*o.exponent);
+}
+
+std::optional<Lobe> parseGgx(const Options& o)
+{
+    refuse(o.exponent.has_value(), "--exponent", "belongs to phong; ggx takes --roughness or --alpha");
+    refuse(o.roughness && o.alpha, "--alpha", "given beside --roughness; it is its square, so give one of them");
+    if (o.roughness) {
+        refuse(!(*o.roughness >= 0.0 && *o.roughness <= 1.0), "--roughness", "must lie in [0, 1]");
+        return ggxLobe(*o.roughness * *o.roughness);
+    }
+    if (o.alpha) {
+        refuse(!(*o.alpha >= 0.0 && *o.alpha <= 1.0), "--alpha", "must lie in [0, 1]");
+        return ggxLobe(*o.alpha);
+    }
+    if (o.mips)
+        return std::nullopt;
+    throw InvalidArgument("--roughness: is missing; the lobe ggx needs it (or --alpha, or --mips for the whole chain)");
+}
+
 /// The lobe the options ask for; empty for a ggx chain, whose levels each have their own.
 std::optional<Lobe> parseLobe(const Options& o)
 {
-    if (o.lobe == "diffuse") {
-        refuse(o.exponent || o.roughness || o.alpha, "--lobe", "diffuse takes no exponent, roughness or alpha");
-        return diffuseLobe();
-    }
-    if (o.lobe == "phong") {
-        refuse(o.alpha.has_value(), "--alpha", "belongs to ggx; phong takes --exponent");
-        refuse(o.exponent && o.roughness, "--roughness", "given beside --exponent; for phong it is 1/exponent, so give one of them");
-        if (o.roughness) {
-            refuse(!(*o.roughness > 0.0 && *o.roughness <= 1.0), "--roughness", "must lie in (0, 1] for phong, where it is 1/exponent");
-            return phongLobe(1.0 / *o.roughness);
+    const auto row = std::find_if(lobeRows.begin(), lobeRows.end(), [&](const LobeRow& r) { return r.make && r.word == o.lobe; });
+    if (row != lobeRows.end())
+        switch (row->kind) {
+        case LobeKind::Phong:
+            return parsePhong(o);
+        case LobeKind::Diffuse:
+            refuse(o.exponent || o.roughness || o.alpha, "--lobe", "diffuse takes no exponent, roughness or alpha");
+            return diffuseLobe();
+        case LobeKind::Ggx:
+            return parseGgx(o);
+        case LobeKind::Tabulated: // no word makes one
+            break;
         }
-        if (!o.exponent)
-            throw InvalidArgument("--exponent: is missing; the lobe phong needs it, e.g. --exponent 50");
-        if (!(*o.exponent >= 0.0 && *o.exponent <= 1e300))
-            throw InvalidArgument("--exponent: must be a finite number of at least 0");
-        return phongLobe(*o.exponent);
-    }
-    if (o.lobe == "ggx") {
-        refuse(o.exponent.has_value(), "--exponent", "belongs to phong; ggx takes --roughness or --alpha");
-        refuse(o.roughness && o.alpha, "--alpha", "given beside --roughness; it is its square, so give one of them");
-        if (o.roughness) {
-            refuse(!(*o.roughness >= 0.0 && *o.roughness <= 1.0), "--roughness", "must lie in [0, 1]");
-            return ggxLobe(*o.roughness * *o.roughness);
-        }
-        if (o.alpha) {
-            refuse(!(*o.alpha >= 0.0 && *o.alpha <= 1.0), "--alpha", "must lie in [0, 1]");
-            return ggxLobe(*o.alpha);
-        }
-        if (o.mips)
-            return std::nullopt;
-        throw InvalidArgument("--roughness: is missing; the lobe ggx needs it (or --alpha, or --mips for the whole chain)");
-    }
-    throw InvalidArgument("--lobe: '" + o.lobe + "' is no lobe; choose phong, diffuse or ggx");
+    throw InvalidArgument("--lobe: '" + o.lobe + "' is no lobe; choose " + lobeWords());
 }
 
 MipFiltering parseMipFiltering(const std::string& word)
@@ -126,15 +152,6 @@ struct KnobParser {
         }
     }
 };
-
-/// "auto, reference, ... or sh9"
-std::string methodWords()
-{
-    std::string text;
-    for (const Method method : allMethods)
-        text += (method == allMethods.front() ? "" : method == allMethods.back() ? " or " : ", ") + std::string(name(method));
-    return text;
-}
 
 /// Knobs whose values are checked as they are typed; the others are read by KnobParser.
 bool isTyped(const Field& knob) { return knob.name == "samples" || knob.name == "lambda" || knob.name == "mip_filtering"; }
@@ -297,7 +314,7 @@ void addFilterCommand(CLI::App& program)
     CLI::App* command = program.add_subcommand("filter", "Prefilter a probe with a lobe");
     command->add_option("PROBE", o->probe, "file, builtin:NAME, or a spectrum made by `mirrorball spectrum`")->required();
     command->add_option("-o,--output", o->out, outputHelp)->required();
-    command->add_option("--lobe", o->lobe, "phong, diffuse or ggx; ggx with --law");
+    command->add_option("--lobe", o->lobe, lobeWords() + "; ggx with --law");
     command->add_option("--law", o->law,
                         "a chain of ggx levels whose roughness follows this engine: three, filament, babylon, playcanvas, "
                         "bevy, unity, unreal");
@@ -321,7 +338,8 @@ void addFilterCommand(CLI::App& program)
     command->add_flag("--mips", o->mips,
                       "every mip level, down to one texel; ggx without a roughness makes the chain of roughness 0 to 1 from base to top");
     command->add_option("--method", o->method,
-                        methodWords() + "; brdf: sum, stack, lookups:K, split-sum, three, filament, round or warp:DEG");
+                        field_json::listed(words(Method{})) +
+                            "; brdf: sum, stack, lookups:K, split-sum, three, filament, round or warp:DEG");
     command
         ->add_option("--tolerance", o->tolerance,
                      "what is promised, in (0, 1]: rel_rms and median_rel against the reference sum, five times it for p99_rel, and no "

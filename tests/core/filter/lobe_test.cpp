@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -41,8 +42,10 @@ std::vector<Lobe> someLobes()
 /// A lobe that is made of a word and a number holds that number where its row says, and is described by both.
 TEST(LobeRows, MakeTheLobesThatTheyDescribe)
 {
+    const std::vector<Lobe> tried = someLobes();
     for (const LobeRow& row : lobeRows) {
         EXPECT_EQ(rowOf(row.kind).word, row.word);
+        EXPECT_TRUE(std::any_of(tried.begin(), tried.end(), [&](const Lobe& lobe) { return lobe.kind == row.kind; })) << row.word;
         if (!row.make)
             continue;
         const Lobe lobe = row.make(0.25);
