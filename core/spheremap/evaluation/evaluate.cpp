@@ -41,15 +41,14 @@ SpanGenerator preparedGenerator(const LayerContent& content, const Level& level,
     if (raster)
         return rasterGenerator(std::shared_ptr<const Image>(std::shared_ptr<void>(), raster), {0, 0, level.size, level.size}, level.size);
     return std::visit(
-        [&](const auto& layer) -> SpanGenerator {
+        [&]<typename Kind>(const Kind& layer) -> SpanGenerator {
             if constexpr (requires { paintedRaster(layer, level, rect, job); }) {
                 const std::vector<Stroke> strokes = strokesAt(layer, level);
                 if (StrokeTiles::canPaint(strokes))
                     return rasterGenerator(std::make_shared<const StrokeTiles>(strokes, level.size, job));
                 const TexelRect reads = inwards(rect, level.size);
                 return rasterGenerator(std::make_shared<const Image>(paintedRaster(layer, level, reads, job)), reads, level.size);
-            } else if constexpr (requires { SpanGenerator(prepare(layer, level)); } &&
-                                 std::decay_t<decltype(layer)>::kind.role == LayerRole::Generator)
+            } else if constexpr (Kind::kind.role == LayerRole::Generator && !std::is_same_v<Kind, UnknownLayer>)
                 return prepare(layer, level);
             else
                 return {};
