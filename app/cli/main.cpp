@@ -5,7 +5,9 @@
 #include "version_report.h"
 
 #include "core/base/error.h"
+#include "core/base/field_json.h"
 #include "core/base/temporary_path.h"
+#include "core/scene/scene_kinds.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -76,7 +78,9 @@ int main(int argc, char** argv)
     program.set_version_flag("--version", [&verbose] { return verbose ? cli::versionReport() : std::string(MIRRORBALL_VERSION); });
     program.require_subcommand(1);
     program.footer("PROBE is a file (.exr, .hdr, .tif, .png, ...) or builtin:NAME; `mirrorball presets` lists the names.\n"
-                   "KIND is latlong, cube, sphere, angular, paraboloid or octahedral.\n"
+                   "KIND is " +
+                   field_json::listed(words(Parameterization{})) +
+                   ".\n"
                    "Exit status: 0 done; 1 the work failed; 2 the arguments or the input are wrong; 75 batch was stopped, run it again.");
     cli::addCommands(program, argc, argv);
     cli::addProgressOptions(program);

@@ -1,12 +1,14 @@
 #include "gl_fixture.h"
 #include "test_environments.h"
 
+#include "core/preview/bound_map.h"
 #include "core/preview/texture.h"
 #include "core/shading/conductor.h"
 #include "core/shading/fresnel.h"
 #include "core/shading/lambda.h"
 
 #include <cmath>
+#include <string>
 
 using namespace mirrorball;
 using namespace mirrorball::preview;
@@ -22,6 +24,17 @@ std::vector<glm::vec4> asInputs(const std::vector<glm::dvec3>& directions, float
     for (const glm::dvec3& d : directions)
         inputs.emplace_back(glm::vec3(d), w);
     return inputs;
+}
+
+/// The shader that calls a mapping's function for a direction in xyz.
+std::string twinOf(const MapLayout& layout, const char* what)
+{
+    return "#include \"lib/mappings.glsl\"\n"
+           "vec4 widened(vec3 v) { return vec4(v, 0.0); }\n"
+           "vec4 widened(float v) { return vec4(v); }\n"
+           "vec4 twin(vec4 d) { return widened(" +
+           shaderFunction(layout.kind, what) + "(d.xyz, " + std::to_string(layout.size) + ".0, " + std::to_string(layout.border) +
+           ".0)); }";
 }
 
 } // namespace
@@ -83,34 +96,23 @@ TEST_F(ShaderTwins, LambdaByAngle)
 TEST_F(ShaderTwins, CoordinatesOfEveryMapping)
 {
     const auto directions = manyDirections();
-    struct Case {
-        MapLayout layout;
-        const char* call;
-    };
-    const Case cases[] = {{{Parameterization::Latlong, 256, 0},
-                           "lib/latlong.glsl\"\nvec4 twin(vec4 d) { return vec4(latlongCoordinate(d.xyz, 256.0, 0.0), 0.0); }"},
-                          {{Parameterization::Sphere, 256, 0},
-                           "lib/sphere_map.glsl\"\nvec4 twin(vec4 d) { return vec4(sphereCoordinate(d.xyz, 256.0, 0.0), 0.0); }"},
-                          {{Parameterization::Angular, 256, 0},
-                           "lib/angular_map.glsl\"\nvec4 twin(vec4 d) { return vec4(angularCoordinate(d.xyz, 256.0, 0.0), 0.0); }"},
-                          {{Parameterization::Paraboloid, 256, 4},
-                           "lib/dual_paraboloid.glsl\"\nvec4 twin(vec4 d) { return vec4(paraboloidCoordinate(d.xyz, 256.0, 4.0), 0.0); }"},
-                          {{Parameterization::Octahedral, 256, 0},
-                           "lib/octahedral.glsl\"\nvec4 twin(vec4 d) { return vec4(octahedralCoordinate(d.xyz, 256.0, 0.0), 0.0); }"}};
-    for (const Case& c : cases) {
-        const auto results = evaluateGlsl(std::string("#include \"") + c.call, asInputs(directions));
+    for (const Parameterization kind : allParameterizations) {
+        if (kind == Parameterization::Cube) // its faces are the hardware's
+            continue;
+        const MapLayout layout{kind, 256, mapping(kind).hasBorder ? 4 : 0};
+        const auto results = evaluateGlsl(twinOf(layout, "Coordinate"), asInputs(directions));
         for (size_t i = 0; i < directions.size(); ++i) {
             // Compared as directions: where a mapping is singular or cut (the poles, the rim) one direction has many coordinates.
-            const glm::dvec2 p(double(results[i].x) + double(results[i].z) * c.layout.size, results[i].y);
-            const glm::dvec3 back = direction(c.layout, p);
+            const glm::dvec2 p(double(results[i].x) + double(results[i].z) * layout.size, results[i].y);
+            const glm::dvec3 back = direction(layout, p);
             // 1/400 texel; at the sphere map's rim the direction runs as the square root of the place.
-            const bool isAtRim = c.layout.kind == Parameterization::Sphere && directions[i].z < -0.99;
+            const bool isAtRim = layout.kind == Parameterization::Sphere && directions[i].z < -0.99;
             ASSERT_LT(glm::distance(back, glm::normalize(directions[i])), isAtRim ? 1e-3 : 6e-5)
-                << name(c.layout.kind) << ' ' << directions[i].x << ' ' << directions[i].y << ' ' << directions[i].z;
+                << name(layout.kind) << ' ' << directions[i].x << ' ' << directions[i].y << ' ' << directions[i].z;
             // Away from cuts the coordinates themselves agree.
-            const glm::dvec2 expected = coordinate(c.layout, directions[i]);
+            const glm::dvec2 expected = coordinate(layout, directions[i]);
             if (std::abs(directions[i].x) > 0.01 && directions[i].z > -0.9 && std::abs(directions[i].z) > 1e-4) {
-                ASSERT_LT(glm::distance(p, expected), 5e-3) << name(c.layout.kind);
+                ASSERT_LT(glm::distance(p, expected), 5e-3) << name(layout.kind);
             }
         }
     }
@@ -119,26 +121,17 @@ TEST_F(ShaderTwins, CoordinatesOfEveryMapping)
 TEST_F(ShaderTwins, TexelAnglesAreTheRootOfTheTexelsSolidAngle)
 {
     const auto directions = manyDirections(1000);
-    struct Case {
-        MapLayout layout;
-        const char* call;
-    };
-    const Case cases[] = {
-        {{Parameterization::Cube, 64, 0}, "lib/cube_map.glsl\"\nvec4 twin(vec4 d) { return vec4(cubeTexelAngle(d.xyz, 64.0, 0.0)); }"},
-        {{Parameterization::Sphere, 64, 0},
-         "lib/sphere_map.glsl\"\nvec4 twin(vec4 d) { return vec4(sphereTexelAngle(d.xyz, 64.0, 0.0)); }"},
-        {{Parameterization::Paraboloid, 64, 3},
-         "lib/dual_paraboloid.glsl\"\nvec4 twin(vec4 d) { return vec4(paraboloidTexelAngle(d.xyz, 64.0, 3.0)); }"},
-        {{Parameterization::Octahedral, 64, 0},
-         "lib/octahedral.glsl\"\nvec4 twin(vec4 d) { return vec4(octahedralTexelAngle(d.xyz, 64.0, 0.0)); }"}};
-    for (const Case& c : cases) {
-        const auto results = evaluateGlsl(std::string("#include \"") + c.call, asInputs(directions));
+    for (const Parameterization kind : allParameterizations) {
+        if (mapping(kind).longestSide != 0.0) // the longer side of texels that are not square
+            continue;
+        const MapLayout layout{kind, 64, mapping(kind).hasBorder ? 3 : 0};
+        const auto results = evaluateGlsl(twinOf(layout, "TexelAngle"), asInputs(directions));
         for (size_t i = 0; i < directions.size(); ++i) {
-            if (c.layout.kind == Parameterization::Sphere && directions[i].z < -0.999)
+            if (layout.kind == Parameterization::Sphere && directions[i].z < -0.999)
                 continue; // at the rim the density is cut off
-            const double expected = std::sqrt(density(c.layout, coordinate(c.layout, directions[i])));
+            const double expected = std::sqrt(density(layout, coordinate(layout, directions[i])));
             if (expected > 0.0) {
-                ASSERT_NEAR(results[i].x / expected, 1.0, 1e-4) << name(c.layout.kind);
+                ASSERT_NEAR(results[i].x / expected, 1.0, 1e-4) << name(layout.kind);
             }
         }
     }

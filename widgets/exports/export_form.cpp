@@ -129,7 +129,7 @@ void ExportForm::connectLayout()
     connect(m_parameterization, &QComboBox::activated, this, [this] {
         emit edited(tr("Export parameterization"), [this](ExportTarget& t) {
             t.parameterization = static_cast<Parameterization>(m_parameterization->currentData().toInt());
-            if (t.parameterization != Parameterization::Paraboloid)
+            if (!mapping(t.parameterization).hasBorder)
                 t.border = 0;
             if (t.parameterization != Parameterization::Cube)
                 t = withCubeFiles(t, CubeFiles::One);
@@ -194,7 +194,7 @@ void ExportForm::showTarget(const ExportTarget* target)
     const bool isPainted = shown.kind == ExportKind::Painted, isChain = shown.kind == ExportKind::Chain;
     m_mips->setEnabled(canHaveMips(shown));
     m_rows->setRowVisible(m_parameterization, !isPainted);
-    m_rows->setRowVisible(m_border, isPainted ? !shown.mips : shown.parameterization == Parameterization::Paraboloid);
+    m_rows->setRowVisible(m_border, isPainted ? !shown.mips : mapping(shown.parameterization).hasBorder);
     m_rows->setRowVisible(m_faces, !isPainted && shown.parameterization == Parameterization::Cube);
     m_rows->setRowVisible(m_mips, !isChain);
     m_rows->setRowVisible(m_levelFiles, (shown.mips || isChain) && (holdsMips(shown.fileName()) || hasLevelFiles(shown)));

@@ -137,7 +137,7 @@ ExportTarget withKind(ExportTarget target, ExportKind kind)
         target.size = std::min(target.size, largestSphereMap);
         target.border = std::min(target.border, (target.size - 1) / 2);
         target = withCubeFiles(target, CubeFiles::One);
-    } else if (target.parameterization != Parameterization::Paraboloid) {
+    } else if (!mapping(target.parameterization).hasBorder) {
         target.border = 0;
     }
     return withMips(target, target.mips && kind != ExportKind::Chain && canHaveMips(target) ? Mips::All : Mips::None);

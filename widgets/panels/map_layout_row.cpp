@@ -47,7 +47,7 @@ MapLayoutRow::MapLayoutRow(Document& document, QWidget* parent) : QWidget(parent
         const auto kind = static_cast<Parameterization>(m_kind->currentData().toInt());
         document.edit(tr("Parameterization"), {}, [kind](Scene& scene) {
             scene.map.parameterization = kind;
-            if (kind != Parameterization::Paraboloid)
+            if (!mapping(kind).hasBorder)
                 scene.map.border = 0;
         });
     });
@@ -94,7 +94,7 @@ void MapLayoutRow::readScene()
     m_size->setValue(map.size);
     m_border->setRange(0, std::max(0, (map.size - 1) / 2));
     m_border->setValue(map.border);
-    const bool hasBorder = map.parameterization == Parameterization::Paraboloid;
+    const bool hasBorder = mapping(map.parameterization).hasBorder;
     m_border->setVisible(hasBorder);
     m_borderLabel->setVisible(hasBorder);
 }

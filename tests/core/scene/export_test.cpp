@@ -162,8 +162,10 @@ TEST_F(Export, SaysWhereTheAxesLieInEachKindOfMap)
     Scene scene;
     scene.probe.source = "builtin:axes";
     constexpr int size = 64;
-    for (const Parameterization kind : allParameterizations)
+    for (const Parameterization kind : allParameterizations) {
+        EXPECT_TRUE(std::any_of(places.begin(), places.end(), [&](const NamedPlace& place) { return place.kind == kind; })) << name(kind);
         scene.exports.push_back({.name = std::string(name(kind)), .kind = ExportKind::Source, .parameterization = kind, .size = size});
+    }
     exportScene(scene, m_folder);
     for (const NamedPlace& place : places) {
         EXPECT_THAT(sidecar(std::string(name(place.kind)))["axes"].get<std::string>(), testing::HasSubstr(place.words));
