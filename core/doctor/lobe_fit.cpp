@@ -137,21 +137,7 @@ double bestParameter(double low, double high, const std::function<double(double)
 
 } // namespace
 
-int quarterTexels(const MapLayout& layout)
-{
-    switch (layout.kind) {
-    case Parameterization::Cube:
-        return layout.size;
-    case Parameterization::Latlong:
-        return std::max(1, layout.size / 2);
-    case Parameterization::Sphere:
-    case Parameterization::Angular:
-    case Parameterization::Paraboloid:
-    case Parameterization::Octahedral:
-        break;
-    }
-    return std::max(1, layout.size / 4);
-}
+int quarterTexels(const MapLayout& layout) { return std::max(1, layout.size / mapping(layout.kind).leastQuarter); }
 
 double unresolvedAlpha(int size) { return 0.3 * (0.5 * pi) / size; }
 

@@ -20,8 +20,8 @@ constexpr int tooBent = 6;          ///< halvings of a tile's edges
 int refinement(double ratio, const MapLayout& target)
 {
     const int side = std::max({1, (leastTargetSize + target.size - 1) / target.size, static_cast<int>(std::ceil(ratio / longestEdge))});
-    // The folds of an octahedron run along texels' edges where the size is even.
-    return target.kind == Parameterization::Octahedral && target.size % 2 == 1 ? side + side % 2 : side;
+    // With an even number of parts folds run along their edges.
+    return mapping(target.kind).oddSizesFold && target.size % 2 == 1 ? side + side % 2 : side;
 }
 
 } // namespace

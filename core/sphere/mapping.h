@@ -24,7 +24,7 @@ enum class Charts {
     Whole,  ///< the image is one chart, and a step over its edge leads to another texel of it
     Faces,  ///< the faces of a cube, stacked: a step over an edge leads to a neighbor, and at a corner only three texels meet
     Disc,   ///< one inscribed disc, whose rim is the single direction -Z
-    Halves, ///< two inscribed discs side by side, the front (z >= 0) on the left; each continues in the other
+    Halves, ///< two inscribed discs side by side, the front (z >= 0) on the left; each continues in the other: q in q / |q|^2
 };
 
 /// Where a chart lies on the sheet that a map is unfolded to, in squares of N texels.
@@ -45,7 +45,9 @@ struct Mapping {
     int chartColumns;   ///< squares of N texels side by side that are one chart
     bool hasBorder;     ///< whether texels may be kept free around the discs
     bool rowsAreAlike;  ///< whether all texels of a row have one solid angle
+    bool oddSizesFold;  ///< whether folds, where directions turn a corner, run through texels of a map of odd size
     int quarterTurns;   ///< that N texels span through the front of the map
+    int leastQuarter;   ///< N over this is about how many texels a quarter turn spans where it spans the fewest
     double longestSide; ///< a texel's, in radians times N, where it hardly depends on the place; 0 where texels are about square
     int latlongRows;    ///< N times this is the height of a latlong that keeps the map's texels apart
 

@@ -40,12 +40,12 @@ inline glm::vec3 axisColor(const glm::dvec3& d)
     return d.z > 0 ? glm::vec3(0, 0, 1) : glm::vec3(1, 1, 0);
 }
 
-/// One layout of every kind at a size; the paraboloid with a border.
+/// One layout of every kind at a size, with a border where there can be one.
 inline std::vector<MapLayout> everyLayout(int size)
 {
     std::vector<MapLayout> layouts;
     for (const Parameterization kind : allParameterizations)
-        layouts.push_back({kind, size, kind == Parameterization::Paraboloid ? 2 : 0});
+        layouts.push_back({kind, size, mapping(kind).hasBorder ? 2 : 0});
     return layouts;
 }
 

@@ -42,8 +42,9 @@ inline std::vector<MapLayout> layoutsOfSize(int size)
     std::vector<MapLayout> layouts;
     for (const auto kind : allParameterizations)
         layouts.push_back({kind, size, 0});
-    if (size > 2)
-        layouts.push_back({Parameterization::Paraboloid, size, 1});
+    for (const auto kind : allParameterizations)
+        if (size > 2 && mapping(kind).hasBorder)
+            layouts.push_back({kind, size, 1});
     return layouts;
 }
 
