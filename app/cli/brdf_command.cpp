@@ -190,9 +190,12 @@ void addBrdfCommand(CLI::App& program)
     command->add_option("--eval", o->eval, "TI,PI,TO,PO: print f as R G B, in 1/sr, for these angles of light and view, in degrees");
     command->add_option("--albedo", o->albedo, "print the directional albedo at so many angles of view from 0 to 89 degrees: angle R G B");
     command->add_option("--view", o->viewDeg, "print the directional albedo at this angle of view, in degrees: R G B");
-    command->add_option("--table", o->table,
-                        "write a table: " + brdfTableHelp() +
-                            "; lookups:K (axis, width and weight of K lookups over n.v), or those of split-sum, three, filament");
+    command->add_option(
+        "--table", o->table,
+        "write a table: " + brdfTableHelp() +
+            "; lookups:K (axis, width and weight of K lookups over n.v), or those of split-sum, three, filament; or draw mirror-map "
+            "(reflectance as a sphere map), hemisphere:DEG (where light from there goes), domain:DEG (where a file was "
+            "measured for it)");
     command->add_option(
         "--errors", o->errors.probe,
         "PROBE: print what lookups miss of the material in this light, rel_rms against the sum over every texel by angle of "

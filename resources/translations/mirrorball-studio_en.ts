@@ -2841,6 +2841,34 @@
         <source>share of the surface that has it; 0: none</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>8-bit pictures are rounded by a fine pattern of half a step, so that dark gradients show no bands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coat: what it reflects does not get below it; add: its light comes on top, a lobe more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dither</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how far normals tilt, times the map&apos;s own; 0: not at all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>normal map of tangent space by the mesh&apos;s texture coordinates, +Y up as in OpenGL; empty: none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>normal_map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>normals of a finer surface than the mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FileDialogs</name>
@@ -2995,6 +3023,18 @@
     </message>
     <message>
         <source>Right drag changes radius and hardness, [ and ] step the radius, Alt picks a color on the disc.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stabilizer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steadies the hand: the brush follows the pointer on a string of this length; 0 is off</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5168,6 +5208,14 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <source>Clear coat</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Normal map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normals</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>mirrorball::studio::MethodChart</name>
@@ -5303,10 +5351,6 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Paint. A pen&apos;s pressure counts; its eraser end erases</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Erase</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5376,6 +5420,10 @@ texel %5, %6   direction %7  %8  %9   lon %10  lat %11</source>
     </message>
     <message>
         <source>More...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint. A pen&apos;s pressure and its tilt count; its eraser end erases</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7029,6 +7077,10 @@ The picture shows what was read before. It follows when the file is there again;
     </message>
     <message>
         <source>Far depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dithering</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -87,7 +87,7 @@ std::set<std::string> fieldTexts()
     }
     for (const Conductor& metal : conductors())
         all.add(metal.name);
-    for (const Stage& stage : makePlan({}, {Parameterization::Latlong, 512, 0}).stages)
+    for (const PlannedStage& stage : makePlan({}, {Parameterization::Latlong, 512, 0}).decisions)
         all.add(stage.name);
     return std::move(all.texts);
 }

@@ -5,6 +5,7 @@
 #include "core/base/failure.h"
 #include "core/preview/mesh_file.h"
 #include "core/preview/mesh_picture.h"
+#include "core/scene/scene.h"
 
 #include <QDateTime>
 #include <QFileInfo>
@@ -12,24 +13,10 @@
 #include <QPixmap>
 
 #include <cmath>
-#include <optional>
 
 namespace mirrorball::studio {
 
 namespace {
-
-std::optional<preview::GeometryKind> builtinKind(const QString& geometry)
-{
-    if (geometry == QStringLiteral("teapot"))
-        return preview::GeometryKind::Teapot;
-    if (geometry == QStringLiteral("torus"))
-        return preview::GeometryKind::Torus;
-    if (geometry == QStringLiteral("sphere"))
-        return preview::GeometryKind::Sphere;
-    if (geometry == QStringLiteral("box"))
-        return preview::GeometryKind::Box;
-    return std::nullopt;
-}
 
 QImage onScreen(const Image& rgba)
 {
@@ -50,7 +37,7 @@ QImage pictureOf(const QString& geometry, const JobControl& job)
     QImage picture;
     failureOf([&] {
         preview::Geometry body{.level = 12};
-        if (const auto kind = builtinKind(geometry))
+        if (const auto kind = builtinGeometry(geometry.toStdString()))
             body.kind = *kind;
         else
             body.mesh = std::make_shared<const preview::Mesh>(preview::readMesh(toPath(geometry), job));
@@ -66,7 +53,7 @@ MeshThumbnails::~MeshThumbnails() = default;
 
 QIcon MeshThumbnails::icon(const QString& geometry)
 {
-    const qint64 time = builtinKind(geometry) ? 0 : QFileInfo(geometry).lastModified().toMSecsSinceEpoch();
+    const qint64 time = builtinGeometry(geometry.toStdString()) ? 0 : QFileInfo(geometry).lastModified().toMSecsSinceEpoch();
     const auto found = m_entries.find(geometry);
     if (found != m_entries.end() && found->time == time)
         return found->icon;
