@@ -124,7 +124,8 @@ OptionsForm* ReportPanel::makeForm()
                        {"paraboloid_border", {.label = tr("Border")}}};
     for (const Method method : allMethods)
         for (const std::string_view knob : knobsOf(method))
-            styles[std::string(knob)].isShown = [knob](const Scene& scene) { return hasKnob(scene.filter.method, knob); };
+            if (!fieldNamed<FilterSettings>(knob).name.empty()) // a scene's lambda is the material's
+                styles[std::string(knob)].isShown = [knob](const Scene& scene) { return hasKnob(scene.filter.method, knob); };
     form->addFields(
         "filter", [](auto& scene) -> auto& { return scene.filter; }, styles);
     addTolerance(*form);

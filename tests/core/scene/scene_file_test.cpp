@@ -320,15 +320,18 @@ TEST_F(SceneFile, MaterialFilesHoldTheMaterialAlone)
     scene.material = changedScene().material;
     scene.material.diffuse.picture = (m_folder / "a.png").string(); // as files hold them, for a scene that may lie elsewhere
     scene.material.sphereMap.flecks.pattern = (m_folder / "b.png").string();
+    scene.material.normalMap.source = (m_folder / "c.png").string();
     const Material material = scene.material;
     saveMaterial(scene, m_folder / "m.json");
     EXPECT_EQ(loadMaterial(m_folder / "m.json"), material);
     saveScene(scene, m_folder / "s.mirrorball");
     EXPECT_EQ(loadMaterial(m_folder / "s.mirrorball"), material) << "a scene file stands for its material";
     EXPECT_THROW(loadMaterial(write(R"({"specular": {"exponent": -3}})")), FileError);
-    const Material textured = loadMaterial(write(R"({"diffuse": {"picture": "a.png"}, "sphere_map": {"flecks": {"pattern": "b.png"}}})"));
+    const Material textured = loadMaterial(
+        write(R"({"diffuse": {"picture": "a.png"}, "normal_map": {"source": "c.png"}, "sphere_map": {"flecks": {"pattern": "b.png"}}})"));
     EXPECT_EQ(textured.diffuse.picture, (m_folder / "a.png").string()) << "for a scene elsewhere";
     EXPECT_EQ(textured.sphereMap.flecks.pattern, (m_folder / "b.png").string());
+    EXPECT_EQ(textured.normalMap.source, (m_folder / "c.png").string());
 }
 
 TEST(SceneFiles, ThatComeWithTheProgramLoad)
