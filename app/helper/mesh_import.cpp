@@ -98,8 +98,8 @@ ImportedMesh importMesh(const std::filesystem::path& path, const MeshLimits& lim
     // Neither aiProcess_FindDegenerates, which takes faces of less than 1e-6 square units for nothing, nor aiProcess_FindInvalidData, which
     // refuses a mesh for one vertex: both are done here, face by face.
     const aiScene* scene = importer.ApplyPostProcessing(
-        aiProcess_ValidateDataStructure | aiProcess_RemoveComponent | aiProcess_SortByPType | aiProcess_PreTransformVertices |
-        aiProcess_GenSmoothNormals | aiProcess_JoinIdenticalVertices | aiProcess_ImproveCacheLocality);
+        aiProcess_ValidateDataStructure | aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_SortByPType |
+        aiProcess_PreTransformVertices | aiProcess_GenSmoothNormals | aiProcess_JoinIdenticalVertices | aiProcess_ImproveCacheLocality);
     if (!scene)
         refuse();
 

@@ -109,6 +109,8 @@ private:
     std::vector<std::uint32_t> m_notConvex{};
 };
 
+constexpr unsigned mostKept = 4; ///< corners of a face that assimp cuts right, by the angles in space
+
 glm::dvec3 place(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 
 void setCorners(aiFace& face, std::span<const unsigned> corners)
@@ -136,7 +138,7 @@ void cutPolygons(aiMesh& mesh)
 {
     size_t count = 0;
     for (unsigned i = 0; i < mesh.mNumFaces; ++i)
-        count += std::max(mesh.mFaces[i].mNumIndices, 3u) - 2;
+        count += mesh.mFaces[i].mNumIndices <= mostKept ? 1 : mesh.mFaces[i].mNumIndices - 2;
     if (count == mesh.mNumFaces)
         return;
     auto faces = std::make_unique<aiFace[]>(count);
@@ -144,7 +146,7 @@ void cutPolygons(aiMesh& mesh)
     std::vector<glm::dvec3> polygon;
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
         aiFace& face = mesh.mFaces[i];
-        if (face.mNumIndices <= 3) {
+        if (face.mNumIndices <= mostKept) {
             take(*next++, face);
             continue;
         }

@@ -24,7 +24,7 @@ void joinFaces(aiScene& scene, std::span<const SplitFace> split);
 /// first corner. Polygons that cross themselves are covered somehow. Source: Meisters, "Polygons have ears" (1975).
 std::vector<std::array<std::uint32_t, 3>> trianglesOf(std::span<const glm::dvec3> polygon);
 
-/// Cuts every face of more than three corners, whose indices must be good ones.
+/// Cuts every face of more than four corners, whose indices must be good ones; assimp finds the concave corner of four.
 void cutPolygons(aiScene& scene);
 
 } // namespace mirrorball::helper
