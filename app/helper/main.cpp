@@ -3,6 +3,7 @@
 #include "mesh_import.h"
 #include "picture_service.h"
 #include "png_decoder.h"
+#include "zstd_service.h"
 
 #include "core/base/error.h"
 #include "core/image/openimageio_library.h"
@@ -45,6 +46,7 @@ void answering(Connection& connection, const Work& work)
 {
     Connection connection;
     std::optional<PictureService> reader;
+    ZstdService zstd;
     std::string reason; // why nothing can be read
     try {
         if (pictures)
@@ -63,6 +65,8 @@ void answering(Connection& connection, const Work& work)
                 reader->serve(request, connection);
             else if (static_cast<Request>(request.head.kind) == Request::DecodePng)
                 servePng(request, connection);
+            else if (static_cast<Request>(request.head.kind) == Request::UnpackZstd)
+                zstd.serve(request, connection);
             else
                 serveMesh(request, connection);
         });

@@ -84,6 +84,7 @@ MeshFiles::MeshFiles(const std::filesystem::path& mesh, std::uintmax_t largest)
     } else if (isOff) {
         OffText good = cleanedOff(text);
         m_dropped = good.dropped;
+        m_split = std::move(good.split);
         m_text = std::move(good.text);
     } else {
         GltfText good = withFloatAttributes(text, [&](const std::string& uri) { return bytesBeside(uri); });

@@ -1,12 +1,16 @@
 #pragma once
 
+#include "off_text.h"
+
 #include <assimp/DefaultIOSystem.h>
 
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace mirrorball::helper {
 
@@ -22,7 +26,8 @@ public:
 
     bool Exists(const char* file) const override { return isUnpacked(file) || !found(file).empty(); }
     Assimp::IOStream* Open(const char* file, const char* mode) override;
-    std::uint64_t dropped() const { return m_dropped; }              ///< faces
+    std::uint64_t dropped() const { return m_dropped; } ///< faces
+    std::span<const SplitFace> split() const { return m_split; }
     const std::set<std::string>& opened() const { return m_opened; } ///< absolute
 
 private:
@@ -39,6 +44,7 @@ private:
     std::optional<std::string> m_text{}; ///< of the mesh, where it is not handed out as it is
     std::string m_floats{};              ///< of the buffer of unpacked attributes
     std::uint64_t m_dropped = 0;
+    std::vector<SplitFace> m_split{};
     std::set<std::string> m_opened{};
 };
 

@@ -2,6 +2,7 @@
 
 #include "mesh_cleaning.h"
 #include "mesh_files.h"
+#include "polygon_cutting.h"
 
 #include "core/base/error.h"
 
@@ -90,8 +91,10 @@ ImportedMesh importMesh(const std::filesystem::path& path, const MeshLimits& lim
     ImportedMesh imported;
     for (const std::string& file : files->opened())
         imported.files += file + '\0';
-    imported.dropped =
-        files->dropped() + clean(const_cast<aiScene&>(*importer.GetScene())); // the importer's, which gives it out to be looked at
+    auto& read = const_cast<aiScene&>(*importer.GetScene()); // the importer's, which gives it out to be looked at
+    joinFaces(read, files->split());
+    imported.dropped = files->dropped() + clean(read);
+    cutPolygons(read);
     // Neither aiProcess_FindDegenerates, which takes faces of less than 1e-6 square units for nothing, nor aiProcess_FindInvalidData, which
     // refuses a mesh for one vertex: both are done here, face by face.
     const aiScene* scene = importer.ApplyPostProcessing(

@@ -3,7 +3,6 @@
 #include "core/base/error.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <span>
 #include <string_view>
@@ -91,33 +90,34 @@ bool readHeader(std::string_view& text, Header& header)
     return counted;
 }
 
-void appendLine(std::span<const std::string_view> corners, std::string& text, std::uint64_t& lines)
-{
-    text += std::to_string(corners.size());
-    for (const std::string_view corner : corners)
-        (text += ' ') += corner;
-    text += '\n';
-    ++lines;
-}
+/// The lists of faces, as they are written anew.
+struct FaceLines {
+    std::string text{};
+    std::uint64_t lines = 0;
+    std::vector<SplitFace> split{};
+};
 
-/// Appends a face as one or several lines. @return false for one that is not whole, or names a vertex that is not there
-bool appendFace(std::string_view line, std::uint64_t vertices, std::string& text, std::uint64_t& lines)
+/// Appends a face as one line or several. @return false for one that is not whole, or names a vertex that is not there
+bool appendFace(std::string_view line, std::uint64_t vertices, FaceLines& faces)
 {
     std::uint64_t count = 0;
     if (!isCount(nextWord(line), count) || count == 0 || count > line.size())
         return false;
-    std::vector<std::string_view> corners;
-    for (std::uint64_t i = 0; i < count; ++i) {
-        std::uint64_t index = 0;
-        corners.push_back(nextWord(line));
-        if (!isCount(corners.back(), index) || index >= vertices)
+    std::vector<std::uint64_t> corners;
+    for (std::uint64_t i = 0; i < count; ++i)
+        if (!isCount(nextWord(line), corners.emplace_back()) || corners.back() >= vertices)
             return false;
+    const std::uint64_t first = faces.lines;
+    for (std::span<const std::uint64_t> rest(corners); !rest.empty(); ++faces.lines) {
+        const std::span<const std::uint64_t> piece = rest.first(std::min(rest.size(), mostCorners));
+        faces.text += std::to_string(piece.size());
+        for (const std::uint64_t corner : piece)
+            (faces.text += ' ') += std::to_string(corner);
+        faces.text += '\n';
+        rest = rest.subspan(piece.size());
     }
-    if (count <= mostCorners)
-        appendLine(corners, text, lines);
-    else
-        for (std::size_t i = 2; i < corners.size(); ++i)
-            appendLine(std::array{corners[0], corners[i - 1], corners[i]}, text, lines);
+    if (faces.lines > first + 1)
+        faces.split.push_back({first, faces.lines - first});
     return true;
 }
 
@@ -132,12 +132,13 @@ OffText cleanedOff(const std::string& text)
         result.text = text; // assimp says what is wrong with it
         return result;
     }
-    std::string vertexLines, faceLines;
-    std::uint64_t vertices = 0, faces = 0, written = 0;
+    std::string vertexLines;
+    FaceLines written;
+    std::uint64_t vertices = 0, faces = 0;
     for (std::string_view line; vertices < header.vertices && !(line = nextLine(rest)).empty(); ++vertices)
         (vertexLines += line) += '\n';
     for (std::string_view line; faces < header.faces && !(line = nextLine(rest)).empty(); ++faces)
-        if (!appendFace(line, vertices, faceLines, written))
+        if (!appendFace(line, vertices, written))
             ++result.dropped;
     if (vertices < header.vertices || faces < header.faces)
         throw InvalidArgument("the mesh is cut short: it claims " + std::to_string(header.vertices) + " vertices and " +
@@ -147,7 +148,8 @@ OffText cleanedOff(const std::string& text)
         (result.text += header.kind) += '\n';
     if (!header.dimensions.empty())
         (result.text += header.dimensions) += '\n';
-    result.text += std::to_string(vertices) + ' ' + std::to_string(written) + " 0\n" + vertexLines + faceLines;
+    result.text += std::to_string(vertices) + ' ' + std::to_string(written.lines) + " 0\n" + vertexLines + written.text;
+    result.split = std::move(written.split);
     return result;
 }
 

@@ -20,6 +20,7 @@ void PictureService::serve(const Received& request, Connection& connection)
         return m_reader.reset();
     case Request::ReadMesh:
     case Request::DecodePng:
+    case Request::UnpackZstd:
         break;
     }
     throw InvalidArgument("no such request");

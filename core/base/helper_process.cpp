@@ -28,7 +28,8 @@ using Clock = std::chrono::steady_clock;
 namespace {
 
 constexpr const char* programName = "mirrorball-helper";
-constexpr std::array<const char*, 3> workWords{"pictures", "meshes", "pngs"}; ///< of HelperWork, as the helper is told on its command line
+/// Of HelperWork, as the helper is told on its command line.
+constexpr std::array<const char*, 3> workWords{"pictures", "meshes", "payloads"};
 constexpr std::uint64_t longestText = 4096;
 constexpr std::uint64_t longestAnswer = std::uint64_t{4} << 30;
 

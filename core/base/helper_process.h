@@ -19,7 +19,7 @@ namespace mirrorball {
 enum class HelperWork {
     Pictures, ///< files, through OpenImageIO
     Meshes,
-    Pngs, ///< pictures inside of other files
+    Payloads, ///< what is compressed inside of other files: PNG pictures, Zstandard frames
 };
 
 /// How many times as long the helper takes under AddressSanitizer or ThreadSanitizer, which it then runs under too. Much of what a fuzzer

@@ -6,7 +6,7 @@
 namespace mirrorball::helper {
 
 inline constexpr int channel = 3;           ///< the helper's descriptor of the socket
-inline constexpr int version = 3;           ///< told on the command line; a helper of another one ends at once
+inline constexpr int version = 4;           ///< told on the command line; a helper of another one ends at once
 inline constexpr unsigned idleSeconds = 20; ///< after which a helper that nobody asks ends itself
 
 enum class Request : std::uint32_t {
@@ -15,6 +15,7 @@ enum class Request : std::uint32_t {
     ClosePicture, ///< no answer
     ReadMesh,     ///< path, limits -> mesh
     DecodePng,    ///< most texels, the bytes of a file -> width, height, 8-bit RGBA texels
+    UnpackZstd,   ///< whether a frame begins, most bytes, the next ones of the frame -> how many were taken, whether it ends, bytes
 };
 
 enum class Answer : std::uint32_t {

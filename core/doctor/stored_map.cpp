@@ -1,10 +1,10 @@
 #include "stored_map.h"
 
 #include "core/base/error.h"
-#include "core/base/file_log.h"
 #include "core/image/container/container_file.h"
 #include "core/image/container/play_canvas_atlas.h"
 #include "core/image/container/png_codec.h"
+#include "core/image/file_bytes.h"
 #include "core/image/image_io.h"
 #include "core/image/layout_detection.h"
 #include "core/image/lookup.h"
@@ -13,7 +13,6 @@
 #include <array>
 #include <cmath>
 #include <fstream>
-#include <iterator>
 
 namespace mirrorball {
 
@@ -61,11 +60,8 @@ std::string_view wordOf(PackedColor form) { return words(form)[static_cast<size_
 /// A .png picture whose alpha multiplies its colors, as radiance.
 Picture packedPicture(const std::filesystem::path& path, PackedColor form)
 {
-    noteRead(path);
-    std::ifstream stream(path, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    if (!stream)
-        throw FileError(path.string(), "cannot be read; check its name and permissions");
+    constexpr std::uintmax_t largestFile = std::uintmax_t{1} << 28; // the texels that are read below, and then some
+    const std::string bytes = fileBytes(path, largestFile);
     if (!bytes.starts_with("\x89PNG"))
         throw FileError(path.string(),
                         "is no .png picture, in which alone texels are packed as " + std::string(wordOf(form)) + "; leave out --encode");

@@ -37,35 +37,30 @@ std::string name(std::istream& file)
     return text;
 }
 
-struct FixedSize {
-    std::string_view type;
-    int bytes;
-};
-/// Types whose values OpenEXR reads without looking at the size that stands before them.
-constexpr std::array fixedSizes{FixedSize{"box2f", 16},
-                                FixedSize{"box2i", 16},
-                                FixedSize{"chromaticities", 32},
-                                FixedSize{"compression", 1},
-                                FixedSize{"deepImageState", 1},
-                                FixedSize{"double", 8},
-                                FixedSize{"envmap", 1},
-                                FixedSize{"float", 4},
-                                FixedSize{"int", 4},
-                                FixedSize{"keycode", 28},
-                                FixedSize{"lineOrder", 1},
-                                FixedSize{"m33d", 72},
-                                FixedSize{"m33f", 36},
-                                FixedSize{"m44d", 128},
-                                FixedSize{"m44f", 64},
-                                FixedSize{"rational", 8},
-                                FixedSize{"tiledesc", 9},
-                                FixedSize{"timecode", 8},
-                                FixedSize{"v2d", 16},
-                                FixedSize{"v2f", 8},
-                                FixedSize{"v2i", 8},
-                                FixedSize{"v3d", 24},
-                                FixedSize{"v3f", 12},
-                                FixedSize{"v3i", 12}};
+constexpr std::array sizes{FixedSize{"box2f", 16},
+                           FixedSize{"box2i", 16},
+                           FixedSize{"chromaticities", 32},
+                           FixedSize{"compression", 1},
+                           FixedSize{"deepImageState", 1},
+                           FixedSize{"double", 8},
+                           FixedSize{"envmap", 1},
+                           FixedSize{"float", 4},
+                           FixedSize{"int", 4},
+                           FixedSize{"keycode", 28},
+                           FixedSize{"lineOrder", 1},
+                           FixedSize{"m33d", 72},
+                           FixedSize{"m33f", 36},
+                           FixedSize{"m44d", 128},
+                           FixedSize{"m44f", 64},
+                           FixedSize{"rational", 8},
+                           FixedSize{"tiledesc", 9},
+                           FixedSize{"timecode", 8},
+                           FixedSize{"v2d", 16},
+                           FixedSize{"v2f", 8},
+                           FixedSize{"v2i", 8},
+                           FixedSize{"v3d", 24},
+                           FixedSize{"v3f", 12},
+                           FixedSize{"v3i", 12}};
 
 std::int64_t left(std::istream& file, std::int64_t fileSize) { return fileSize - static_cast<std::int64_t>(file.tellg()); }
 
@@ -94,11 +89,13 @@ std::int64_t valueBytes(std::istream& file, std::int64_t fileSize, std::string_v
         return height > 0 && width > std::numeric_limits<std::int64_t>::max() / 4 / height ? std::numeric_limits<std::int64_t>::max()
                                                                                            : 4 * width * height;
     }
-    const auto fixed = std::find_if(fixedSizes.begin(), fixedSizes.end(), [type](const FixedSize& f) { return f.type == type; });
-    return fixed == fixedSizes.end() ? std::int64_t{claimed} : fixed->bytes;
+    const auto fixed = std::find_if(sizes.begin(), sizes.end(), [type](const FixedSize& f) { return f.type == type; });
+    return fixed == sizes.end() ? std::int64_t{claimed} : fixed->bytes;
 }
 
 } // namespace
+
+std::span<const FixedSize> fixedSizes() { return sizes; }
 
 const std::filesystem::path& withPlausibleAttributes(const std::filesystem::path& path)
 {

@@ -12,6 +12,7 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <zlib.h>
 
 namespace mirrorball {
 namespace {
@@ -160,6 +161,67 @@ TEST(ForeignFiles, HeadersThatPromiseMuchTakeLittle)
                                 Hostile{"many.gltf", gltf, "many.gltf"}}) {
         test::writeBytes(folder / file.name, file.bytes);
         expectRefusal(limited({"info", (folder / file.name).string()}, folder), file.name, file.word);
+    }
+}
+
+/// A .ktx2 file of RGBA16F texels whose only level is this Zstandard frame. @param claimed  the size of the level, unpacked
+std::string ktx2(const std::string& frame, std::uint64_t claimed, std::uint32_t edge = 1)
+{
+    return "\xABKTX 20\xBB\r\n\x1A\n" + little(97, 4) + little(2, 4) + little(edge, 4) + little(edge, 4) + little(0, 8) + little(1, 4) +
+           little(1, 4) + little(2, 4) + std::string(32, '\0') + little(104, 8) + little(frame.size(), 8) + little(claimed, 8) + frame;
+}
+
+// What is packed inside of textures is unpacked in the helper, no further than the texture asks for.
+TEST(ForeignFiles, PackedTexturesThatUnpackToMuchTakeLittle)
+{
+    const TemporaryFolder folder;
+    const std::string start("\x28\xb5\x2f\xfd", 4), block("\x02\x00\x10\x00", 4); // RFC 8878: 2^17 times one byte
+    std::string bomb = start + std::string("\x00\x38", 2), sized = start + "\xc0\x38" + little(std::uint64_t{1} << 30, 8);
+    for (int i = 0; i < 1 << 13; ++i)
+        for (std::string* frame : {&bomb, &sized})
+            *frame += block;
+    const std::string ihdr = "IHDR" + big(30000) + big(30000) + std::string("\x08\x06\0\0\0", 5);
+    const auto crc = static_cast<std::uint32_t>(::crc32(0, reinterpret_cast<const Bytef*>(ihdr.data()), static_cast<uInt>(ihdr.size())));
+    for (const Hostile& file :
+         {Hostile{"bomb.ktx2", ktx2(bomb, 8), "longer than its size asks for"}, Hostile{"sized.ktx2", ktx2(sized, 8), "sized.ktx2"},
+          Hostile{"claims.ktx2", ktx2(sized, std::uint64_t{1} << 30), "claims.ktx2"},
+          Hostile{"window.ktx2", ktx2(start + std::string("\x00\xa0", 2) + block, 8), "cannot be decompressed"},
+          Hostile{"cut.ktx2", ktx2(bomb.substr(0, 3000), std::uint64_t{8} << 24, 4096), "shorter than its size asks for"},
+          Hostile{"empty.ktx2", ktx2("", 8), "shorter than its size asks for"},
+          Hostile{"bomb.env", env(64, "\x89PNG\r\n\x1a\n" + big(13) + ihdr + big(crc) + big(5000) + "IDAT" + std::string(5004, '\0')),
+                  "claims 30000 x 30000"}}) {
+        test::writeBytes(folder / file.name, file.bytes);
+        expectRefusal(limited({"info", (folder / file.name).string()}, folder), file.name, file.word);
+    }
+}
+
+// A program that stands alone: what it reads itself it reads, and for the rest it says what is missing.
+TEST(ForeignFiles, WithoutItsHelperAProgramReadsNothingPacked)
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path program = folder / "mirrorball";
+    std::filesystem::copy_file(MIRRORBALL_PROGRAM, program);
+    const std::string frame("\x28\xb5\x2f\xfd\x20\x08\x41\x00\x00" // a block of eight bytes as they are: the texel 1, 1, 1
+                            "\x00\x3c\x00\x3c\x00\x3c\x00\x3c",
+                            17);
+    std::string plain = ktx2(frame.substr(9), 8);
+    plain[44] = 0; // no compression
+    test::writeBytes(folder / "plain.ktx2", plain);
+    test::writeBytes(folder / "packed.ktx2", ktx2(frame, 8));
+    test::writeBytes(folder / "a.env", env(1, "\x89PNG\r\n\x1a\n"));
+    const auto runs = [&](const std::string& with, const char* name) {
+        const std::string command =
+            with + " info " + (folder / name).string() + " >/dev/null 2>" + (folder / "err").string() + " </dev/null";
+        const int result = std::system(command.c_str());
+        return test::ProgramRun{WIFEXITED(result) ? WEXITSTATUS(result) : 255, "", test::readBytes(folder / "err")};
+    };
+    EXPECT_EQ(runs(MIRRORBALL_PROGRAM, "packed.ktx2").status, 0) << test::readBytes(folder / "err");
+    EXPECT_EQ(runs(program.string(), "plain.ktx2").status, 0) << test::readBytes(folder / "err");
+    for (const char* name : {"packed.ktx2", "a.env"}) {
+        const test::ProgramRun run = runs(program.string(), name);
+        if (run.status == 0)
+            GTEST_SKIP() << "a helper is installed on this machine";
+        EXPECT_FAILS(run, 1, "mirrorball-helper, which is not installed");
     }
 }
 

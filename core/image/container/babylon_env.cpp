@@ -58,15 +58,14 @@ std::optional<Polynomial> polynomialOf(const json& manifest, const ByteSource& s
 }
 
 /// A picture of the specular part, by where the manifest says it lies after itself.
-png::Picture pictureAt(const json& entry, std::string_view images, int size, const std::string& name, const ByteSource& source)
+png::Picture pictureAt(const json& entry, std::string_view images, int size, png::Decoder& decoder, const ByteSource& source)
 {
     const double position = entry.is_object() ? numberOf(entry, "position", -1.0, source) : -1.0;
     const double length = entry.is_object() ? numberOf(entry, "length", -1.0, source) : -1.0;
     const auto available = static_cast<double>(images.size());
     if (!(position >= 0.0 && length >= 0.0 && position <= available && length <= available - position))
         source.damaged("a level lies beyond its end");
-    png::Picture picture =
-        png::decode(images.substr(static_cast<size_t>(position), static_cast<size_t>(length)), name, static_cast<long long>(size) * size);
+    png::Picture picture = decoder.decode(images.substr(static_cast<size_t>(position), static_cast<size_t>(length)), 1LL * size * size);
     if (picture.width != size || picture.height != size)
         source.damaged("a face of " + std::to_string(picture.width) + " x " + std::to_string(picture.height) + " texels stands where " +
                        std::to_string(size) + " x " + std::to_string(size) + " belong");
@@ -151,13 +150,15 @@ Environment read(std::string_view bytes, const std::string& name)
     environment.irradiance = polynomialOf(manifest, source);
     environment.lodGenerationScale = numberOf(specular, "lodGenerationScale", 0.8, source);
     const std::string_view images = bytes.substr(end + 1);
+    const long long faceTexels = 1LL * width * width;
+    png::Decoder decoder(name, {.allTexels = 8 * faceTexels, .largestTexels = faceTexels, .bytes = images.size()}); // 6 + 6/4 + 6/16 ...
     for (size_t level = 0; level < levels; ++level) {
         const int size = width >> level;
         Image image;
         image.width = size;
         image.height = 6 * size;
         for (size_t face = 0; face < 6; ++face) // memory grows with the faces that are there
-            for (const Rgba8& texel : pictureAt(mipmaps[6 * level + face], images, size, name, source).texels) {
+            for (const Rgba8& texel : pictureAt(mipmaps[6 * level + face], images, size, decoder, source).texels) {
                 const glm::vec3 rgb = unpackColor(PackedColor::Rgbd, texel);
                 image.texels.insert(image.texels.end(), &rgb.x, &rgb.x + 3);
             }

@@ -7,26 +7,19 @@
 #include "ktx2.h"
 
 #include "core/base/error.h"
-#include "core/base/file_log.h"
+#include "core/image/file_bytes.h"
 #include "core/image/input_checks.h"
 #include "core/image/openimageio_loader.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
+#include <bit>
 
 namespace mirrorball {
 
 namespace {
 
-std::string fileBytes(const std::filesystem::path& path)
-{
-    noteRead(path);
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream)
-        throw FileError(path.string(), "cannot be read; check its name and permissions");
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
+/// The largest texture that is read (input_checks.h), as floats with all levels, and what stands before it.
+constexpr std::uintmax_t largestFile = std::uintmax_t{16} * maxTexels / 3 * 4 + (std::uintmax_t{1} << 22);
 
 ContainedTexture ofTexture(const std::string& format, Texture texture)
 {
@@ -60,7 +53,8 @@ ContainedTexture decodedByOpenImageIo(const std::filesystem::path& path)
     const bool cube = 3 * width == 2 * height;
     result.texture.faces = cube ? 6 : 1;
     const int edge = cube ? width / 2 : width;
-    for (int level = 0; level < std::max(1, first->info().levels) && std::max(1, edge >> level) >= 1; ++level) {
+    const int most = std::bit_width(static_cast<unsigned>(std::max(edge, cube ? edge : height))); // whatever its header claims
+    for (int level = 0; level < std::min(std::max(1, first->info().levels), most); ++level) {
         const std::unique_ptr<ImageReader> reader = level == 0 ? nullptr : openimageio::open(path, "DDS ", {.level = level});
         ImageReader& source = reader ? *reader : *first;
         Image image = wholeImage(source);
@@ -183,7 +177,7 @@ ContainedTexture readContainer(std::string_view bytes, const std::string& name)
 
 ContainedTexture readContainer(const std::filesystem::path& path)
 {
-    const std::string bytes = fileBytes(path);
+    const std::string bytes = fileBytes(path, largestFile);
     if (dds::hasSignature(bytes) && dds::isForeign(bytes, path.string()))
         return decodedByOpenImageIo(path);
     return readContainer(bytes, path.string());

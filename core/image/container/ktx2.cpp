@@ -2,11 +2,9 @@
 
 #include "byte_source.h"
 #include "texture_size.h"
-
-#include <zstd.h>
+#include "zstd_codec.h"
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -110,38 +108,6 @@ void readMetadata(std::string_view bytes, const std::string& name, Texture& text
     }
 }
 
-std::string compressed(const std::string& bytes)
-{
-    std::string result(ZSTD_compressBound(bytes.size()), '\0');
-    const size_t size = ZSTD_compress(result.data(), result.size(), bytes.data(), bytes.size(), 9);
-    if (ZSTD_isError(size) != 0)
-        throw WorkError(std::string("a level of a .ktx2 file cannot be compressed: ") + ZSTD_getErrorName(size));
-    result.resize(size);
-    return result;
-}
-
-/// Grows as data arrives, so that only what the frame really holds takes memory, and no more than `expected`.
-std::string inflated(std::string_view bytes, std::uint64_t expected, const ByteSource& source)
-{
-    const std::unique_ptr<ZSTD_DCtx, size_t (*)(ZSTD_DCtx*)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
-    std::string result;
-    std::vector<char> block(ZSTD_DStreamOutSize());
-    ZSTD_inBuffer in{bytes.data(), bytes.size(), 0};
-    for (bool more = true; more;) {
-        ZSTD_outBuffer out{block.data(), block.size(), 0};
-        const size_t state = ZSTD_decompressStream(context.get(), &out, &in);
-        if (ZSTD_isError(state) != 0)
-            source.damaged("a level cannot be decompressed");
-        if (out.pos > expected - result.size())
-            source.damaged("a level is longer than its size asks for");
-        result.append(block.data(), out.pos);
-        more = state != 0 && (in.pos < in.size || out.pos == out.size);
-    }
-    if (result.size() != expected)
-        source.damaged("a level is shorter than its size asks for");
-    return result;
-}
-
 std::optional<TexelFormat> formatOf(std::uint32_t vkFormat)
 {
     for (const TexelFormat format : allTexelFormats())
@@ -166,7 +132,7 @@ std::string write(const Texture& texture, Compression compression)
         appendTexels(levels[i], texture.levels[i].texels, texture.format);
         lengths[i] = levels[i].size();
         if (zstd)
-            levels[i] = compressed(levels[i]);
+            levels[i] = zstd::packed(levels[i]);
     }
     const size_t describedAt = headerBytes + levelIndexBytes * levels.size(), metadataAt = describedAt + described.size();
     size_t end = metadataAt + metadata.size();
@@ -229,17 +195,25 @@ Texture read(std::string_view bytes, const std::string& name)
     if (metadataSize > largestMetadata)
         source.damaged("its header claims " + std::to_string(metadataSize) + " bytes of metadata");
     readMetadata(part(metadataAt, metadataSize), name, texture);
+    const auto levelBytes = [&](std::uint64_t level) { return pictureBytes(size, level, *format) * size.faces * size.slices; };
+    std::optional<zstd::Unpacker> frames;
+    if (scheme == zstandard) {
+        std::uint64_t allBytes = 0;
+        for (std::uint64_t i = 0; i < size.levels; ++i)
+            allBytes += levelBytes(i);
+        frames.emplace(source, allBytes);
+    }
     for (std::uint64_t i = 0; i < size.levels; ++i) {
         const std::uint64_t offset = source.u64(), length = source.u64();
         source.u64();
-        const std::uint64_t expected = pictureBytes(size, i, *format) * size.faces * size.slices;
+        const std::uint64_t expected = levelBytes(i);
         std::string_view stored = part(offset, length);
         if (scheme == noCompression && length != expected)
             source.damaged("level " + std::to_string(i) + " has " + std::to_string(length) + " bytes instead of " +
                            std::to_string(expected));
-        const std::string plain = scheme == zstandard ? inflated(stored, expected, source) : std::string();
+        const std::string plain = frames ? frames->unpacked(stored, expected) : std::string();
         texture.levels.push_back(emptyLevel(size, i));
-        readTexels(scheme == zstandard ? std::string_view(plain) : stored, texture.levels.back().texels, *format);
+        readTexels(frames ? std::string_view(plain) : stored, texture.levels.back().texels, *format);
     }
     return texture;
 }

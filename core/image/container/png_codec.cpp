@@ -3,7 +3,6 @@
 #include "png_failure.h"
 
 #include "core/base/error.h"
-#include "core/base/helper_process.h"
 #include "core/base/wire.h"
 
 #include <png.h>
@@ -79,18 +78,23 @@ std::string encode(const Picture& picture)
     return bytes;
 }
 
-Picture decode(std::string_view bytes, const std::string& name, long long largestTexels)
+Decoder::Decoder(std::string name, const Extent& extent) : m_name(std::move(name)), m_helper(HelperWork::Payloads)
 {
     constexpr std::uintmax_t mib = std::uintmax_t{1} << 20;
-    const auto texelBytes = sizeof(Rgba8) * static_cast<std::uintmax_t>(largestTexels);
-    const HelperLimits limits{.seconds = helperSlowdown * (1.0 + static_cast<double>(texelBytes) / static_cast<double>(32 * mib)),
-                              .memoryBytes = 64 * mib + 3 * texelBytes + 2 * bytes.size()}; // texels, the answer, and some to spare
+    const auto bytesOf = [](long long texels) { return sizeof(Rgba8) * static_cast<std::uintmax_t>(texels); };
+    m_limits.seconds = helperSlowdown * (1.0 + static_cast<double>(bytesOf(extent.allTexels)) / static_cast<double>(32 * mib));
+    m_limits.memoryBytes = 64 * mib + 3 * bytesOf(extent.largestTexels) + 2 * extent.bytes; // texels, the answer, and some to spare
+}
+
+Picture Decoder::decode(std::string_view bytes, long long largestTexels)
+{
     WireWriter request;
     request << largestTexels << bytes;
     Picture picture;
     try {
-        Helper helper(HelperWork::Pngs);
-        const std::string bytesOfAnswer = helper.ask(helper::Request::DecodePng, std::move(request).bytes(), &limits);
+        const std::string bytesOfAnswer =
+            m_helper.ask(helper::Request::DecodePng, std::move(request).bytes(), m_isFirst ? &m_limits : nullptr);
+        m_isFirst = false;
         WireReader answer(bytesOfAnswer);
         answer >> picture.width >> picture.height >> picture.texels;
         const long long count = static_cast<long long>(picture.texels.size());
@@ -99,11 +103,16 @@ Picture decode(std::string_view bytes, const std::string& name, long long larges
             return picture;
         throw HelperEnded("it breaks the reader");
     } catch (const HelperEnded& ended) {
-        throw FileError(name,
+        throw FileError(m_name,
                         std::string("its PNG picture is damaged or does harm, because ") + ended.what() + "; copy or download it again");
     } catch (const InvalidArgument& refused) {
-        throw FileError(name, refused.what());
+        throw FileError(m_name, refused.what());
     }
+}
+
+Picture decode(std::string_view bytes, const std::string& name, long long largestTexels)
+{
+    return Decoder(name, {.allTexels = largestTexels, .largestTexels = largestTexels, .bytes = bytes.size()}).decode(bytes, largestTexels);
 }
 
 } // namespace mirrorball::png

@@ -2,8 +2,10 @@
 
 #include "packed_texel.h"
 
+#include "core/base/helper_process.h"
 #include "core/image/image.h"
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,10 +28,32 @@ Picture packed(const Image& image, PackedColor form);
 /// The bytes of a PNG file without ancillary chunks. @throws WorkError
 std::string encode(const Picture& picture);
 
-/// Decodes any PNG to 8-bit RGBA, in the helper; its gamma and color profile are not looked at. Memory is taken only for a size that
-/// `largestTexels` allows.
-/// @param name  stands in messages
-/// @throws FileError for damaged data; WorkError where there is no helper
+/// What the pictures of one file may cost.
+struct Extent {
+    long long allTexels = 0;     ///< of all pictures together
+    long long largestTexels = 0; ///< of one
+    std::uintmax_t bytes = 0;    ///< of the largest one as it is stored
+};
+
+/// Decodes the PNG pictures of one file. They go through one helper, and what it may spend counts for all of them.
+class Decoder {
+public:
+    /// @param name  stands in messages
+    /// @throws WorkError where there is no helper
+    Decoder(std::string name, const Extent& extent);
+
+    /// Any PNG as 8-bit RGBA; its gamma and color profile are not looked at. Memory is taken only for a size that `largestTexels` allows.
+    /// @throws FileError for damaged data; WorkError where the helper cannot work
+    Picture decode(std::string_view bytes, long long largestTexels);
+
+private:
+    std::string m_name;
+    HelperLimits m_limits{};
+    bool m_isFirst = true; ///< nothing was asked for yet
+    Helper m_helper;
+};
+
+/// The same for a picture that is a file of its own.
 Picture decode(std::string_view bytes, const std::string& name, long long largestTexels);
 
 } // namespace mirrorball::png

@@ -8,6 +8,7 @@
 #include "core/image/container/packed_texel.h"
 #include "core/image/container/play_canvas_atlas.h"
 #include "core/image/container/png_codec.h"
+#include "core/image/container/zstd_codec.h"
 #include "core/image/probe_file.h"
 #include "support/temporary_folder.h"
 
@@ -204,6 +205,58 @@ TEST(Ktx2, ACompressedLevelLongerThanItsSizeIsDamage)
     EXPECT_THROW(ktx2::read(bytes, "lie.ktx2"), FileError);
 }
 
+/// A .ktx2 file of one texel, eight bytes, whose level is this frame.
+std::string ktx2Of(const std::string& frame)
+{
+    Texture texel = numbered(1, 1, 1, 1, 1, TexelFormat::Half);
+    std::string bytes = ktx2::write(texel, ktx2::Compression::Zstandard);
+    std::string length;
+    appendLittle(length, std::uint64_t{frame.size()});
+    bytes.replace(88, 8, length); // of the only level, which ends the file
+    return bytes.substr(0, littleAt<std::uint64_t>(bytes, 80)) + frame;
+}
+
+std::string errorOfKtx2(const std::string& bytes)
+{
+    try {
+        ktx2::read(bytes, "bad.ktx2");
+    } catch (const FileError& error) {
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+        return error.what();
+    }
+    return {};
+}
+
+TEST(Ktx2, AFrameOfMoreThanItsLevelIsGivenUpAtOnce)
+{
+    // RFC 8878: a header without a size, then 2^13 blocks that repeat one byte 2^17 times.
+    std::string frame("\x28\xb5\x2f\xfd\x00\x38", 6);
+    for (int i = 0; i < 1 << 13; ++i)
+        frame += std::string(i + 1 < 1 << 13 ? "\x02\x00\x10" : "\x03\x00\x10", 3) + '\0';
+    EXPECT_THAT(errorOfKtx2(ktx2Of(frame)), HasSubstr("longer than its size asks for"));
+    const std::string whole = ktx2Of(zstd::packed(std::string(8, 'x')));
+    EXPECT_EQ(errorOfKtx2(whole), "");
+    for (size_t cut = 1; cut < zstd::packed(std::string(8, 'x')).size(); ++cut)
+        EXPECT_NE(errorOfKtx2(ktx2Of(zstd::packed(std::string(8, 'x')).substr(0, cut))), "") << cut;
+    EXPECT_THAT(errorOfKtx2(ktx2Of(zstd::packed(std::string(7, 'x')))), HasSubstr("shorter than its size asks for"));
+    // One that claims a window, and so memory, of 2^30 bytes.
+    EXPECT_THAT(errorOfKtx2(ktx2Of(std::string("\x28\xb5\x2f\xfd\x00\xa0\x03\x00\x10\x00", 10))), HasSubstr("cannot be decompressed"));
+}
+
+TEST(Ktx2, FramesLargerThanAPieceComeThroughWhole)
+{
+    Texture texture; // noise, which does not compress: 18 MiB of it, and half of that
+    std::mt19937 generator(3);
+    for (const int size : {768, 384}) {
+        Image image(size, 6 * size);
+        for (float& value : image.texels)
+            value = static_cast<float>(generator() % 65536);
+        texture.levels.push_back(std::move(image));
+    }
+    texture.format = TexelFormat::Float;
+    EXPECT_EQ(ktx2::read(ktx2::write(texture, ktx2::Compression::Zstandard), "x.ktx2").levels, texture.levels);
+}
+
 TEST(BabylonEnv, ManifestSaysWhereEveryFaceOfEveryLevelLies)
 {
     const std::string bytes = babylon_env::write(smallEnvironment());
@@ -318,6 +371,31 @@ TEST(ContainerFiles, AreProbesLikeAnyOther)
     EXPECT_EQ(probe.map.image, texture.levels.front());
     EXPECT_EQ(readLevel(folder / "map.ktx2", 2), texture.levels[2]);
     EXPECT_EQ(openImage(folder / "map.ktx2")->info().levels, 4);
+}
+
+// Whatever its length, a file with holes takes no place on the disk.
+TEST(ContainerFiles, OneThatIsLongerThanAnyTextureIsRefusedBeforeItIsRead)
+{
+    const test::TemporaryFolder folder;
+    const std::filesystem::path path = folder / "long.ktx";
+    std::ofstream(path, std::ios::binary) << ktx1::write(cube(TexelFormat::Half));
+    std::error_code error;
+    std::filesystem::resize_file(path, std::uintmax_t{1} << 40, error);
+    if (error)
+        GTEST_SKIP() << "no file of that length can be made here: " << error.message();
+    EXPECT_THROW(readContainer(path), FileError);
+}
+
+// Direct3D's chains end at one texel; a header may claim any number of levels, and OpenImageIO finds as many as there are bytes for.
+TEST(ContainerFiles, ACompressedTextureHasNoMoreLevelsThanHalvings)
+{
+    const test::TemporaryFolder folder;
+    std::string bytes = dds::write(numbered(4, 4, 1, 1, 3, TexelFormat::Half)).substr(0, 128);
+    bytes.replace(28, 1, 1, '\x1f'); // levels
+    bytes.replace(84, 4, "DXT1");
+    bytes += std::string(4096, '\0');
+    std::ofstream(folder / "many.dds", std::ios::binary) << bytes;
+    EXPECT_EQ(readContainer(folder / "many.dds").texture.levels.size(), 3u);
 }
 
 } // namespace
