@@ -86,6 +86,8 @@ void MaterialPanelTest::aDisplayConfigurationIsReadInTheBackgroundAndChosenFrom(
     auto* displays = qobject_cast<QComboBox*>(view.form().control(QStringLiteral("view.display")));
     QCOMPARE(displays->count(), 2);
     auto* bodies = qobject_cast<QComboBox*>(view.form().control(QStringLiteral("view.geometry")));
+    QVERIFY(!workspace.meshes.isBusy()); // nobody sees the list yet, and the first picture comes first
+    view.show();
     QTRY_VERIFY(!bodies->itemIcon(bodies->findData(QStringLiteral("torus"))).isNull());
     view.openDisplayConfig(QString::fromStdString(writeDisplayConfig(folder)));
     QTRY_COMPARE(displays->count(), 4);

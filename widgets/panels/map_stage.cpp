@@ -1,9 +1,9 @@
 #include "map_stage.h"
 
 #include "map_panel.h"
+#include "widgets/controls/text.h"
 
 #include "core/scene/plan_words.h"
-#include "widgets/controls/text.h"
 
 namespace mirrorball::studio {
 

@@ -128,17 +128,8 @@ void ViewPanel::addGeometry()
     const int meshItem = bodiesBox->count();
     bodiesBox->addItem(tr("Mesh file…"));
     bodiesBox->setIconSize({24, 24});
-    const auto showIcons = [this, bodiesBox, meshItem] {
-        for (int i = 0; i < meshItem; ++i)
-            if (const QString body = bodiesBox->itemData(i).toString(); body != QStringLiteral("window"))
-                bodiesBox->setItemIcon(i, m_workspace.meshes.icon(body));
-        const Scene& scene = m_workspace.document.scene();
-        const bool isFile = !builtinGeometry(scene.view.geometry);
-        bodiesBox->setItemIcon(
-            meshItem,
-            isFile ? m_workspace.meshes.icon(QFileInfo(toQString(resolved(scene, scene.view.geometry))).absoluteFilePath()) : QIcon());
-    };
-    connect(&m_workspace.meshes, &MeshThumbnails::made, bodiesBox, showIcons);
+    m_bodies = bodiesBox;
+    connect(&m_workspace.meshes, &MeshThumbnails::made, this, &ViewPanel::showBodyPictures);
     connect(bodiesBox, &QComboBox::activated, this, [this, bodiesBox, meshItem](int index) {
         if (index == meshItem) {
             const QString path =
@@ -154,16 +145,37 @@ void ViewPanel::addGeometry()
     });
     m_form->addControl(
         QStringLiteral("view.geometry"), {.name = "geometry", .help = "the body that the material is shown on, or a mesh file"}, {},
-        bodiesBox, [bodiesBox, meshItem, showIcons](const Scene& scene) {
+        bodiesBox, [this, bodiesBox, meshItem](const Scene& scene) {
             const QString shown = toQString(scene.view.geometry);
             if (bodiesBox->itemData(meshItem, Qt::UserRole + 1).toString() != shown) { // files are not looked at while something is dragged
                 bodiesBox->setItemData(meshItem, shown, Qt::UserRole + 1);
-                showIcons();
+                showBodyPictures();
             }
             const int builtin = bodiesBox->findData(shown);
             bodiesBox->setItemText(meshItem, builtin >= 0 ? tr("Mesh file…") : QFileInfo(shown).fileName());
             bodiesBox->setCurrentIndex(builtin >= 0 ? builtin : meshItem);
         });
+}
+
+void ViewPanel::showBodyPictures()
+{
+    if (!isVisible())
+        return;
+    const int meshItem = m_bodies->count() - 1;
+    for (int i = 0; i < meshItem; ++i)
+        if (const QString body = m_bodies->itemData(i).toString(); body != QStringLiteral("window"))
+            m_bodies->setItemIcon(i, m_workspace.meshes.icon(body));
+    const Scene& scene = m_workspace.document.scene();
+    const bool isFile = !builtinGeometry(scene.view.geometry);
+    m_bodies->setItemIcon(meshItem,
+                          isFile ? m_workspace.meshes.icon(QFileInfo(toQString(resolved(scene, scene.view.geometry))).absoluteFilePath())
+                                 : QIcon());
+}
+
+void ViewPanel::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    showBodyPictures();
 }
 
 // What lies outside, the nearest first. The nearest is the material's sphere map, which may be painted in its dock.

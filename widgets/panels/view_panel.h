@@ -17,8 +17,13 @@ public:
     /// Displays through an OpenColorIO configuration, at first by its own choice of display and view.
     void openDisplayConfig(const QString& path);
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
     void addGeometry();
+    /// The bodies' small pictures, which are asked for only while somebody sees the list.
+    void showBodyPictures();
     void addWindow();
     void addDisplay();
     void setDisplay(DisplaySettings display);
@@ -27,6 +32,7 @@ private:
 
     Workspace& m_workspace;
     OptionsForm* m_form;
+    QComboBox* m_bodies = nullptr; ///< the mesh file last
     QComboBox* m_displays = nullptr;
     JobRunner m_offers;    ///< reads what a configuration offers
     std::string m_offered; ///< that configuration

@@ -3,6 +3,7 @@
 #include "widgets/controls/text.h"
 
 #include "core/base/failure.h"
+#include "core/image/color.h"
 #include "core/preview/mesh_file.h"
 #include "core/preview/mesh_picture.h"
 #include "core/scene/scene.h"
@@ -12,21 +13,18 @@
 #include <QImage>
 #include <QPixmap>
 
-#include <cmath>
-
 namespace mirrorball::studio {
 
 namespace {
 
 QImage onScreen(const Image& rgba)
 {
-    QImage image(rgba.width, rgba.height, QImage::Format_ARGB32_Premultiplied);
-    for (int y = 0; y < rgba.height; ++y)
-        for (int x = 0; x < rgba.width; ++x) {
-            const float* t = rgba.texel(x, y);
-            const auto byte = [](float value) { return static_cast<int>(std::lround(255.0f * value)); };
-            image.setPixel(x, y, qRgba(byte(t[0]), byte(t[1]), byte(t[2]), byte(t[3])));
-        }
+    QImage image(rgba.width, rgba.height, QImage::Format_RGBA8888_Premultiplied);
+    for (int y = 0; y < rgba.height; ++y) {
+        uchar* out = image.scanLine(y);
+        for (const float* in = rgba.row(y); in != rgba.row(y) + 4 * rgba.width; ++in)
+            *out++ = toByte(*in);
+    }
     image.setDevicePixelRatio(2.0);
     return image;
 }
