@@ -208,6 +208,9 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
     if (readsBrdf)
         brdfLookups.update(maps.brdfLookups);
     defines.emplace_back("BRDF_LOOKUPS", number(readsBrdf ? brdfLookups.count() : 0));
+    if (needed.viewStack)
+        viewStack.update(maps.viewStack, format);
+    defines.emplace_back("VIEW_STACK_NODES", number(needed.viewStack ? static_cast<int>(viewStack.nodeCount()) : 0));
     if (needed.diffuse)
         addMapDefines(defines, "DIFFUSE", diffuse.update(maps.diffuse, format, "diffuse"));
     if (needed.clearCoat) {
@@ -226,6 +229,11 @@ void Renderer::Resources::drawObject(const RenderSettings& settings, const Rende
         }
         shader.set("lambda", material.lambda);
         shader.set("lambdaGrazing", material.lambdaGrazing);
+    }
+    if (needed.viewStack) {
+        viewStack.bind(shader, 7);
+        shader.set("specularRotation", mapRotation(settings));
+        shader.set("specularColor", material.specular);
     }
     if (needed.diffuse) {
         bindMap(shader, "diffuse", 1, *diffuse.texture(), mapRotation(settings));
