@@ -173,8 +173,8 @@ std::shared_ptr<const ViewStack> buildViewStack(const Scene& scene, const BrdfPl
         for (Image& layer : stack->layers)
             expose(layer, scene.probe.exposure);
         if (stack->tolerance > plan.tolerance)
-            record.notes.push_back(text("material.brdf.kind: exact maps of ", plan.model, " within ", plan.tolerance,
-                                        " would be too large; rel_rms is about ", stack->predictedError));
+            record.unpromised.push_back(text(plan.model, ": its exact maps would be too large for a tolerance of ", plan.tolerance,
+                                             "; rel_rms is about ", stack->predictedError));
         return stack;
     });
 }

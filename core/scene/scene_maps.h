@@ -95,7 +95,7 @@ SphereMapTexels buildSphereMap(const Scene& scene, const SphereMapPlan& plan, co
 /// The table of the lookups of the scene's BRDF. @throws InvalidArgument, FileError, Cancelled
 std::shared_ptr<const Image> buildBrdfLookups(const Scene& scene, const BrdfPlan& plan, const JobControl& job);
 
-/// What the scene's BRDF reflects, exactly; radiance times 2^exposure. A note says where it misses its tolerance.
+/// What the scene's BRDF reflects, exactly; radiance times 2^exposure. The record says where it misses its tolerance.
 /// @throws InvalidArgument, FileError, Cancelled
 std::shared_ptr<const ViewStack> buildViewStack(const Scene& scene, const BrdfPlan& plan, SceneProbe& probe, WorkRecord& record,
                                                 const JobControl& job);
