@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <utility>
 
 namespace mirrorball {
 
@@ -32,18 +33,14 @@ double kernelAt(const KernelSpectrum& kernel, int l, int m, int channel)
 /// Plans the views, orders, degrees and texels of one BRDF in one probe's light.
 class StackPlanner {
 public:
-    StackPlanner(FilterSource& source, const Brdf& brdf, const ViewStackOptions& options, const JobControl& job)
-        : m_source(source), m_brdf(brdf), m_options(options), m_job(job), m_tolerance(options.tolerance)
+    StackPlanner(FilterSource& source, const Brdf& brdf, const ViewStackOptions& options, JobControl job)
+        : m_source(source), m_brdf(brdf), m_options(options), m_job(std::move(job)), m_tolerance(options.tolerance)
     {
-        glm::dvec3 flux(0.0);
-        for (const glm::dvec3& f : source.brightTexels(1, job).flux)
-            flux += f;
-        m_bright = glm::dot(flux, flux) / (4.0 * pi);
     }
 
     void plan()
     {
-        for (;; m_tolerance *= 1.5) {
+        for (;; m_tolerance *= 2.0) {
             nodes.clear();
             nodes.push_back(planAt(0.0));
             m_worst = 0.0;
@@ -79,19 +76,12 @@ public:
     int width = narrowestMap;
 
 private:
-    /// Of the calm probe; bright texels count as if they stood in one place.
-    std::vector<double> power(int bandLimit)
-    {
-        std::vector<double> result = stackSpectrum(m_source, bandLimit, m_job).powerAboutMean();
-        for (size_t l = 1; l < result.size(); ++l)
-            result[l] += (2.0 * static_cast<double>(l) + 1.0) * m_bright;
-        result[0] = std::pow(std::sqrt(result[0]) + std::sqrt(m_bright), 2.0);
-        return result;
-    }
+    /// Of the whole probe: bright texels do not go through the harmonics, but what they send asks for views, orders and texels, too.
+    std::vector<double> power(int bandLimit) { return m_source.spectrum(bandLimit, m_job).powerAboutMean(); }
     StackPlan planAt(double view)
     {
         m_job.checkStop();
-        StackPlan plan = planStack(m_brdf, view, m_tolerance, m_options.mostOrders, [this](int bandLimit) { return power(bandLimit); });
+        StackPlan plan = planStack(m_brdf, view, m_tolerance, largestStackOrder, [this](int bandLimit) { return power(bandLimit); });
         if (m_power.size() <= static_cast<size_t>(plan.kernel.bandLimit))
             m_power = power(plan.kernel.bandLimit);
         return plan;
@@ -143,10 +133,9 @@ private:
     FilterSource& m_source;
     const Brdf& m_brdf;
     ViewStackOptions m_options;
-    const JobControl& m_job;
+    JobControl m_job;
     double m_tolerance;
-    double m_bright = 0.0; ///< power of the bright texels in a degree, by its 2l + 1 orders
-    double m_worst = 0.0;  ///< between nodes
+    double m_worst = 0.0; ///< between nodes
     std::vector<double> m_power{};
 };
 

@@ -34,7 +34,6 @@ struct ViewStack {
 struct ViewStackOptions {
     double tolerance = 1e-2; ///< rel_rms, in (0, 1]: of orders and degrees left out, of views and of texels between those that are stored
     double yaw = 0.0;        ///< radians, as yawed()
-    int mostOrders = largestStackOrder;
     std::int64_t mostTexels = std::int64_t{1} << 25; ///< of all layers: narrow lobes that ask for more get a larger tolerance
 };
 

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/filter/source_file.h"
 #include "core/image/mip_pyramid.h"
+#include "core/shading/brdf.h"
 #include "core/shading/brdf_file.h"
 
 #include <algorithm>
