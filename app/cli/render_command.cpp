@@ -156,6 +156,10 @@ Scene makeScene(const Options& o)
                 scene.probe.reading.rotateDeg = parseRotation(option.flag, given->second);
                 continue;
             }
+            if (flag == "--lookups" && given->second == words(LookupKind::Exact)[static_cast<size_t>(LookupKind::Exact)]) {
+                scene.material.brdf.kind = LookupKind::Exact;
+                continue;
+            }
             if (const auto choice = lookupChoiceFromWord(given->second);
                 flag == "--lookups" && choice && choice->kind != LookupKind::Fitted) {
                 scene.material.brdf.kind = choice->kind;

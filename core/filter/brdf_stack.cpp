@@ -137,6 +137,11 @@ std::vector<glm::dvec3> brightResponse(FilterSource& source, const StackPlan& pl
 
 StackPlan planStack(const Brdf& brdf, double view, double tolerance, int orders, FilterSource& source, const JobControl& job)
 {
+    return planStack(brdf, view, tolerance, orders, [&](int bandLimit) { return stackSpectrum(source, bandLimit, job).powerAboutMean(); });
+}
+
+StackPlan planStack(const Brdf& brdf, double view, double tolerance, int orders, const PowerByDegree& powerOf)
+{
     if (!(tolerance > 0.0 && tolerance <= 1.0))
         throw InvalidArgument("tolerance: must lie in (0, 1]");
     const ReflectionKernel kernel(brdf, view);
@@ -145,7 +150,7 @@ StackPlan planStack(const Brdf& brdf, double view, double tolerance, int orders,
     int bandLimit = 32, looked = std::min(orders, 12);
     for (;;) {
         const KernelSpectrum spectrum = kernelSpectrum(kernel, bandLimit, std::min(looked, bandLimit));
-        const std::vector<double> power = stackSpectrum(source, bandLimit, job).powerAboutMean();
+        const std::vector<double> power = powerOf(bandLimit);
         const Shares shares(spectrum, power);
         const bool isLast = bandLimit >= largestStackDegree && looked >= orders;
         if (shares.leftOut(spectrum.bandLimit, spectrum.orders) > 0.25 * squared && !isLast) {

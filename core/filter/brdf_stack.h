@@ -8,6 +8,9 @@
 #include "core/base/job.h"
 #include "core/image/environment_map.h"
 
+#include <functional>
+#include <vector>
+
 namespace mirrorball {
 
 /// Exact maps that know the view. A probe filtered by the kernel of a BRDF at the angle of view t is
@@ -35,6 +38,10 @@ inline constexpr int largestStackDegree = 1024, largestStackOrder = 40;
 StackPlan planStack(const Brdf& brdf, double view, double tolerance, FilterSource& source, const JobControl& job = {});
 /// The same with orders up to a given one, however far that takes.
 StackPlan planStack(const Brdf& brdf, double view, double tolerance, int orders, FilterSource& source, const JobControl& job = {});
+
+/// The same for light of any power: what it has in each degree up to a band limit, as Spectrum::powerAboutMean() counts it.
+using PowerByDegree = std::function<std::vector<double>(int bandLimit)>;
+StackPlan planStack(const Brdf& brdf, double view, double tolerance, int orders, const PowerByDegree& powerOf);
 
 /// The map of reflected radiance, as filterBrdfSum() has it. Normalized by the same filter of a constant 1, and not below 0 where the probe
 /// never is.

@@ -7,7 +7,7 @@ namespace mirrorball {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kindWords{"fitted", "split-sum", "three", "filament"};
+constexpr std::array<std::string_view, 5> kindWords{"fitted", "split-sum", "three", "filament", "exact"};
 constexpr std::string_view prefix = "lookups:";
 
 } // namespace
@@ -16,9 +16,9 @@ std::span<const std::string_view> words(LookupKind) { return kindWords; }
 
 std::optional<LookupChoice> lookupChoiceFromWord(std::string_view word)
 {
-    for (size_t i = 1; i < kindWords.size(); ++i) // "fitted" does not say how many
-        if (word == kindWords[i])
-            return LookupChoice{static_cast<LookupKind>(i)};
+    for (const LookupKind kind : {LookupKind::SplitSum, LookupKind::Three, LookupKind::Filament}) // "fitted" does not say how many
+        if (word == kindWords[static_cast<size_t>(kind)])
+            return LookupChoice{kind};
     if (word.starts_with(prefix))
         word.remove_prefix(prefix.size());
     if (word.size() == 1 && word[0] >= '1' && word[0] <= '8')

@@ -7,9 +7,10 @@
 
 namespace mirrorball {
 
-/// What stands for a BRDF's integral: lookups fitted to it (brdf_lookups.h), or what an engine of today does (engine_lookups.h).
-enum class LookupKind { Fitted, SplitSum, Three, Filament };
-std::span<const std::string_view> words(LookupKind); // fitted split-sum three filament
+/// What stands for a BRDF's integral: lookups fitted to it (brdf_lookups.h), what an engine of today does (engine_lookups.h), or the
+/// integral itself, which is no lookups into a ggx chain but maps of its own (view_stack.h).
+enum class LookupKind { Fitted, SplitSum, Three, Filament, Exact };
+std::span<const std::string_view> words(LookupKind); // fitted split-sum three filament exact
 
 struct LookupChoice {
     LookupKind kind = LookupKind::Fitted;
@@ -17,7 +18,7 @@ struct LookupChoice {
     bool operator==(const LookupChoice&) const = default;
 };
 
-/// "5" or "lookups:5": so many that are fitted; "split-sum", "three", "filament"; nothing for any other word.
+/// "5" or "lookups:5": so many that are fitted; "split-sum", "three", "filament"; nothing for any other word, nor for "exact".
 std::optional<LookupChoice> lookupChoiceFromWord(std::string_view word);
 /// "lookups:5", "split-sum", ...
 std::string describe(const LookupChoice& choice);

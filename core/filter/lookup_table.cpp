@@ -37,6 +37,8 @@ LookupFit lookupsFor(const Brdf& brdf, double view, const LookupChoice& choice)
         return threeLookups(engineMaterial(brdf), view);
     case LookupKind::Filament:
         return filamentLookups(engineMaterial(brdf), view);
+    case LookupKind::Exact:
+        throw InvalidArgument("lookups: what is exact has none");
     case LookupKind::Fitted:
         break;
     }

@@ -20,7 +20,7 @@ namespace mirrorball {
 /// @throws InvalidArgument; Cancelled
 Image makeLookupTable(const Brdf& brdf, const LookupChoice& choice, int size, const JobControl& job = {});
 
-/// The lookups of one view.
+/// The lookups of one view. @throws InvalidArgument for LookupKind::Exact
 LookupFit lookupsFor(const Brdf& brdf, double view, const LookupChoice& choice);
 
 /// The table read at a view, as the shader reads it. @param view  radians in [0, pi/2)

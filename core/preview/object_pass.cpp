@@ -202,6 +202,9 @@ std::vector<ShaderDefine> Renderer::Resources::updateObjectMaps(const RenderSett
     if (readsBrdf)
         brdfLookups.update(maps.brdfLookups);
     defines.emplace_back("BRDF_LOOKUPS", number(readsBrdf ? brdfLookups.count() : 0));
+    if (needed.viewStack)
+        viewStack.update(maps.viewStack, format);
+    defines.emplace_back("VIEW_STACK_NODES", number(needed.viewStack ? static_cast<int>(viewStack.nodeCount()) : 0));
     if (needed.diffuse)
         addMapDefines(defines, "DIFFUSE", diffuse.update(maps.diffuse, format, "diffuse"));
     if (needed.clearCoat) {
@@ -237,6 +240,11 @@ void Renderer::Resources::bindReflection(const RenderSettings& settings, const N
         }
         shader.set("lambda", material.lambda);
         shader.set("lambdaGrazing", material.lambdaGrazing);
+    }
+    if (needed.viewStack) {
+        viewStack.bind(shader, 7);
+        shader.set("specularRotation", mapRotation(settings));
+        shader.set("specularColor", material.specular);
     }
     if (needed.diffuse) {
         bindMap(shader, "diffuse", 1, *diffuse.texture(), rotation);

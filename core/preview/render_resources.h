@@ -9,6 +9,7 @@
 #include "renderer.h"
 #include "shader_program.h"
 #include "sphere_map_texture.h"
+#include "view_stack_texture.h"
 
 namespace mirrorball::preview {
 
@@ -27,6 +28,7 @@ struct Renderer::Resources {
     GlObject edgeFramebuffer{};
     BoundMap specular{}, diffuse{}, clearCoat{}, background{};
     LookupTexture brdfLookups{};
+    ViewStackTexture viewStack{};
     SphereMapTexture sphereMaps[3]{};
     PictureTexture diffusePicture{}, fleckPattern{}, normalMap{};
     ProgramCache programs{};
@@ -91,7 +93,7 @@ std::string_view outputPrelude(const RenderSettings& settings, Output output);
 
 /// Texture units: 0 specular, 1 diffuse, 2 background and, on an object, the clear coat, 3 the object's samples and, on an object, the
 /// normal map, 4 to 6 painted maps, on an object 4 alone and then 5 the diffuse picture, 6 the flecks' pattern; 7 the table of a BRDF's
-/// lookups, from here on tables of the display.
+/// lookups or its exact maps, from here on tables of the display.
 inline constexpr GLuint displayUnit = 8;
 
 } // namespace mirrorball::preview

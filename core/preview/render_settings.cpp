@@ -94,14 +94,16 @@ NeededMaps neededMaps(const RenderSettings& settings)
     const bool showsNormals =
         !isWindow && (isShown || isLevels || settings.shading == Shading::Normals || settings.shading == Shading::Seams);
     const bool hasFlecks = isShown && !isWindow && paint && material.paint.flecks.density > 0.0f;
-    return {.specular = (isMaterial || isLevels) && material.specular != glm::vec3(0.0f),
+    const bool isExact = material.hasBrdf && material.isExact, mirrors = material.specular != glm::vec3(0.0f);
+    return {.specular = (isMaterial || isLevels) && mirrors && !isExact,
             .diffuse = hasDiffuse,
             .background = isEnvironment(settings.background.kind),
             .sphereMap = isShown && (isWindow || paint),
             .diffusePicture = hasDiffuse && material.hasDiffusePicture,
             .fleckPattern = hasFlecks && material.paint.hasFleckPattern,
             .clearCoat = isMaterial && material.clearCoat.weight > 0.0f,
-            .normalMap = showsNormals && material.normalStrength > 0.0f};
+            .normalMap = showsNormals && material.normalStrength > 0.0f,
+            .viewStack = isMaterial && mirrors && isExact};
 }
 
 } // namespace mirrorball::preview

@@ -6,6 +6,7 @@
 #include "flecks.h"
 #include "mesh.h"
 
+#include "core/filter/view_stack.h"
 #include "core/image/color.h"
 #include "core/image/environment_map.h"
 #include "core/image/picture_levels.h"
@@ -67,6 +68,7 @@ struct MaterialSettings {
     /// Whether the specular map is a ggx chain (chainRoughness()), read at each pixel by the lookups that the maps' table has: they stand
     /// for F L_m, and their weights' sum for F. Otherwise one lookup by the mirror direction.
     bool hasBrdf = false;
+    bool isExact = false;           ///< of a BRDF: the maps' view stack stands for specular map, lookups and their sum; no levels are read
     Fresnel fresnel{};              ///< F; None: F = 1. Not with BRDF lookups
     Combine combine = Combine::Add; ///< Add: F L_m + L_d; Coat: F L_m + (1 - F) L_d
     ClearCoat clearCoat{};
@@ -125,10 +127,11 @@ using MapLevels = std::shared_ptr<const std::vector<EnvironmentMap>>;
 /// The maps of a picture, by pointer: the renderer keeps a texture as long as it is handed the same pointer. Maps that the settings
 /// do not need may be null and are never looked at.
 struct RenderMaps {
-    MapLevels specular{};                       ///< the environment for a mirror, a filtered map for a glossy material
-    MapLevels diffuse{};                        ///< filtered with the diffuse lobe
-    MapLevels background{};                     ///< the environment, drawn behind the object
-    std::shared_ptr<const Image> brdfLookups{}; ///< core/filter/lookup_table.h
+    MapLevels specular{};                         ///< the environment for a mirror, a filtered map for a glossy material
+    MapLevels diffuse{};                          ///< filtered with the diffuse lobe
+    MapLevels background{};                       ///< the environment, drawn behind the object
+    std::shared_ptr<const Image> brdfLookups{};   ///< core/filter/lookup_table.h
+    std::shared_ptr<const ViewStack> viewStack{}; ///< core/filter/view_stack.h
     /// The painted sphere map; for a window the layers outside, one to three, nearest first.
     std::vector<SphereMapChain> sphereMaps{};
     PictureLevels diffusePicture{}; ///< linear RGB
@@ -147,6 +150,7 @@ struct NeededMaps {
     bool diffusePicture = false, fleckPattern = false;
     bool clearCoat = false;
     bool normalMap = false;
+    bool viewStack = false; ///< in place of the specular map
     bool operator==(const NeededMaps&) const = default;
 };
 NeededMaps neededMaps(const RenderSettings& settings);

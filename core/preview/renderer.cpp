@@ -74,6 +74,8 @@ void Renderer::Resources::drawScene(const RenderSettings& settings, const Render
         specular.release();
     if (!needed.specular || !settings.material.hasBrdf)
         brdfLookups.release();
+    if (!needed.viewStack)
+        viewStack.release();
     if (!needed.diffuse)
         diffuse.release();
     if (!needed.clearCoat)

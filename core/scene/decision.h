@@ -32,6 +32,7 @@ enum class Because {
     ReflectanceIsZero, ///< F, for an index of 1
     ReflectanceIsOne,  ///< F, without a Fresnel term
     BrdfHoldsFresnel,  ///< inside its integral
+    BrdfIsExact,       ///< drawn from maps of its own
     DiffuseWeightIsZero,
     DiffuseColorIsBlack,
     CoatMirrorsAll,

@@ -242,6 +242,7 @@ MadeScene LiveMaps::update(const Scene& scene, const MapDetail& detail, const Jo
     made.maps.background = make(m_now.background, made.plan.background); // first: where it is the probe itself, the others may be, too
     made.maps.specular = make(m_now.specular, made.plan.specular);
     made.maps.brdfLookups = brdfLookups(scene, made.plan, job, made.record);
+    made.maps.viewStack = viewStack(scene, made.plan, probe, job, made.record);
     made.maps.diffuse = make(m_now.diffuse, made.plan.diffuse);
     made.maps.clearCoat = make(m_now.clearCoat, made.plan.clearCoat);
     made.maps.sphereMaps = sphereMaps(scene, made.plan, job, made.record);
@@ -260,8 +261,8 @@ MadeScene LiveMaps::update(const Scene& scene, const MapDetail& detail, const Jo
     };
     if (m_isKept)
         made.keptFiles.push_back(m_key->path);
-    if (m_brdf)
-        addProblem(m_brdf->problem);
+    if (const auto& brdf = made.plan.isExact() ? m_now.exact : m_brdf; made.plan.brdf && brdf)
+        addProblem(brdf->problem);
     for (const KeptSphereMap& map : m_sphereMaps) {
         addProblem(map.problem);
         if (map.isKept)
@@ -275,19 +276,51 @@ MadeScene LiveMaps::update(const Scene& scene, const MapDetail& detail, const Jo
     return made;
 }
 
+LiveMaps::KeptBrdf LiveMaps::wantedBrdf(const Scene& scene, const BrdfPlan& plan)
+{
+    KeptBrdf wanted{.plan = plan, .exposure = scene.probe.exposure};
+    if (isBrdfFile(plan.model)) {
+        std::error_code ignored;
+        wanted.path = resolved(scene, plan.model);
+        wanted.time = std::filesystem::last_write_time(wanted.path, ignored);
+    }
+    return wanted;
+}
+
+std::shared_ptr<const ViewStack> LiveMaps::viewStack(const Scene& scene, const Plan& plan, SceneProbe& probe, const JobControl& job,
+                                                     WorkRecord& record)
+{
+    std::optional<KeptBrdf>& kept = m_now.exact;
+    if (!plan.brdf)
+        kept.reset();
+    if (!plan.isExact()) // kept, for who compares the two
+        return nullptr;
+    KeptBrdf wanted = wantedBrdf(scene, *plan.brdf);
+    if (kept && kept->plan.model == wanted.plan.model && kept->plan.yaw == wanted.plan.yaw &&
+        kept->plan.tolerance <= wanted.plan.tolerance && kept->exposure == wanted.exposure && kept->path == wanted.path &&
+        kept->time == wanted.time)
+        return kept->stack;
+    try {
+        wanted.stack = buildViewStack(scene, wanted.plan, probe, record, job);
+    } catch (const Cancelled&) {
+        throw;
+    } catch (const Error& error) {
+        wanted.problem = error.what();
+        wanted.stack = std::make_shared<const ViewStack>(ViewStack{
+            .nodes = {{}}, .albedo = std::vector<glm::dvec3>(ViewStack::albedoViews, glm::dvec3(1.0)), .layers = {Image(2, 1, 3, 1.0f)}});
+    }
+    kept = std::move(wanted);
+    return kept->stack;
+}
+
 // A measurement that cannot be read must not stop the picture either.
 std::shared_ptr<const Image> LiveMaps::brdfLookups(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record)
 {
-    if (!plan.brdf) {
+    if (!plan.brdf)
         m_brdf.reset();
+    if (!plan.brdf || plan.isExact())
         return nullptr;
-    }
-    KeptBrdf wanted{.plan = *plan.brdf};
-    if (isBrdfFile(wanted.plan.model)) {
-        std::error_code ignored;
-        wanted.path = resolved(scene, wanted.plan.model);
-        wanted.time = std::filesystem::last_write_time(wanted.path, ignored);
-    }
+    KeptBrdf wanted = wantedBrdf(scene, *plan.brdf);
     // A table of more views than are asked for serves as well: dragging another control fits none anew.
     if (m_brdf && m_brdf->plan.model == wanted.plan.model && m_brdf->plan.lookups == wanted.plan.lookups &&
         m_brdf->plan.columns >= wanted.plan.columns && m_brdf->path == wanted.path && m_brdf->time == wanted.time)

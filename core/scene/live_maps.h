@@ -57,8 +57,10 @@ private:
         BrdfPlan plan{};
         std::string path{}; ///< of a measurement
         std::filesystem::file_time_type time{};
+        double exposure = 0.0; ///< of the stack
         std::shared_ptr<const Image> table{};
-        std::string problem{}; ///< why the file could not be read: a white mirror stands in
+        std::shared_ptr<const ViewStack> stack{}; ///< in place of the table where it is exact
+        std::string problem{}; ///< why the file could not be read: a white mirror stands in, or light of 1 from everywhere
     };
     struct KeptSphereMap {
         SphereMapPlan plan{};
@@ -80,6 +82,7 @@ private:
         std::shared_ptr<const EnvironmentMap> environment{}; ///< that level
         bool certain = true;
         KeptMap specular{}, diffuse{}, clearCoat{}, background{};
+        std::optional<KeptBrdf> exact{}; ///< of this probe, as the maps are
 
         bool holdsLight() const { return environment || probe.environment || probe.source; }
     };
@@ -95,6 +98,10 @@ private:
     void keepProbe(EnvironmentMap probe);
     bool isProbeItself(const MapPlan& plan, const SceneProbe& probe, const MapDetail& detail, double exposure) const;
     std::shared_ptr<const Image> brdfLookups(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record);
+    /// What is to be kept of the plan's BRDF, not made yet.
+    static KeptBrdf wantedBrdf(const Scene& scene, const BrdfPlan& plan);
+    std::shared_ptr<const ViewStack> viewStack(const Scene& scene, const Plan& plan, SceneProbe& probe, const JobControl& job,
+                                               WorkRecord& record);
     static void build(KeptSphereMap& map, const SphereMapChain& before, const Scene& scene, const JobControl& job);
     std::vector<SphereMapChain> sphereMaps(const Scene& scene, const Plan& plan, const JobControl& job, WorkRecord& record);
 

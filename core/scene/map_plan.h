@@ -30,11 +30,14 @@ struct SphereMapPlan {
     bool operator==(const SphereMapPlan&) const = default;
 };
 
-/// The table of a BRDF's lookups. Its entries stand between the levels of the specular map, a ggx chain by chainRoughness().
+/// The table of a BRDF's lookups. Its entries stand between the levels of the specular map, a ggx chain by chainRoughness(). Or, where
+/// those are exact, its view stack, which needs no specular map.
 struct BrdfPlan {
     std::string model{}; ///< as the scene names it
     LookupChoice lookups{};
-    int columns = 32; ///< angles of view
+    int columns = 32;       ///< angles of view
+    double tolerance = 0.0; ///< exact: of the stack
+    double yaw = 0.0;       ///< exact: as yawed()
     bool operator==(const BrdfPlan&) const = default;
 };
 

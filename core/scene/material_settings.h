@@ -93,7 +93,7 @@ struct NormalMapSettings {
 };
 
 /// A lobe that knows the view, in place of the specular lobe and the Fresnel term: the picture reads it as a few lookups into an ordinary
-/// ggx chain, as an engine would. lookup_table.h
+/// ggx chain, as an engine would (lookup_table.h), or exactly, from maps of its own (view_stack.h).
 struct BrdfSettings {
     std::string model{};
     LookupKind kind = LookupKind::Fitted;
@@ -113,7 +113,9 @@ struct BrdfSettings {
         visit(Field{"model", "ggx:roughness=0.5,metal=gold, another model, or a measured file (.binary .brdf .csv .txt), in place of the "
                              "specular lobe and the Fresnel term; empty: those"},
               self.model);
-        visit(Field{"kind", "fitted: lookups that are fitted to the lobe; split-sum, three, filament: what those show, to compare"},
+        visit(Field{"kind",
+                    "fitted: lookups that are fitted to the lobe; split-sum, three, filament: what those show, to compare; exact: the "
+                    "integral over the probe, the truth for all of them"},
               self.kind);
         visit(Field{"lookups", "fitted: how many into a ggx chain stand for the lobe at each angle of view; 0: the split sum", 0, 8},
               self.lookups);

@@ -87,6 +87,8 @@ void Planner::planReading()
             }
             bandLimit = std::max(bandLimit, prediction.filtered ? prediction.bandLimit : 0);
         }
+        if (m_plan.isExact()) // whatever its orders and views, of one spectrum
+            ++spectral;
         const bool large = std::int64_t{m_probe.width()} * m_probe.height() > streamedFrom;
         const bool streamed =
             large && m_probe.kind == Parameterization::Latlong && !builtin && filtered == static_cast<int>(filters.size());
@@ -110,7 +112,7 @@ void Planner::planReading()
 
 bool Plan::needsProbe() const
 {
-    return specular || diffuse || clearCoat || background || !others.empty() ||
+    return specular || isExact() || diffuse || clearCoat || background || !others.empty() ||
            std::any_of(exports.begin(), exports.end(), [](const ExportPlan& planned) { return !planned.painted; });
 }
 
@@ -142,7 +144,7 @@ std::vector<PrefilterOptions> Plan::filters() const
 bool Plan::filtersAny() const
 {
     const std::vector<const PlannedFilter*> all = planned();
-    return std::any_of(all.begin(), all.end(), [](const PlannedFilter* filter) { return filter->plan.filtered; });
+    return isExact() || std::any_of(all.begin(), all.end(), [](const PlannedFilter* filter) { return filter->plan.filtered; });
 }
 
 double lobeAngle(const Lobe& lobe) { return lobe.isMirror() ? 0.0 : 2.0 * LobeShape(lobe).halfWidth(); }

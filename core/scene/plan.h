@@ -51,6 +51,7 @@ struct MapDetail {
     double longTolerance = 1e-5; ///< this instead: those of a narrow lobe, or of one that begins with a step at its horizon
     double texelsPerLobe = std::numeric_limits<double>::infinity(); ///< maps are made smaller where their lobe spans more at half its peak
     int brdfColumns = 32;                                           ///< angles of view in the table of a BRDF's lookups
+    double brdfTolerance = 1e-2;                                    ///< rel_rms of a BRDF that is drawn exactly
     /// Texels of the probe that a lobe spans at half its peak: for one that spans no more, the probe's own texels in their own layout may
     /// stand in, which costs nothing; 0: never.
     double probeItselfUpTo = 0.0;
@@ -65,6 +66,7 @@ inline constexpr MapDetail coarseDetail{.largestSize = 128,
                                         .longTolerance = 1e-2,
                                         .texelsPerLobe = 6.0,
                                         .brdfColumns = 8,
+                                        .brdfTolerance = 0.1,
                                         .probeItselfUpTo = 4.0,
                                         .discPixels = 512};
 
@@ -83,7 +85,7 @@ struct Plan {
     std::vector<PlannedStage> decisions{}; ///< in order
     PlannedMaterial material{};
     std::optional<MapPlan> specular{};
-    std::optional<BrdfPlan> brdf{}; ///< how the specular map is read
+    std::optional<BrdfPlan> brdf{}; ///< how the specular map is read, or what stands for it
     std::optional<MapPlan> diffuse{};
     std::optional<MapPlan> clearCoat{};
     std::optional<MapPlan> background{};
@@ -96,10 +98,12 @@ struct Plan {
     /// The decisions in words; seconds are 0.
     std::vector<Stage> stages() const;
     bool needsProbe() const;
+    /// Whether the material's BRDF is drawn from a view stack.
+    bool isExact() const { return brdf && brdf->lookups.kind == LookupKind::Exact; }
     /// Every filter of the plan, for openFilterSource.
     std::vector<PrefilterOptions> filters() const;
     std::vector<const PlannedFilter*> planned() const;
-    /// Whether any map is filtered; otherwise the probe is only resampled and no spectrum is needed.
+    /// Whether any map is filtered, or a view stack made; otherwise the probe is only resampled and no spectrum is needed.
     bool filtersAny() const;
 };
 

@@ -1,6 +1,10 @@
 #include "planner.h"
 
+#include "core/base/error.h"
+#include "core/filter/source_file.h"
 #include "core/image/mip_pyramid.h"
+#include "core/shading/brdf.h"
+#include "core/shading/brdf_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -158,7 +162,9 @@ void Planner::planLambda()
 {
     const Material& material = m_scene.material;
     const std::string stage = "lambda by angle";
-    if (!m_plan.specular || material.lambda == 0.0)
+    if (m_plan.isExact() && material.lambda > 0.0)
+        leaveOut(stage, Because::BrdfIsExact);
+    else if (!m_plan.specular || material.lambda == 0.0)
         leaveOut(stage, Because::LambdaHoldsNoLevel);
     else if (material.lambdaGrazing == 0.0)
         leaveOut(stage, Because::LambdaIsTheSame);
@@ -299,7 +305,11 @@ void Planner::planSpecular()
         return;
     }
     if (!m_scene.material.brdf.isNone()) {
-        planBrdf();
+        // A view of levels shows those that the lookups read.
+        if (m_scene.material.brdf.kind == LookupKind::Exact && m_scene.view.shading != Shading::Mips)
+            planExactBrdf();
+        else
+            planBrdf();
         return;
     }
     MapPlan map{.name = "specular map"};
@@ -338,8 +348,21 @@ void Planner::planBrdf()
         addLevel(map, planned(filter), text(map.name, " level ", i), {}, Because::RoughnessIsZero);
     }
     m_plan.specular = std::move(map);
-    m_plan.brdf = BrdfPlan{brdf.model, brdf.choice(), m_detail.brdfColumns};
+    const LookupChoice choice = brdf.kind == LookupKind::Exact ? LookupChoice{} : brdf.choice();
+    m_plan.brdf = BrdfPlan{brdf.model, choice, m_detail.brdfColumns};
     need("BRDF lookups", BrdfAtEveryPixel{*m_plan.brdf});
+}
+
+void Planner::planExactBrdf()
+{
+    const BrdfSettings& brdf = m_scene.material.brdf;
+    if (std::int64_t{m_probe.width()} * m_probe.height() > streamedFrom)
+        throw InvalidArgument(text("material.brdf.kind: exact holds the probe whole, and ", m_probe.width(), " x ", m_probe.height(),
+                                   " texels are more than ", streamedFrom, "; take a smaller probe, or another kind"));
+    leaveOut("specular map", Because::BrdfIsExact);
+    m_plan.brdf = BrdfPlan{.model = brdf.model, .lookups = brdf.choice(), .tolerance = m_detail.brdfTolerance, .yaw = bakedYaw()};
+    need("exact BRDF maps", BrdfAtEveryPixel{*m_plan.brdf},
+         viewStackCost(isBrdfFile(brdf.model) ? 0.3 : equivalentAlpha(brdfFromText(brdf.model))));
 }
 
 void Planner::planDiffuse()

@@ -99,6 +99,8 @@ struct Words {
             return "none: F is 1 at every angle";
         case Because::BrdfHoldsFresnel:
             return "the BRDF has its own, inside its integral";
+        case Because::BrdfIsExact:
+            return "the BRDF is drawn exactly, from maps of its own";
         case Because::DiffuseWeightIsZero:
             return "diffuse weight is 0";
         case Because::DiffuseColorIsBlack:
@@ -174,6 +176,9 @@ struct Words {
     std::string operator()(const BrdfAtEveryPixel& d) const
     {
         const LookupChoice& lookups = d.brdf.lookups;
+        if (lookups.kind == LookupKind::Exact)
+            return text(d.brdf.model, ": exact, maps by order about the mirror direction at as many angles of view as a tolerance of ",
+                        d.brdf.tolerance, " asks for");
         return lookups.kind == LookupKind::Fitted ? text(d.brdf.model, ": ", plural(lookups.count, "lookup"), " at each pixel")
                                                   : text(d.brdf.model, ": ", describe(lookups), ", as an engine shows it");
     }

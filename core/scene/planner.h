@@ -75,6 +75,7 @@ private:
     MapLayout mapLayout() const { return {m_scene.map.parameterization, m_scene.map.size, m_scene.map.border}; }
     void planSpecular();
     void planBrdf();
+    void planExactBrdf();
     void planDiffuse();
     void planClearCoat();
     void planBackground();

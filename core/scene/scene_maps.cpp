@@ -1,5 +1,7 @@
 #include "scene_maps.h"
 
+#include "plan_words.h"
+
 #include "core/filter/lookup_table.h"
 #include "core/filter/source_file.h"
 #include "core/image/mip_pyramid.h"
@@ -57,14 +59,13 @@ EnvironmentMap buildLevel(const PlannedFilter& planned, const std::string& name,
     return std::move(outcome.map);
 }
 
-void expose(std::vector<EnvironmentMap>& levels, double exposure)
+void expose(Image& image, double exposure)
 {
     if (exposure == 0.0)
         return;
     const float factor = static_cast<float>(std::exp2(exposure));
-    for (EnvironmentMap& level : levels)
-        for (float& value : level.image.texels)
-            value *= factor;
+    for (float& value : image.texels)
+        value *= factor;
 }
 
 } // namespace
@@ -142,7 +143,8 @@ BuiltMap buildMap(const MapPlan& plan, SceneProbe& probe, double exposure, const
             return plan.filtering == MipFiltering::PerFace ? std::move(buildFacePyramid(levels.front(), last).levels)
                                                            : std::move(buildMipPyramid(levels.front(), last).levels);
         });
-    expose(levels, exposure);
+    for (EnvironmentMap& level : levels)
+        expose(level.image, exposure);
     return built;
 }
 
@@ -162,6 +164,21 @@ std::shared_ptr<const Image> buildBrdfLookups(const Scene& scene, const BrdfPlan
     return std::make_shared<const Image>(makeLookupTable(brdfOf(scene), plan.lookups, plan.columns, job));
 }
 
+std::shared_ptr<const ViewStack> buildViewStack(const Scene& scene, const BrdfPlan& plan, SceneProbe& probe, WorkRecord& record,
+                                                const JobControl& job)
+{
+    return timedStage(record.stages, "exact BRDF maps", [&] {
+        auto stack =
+            std::make_shared<ViewStack>(makeViewStack(*probe.source, brdfOf(scene), {.tolerance = plan.tolerance, .yaw = plan.yaw}, job));
+        for (Image& layer : stack->layers)
+            expose(layer, scene.probe.exposure);
+        if (stack->tolerance > plan.tolerance)
+            record.unpromised.push_back(text(plan.model, ": its exact maps would be too large for a tolerance of ", plan.tolerance,
+                                             "; rel_rms is about ", stack->predictedError));
+        return stack;
+    });
+}
+
 SceneMaps buildMaps(const Scene& scene, const Plan& plan, SceneProbe& probe, const JobControl& job)
 {
     SceneMaps maps{.record = probe.record};
@@ -179,7 +196,9 @@ SceneMaps buildMaps(const Scene& scene, const Plan& plan, SceneProbe& probe, con
     maps.normalMap = read(plan.normalMap);
     if (plan.specular)
         maps.specular = build(*plan.specular);
-    if (plan.brdf)
+    if (plan.isExact())
+        maps.viewStack = buildViewStack(scene, *plan.brdf, probe, maps.record, job);
+    else if (plan.brdf)
         maps.brdfLookups = timedStage(maps.record.stages, "BRDF lookups", [&] { return buildBrdfLookups(scene, *plan.brdf, job); });
     if (plan.diffuse)
         maps.diffuse = build(*plan.diffuse);

@@ -4,6 +4,7 @@
 #include "sphere_map_source.h"
 
 #include "core/base/job.h"
+#include "core/filter/view_stack.h"
 #include "core/image/environment_map.h"
 #include "core/image/probe_file.h"
 
@@ -75,7 +76,8 @@ BuiltMap buildMap(const MapPlan& plan, SceneProbe& probe, double exposure, const
 /// What the renderer needs of a scene. Maps that the plan leaves out are null.
 struct SceneMaps {
     MapLevels specular{};
-    std::shared_ptr<const Image> brdfLookups{}; ///< lookup_table.h
+    std::shared_ptr<const Image> brdfLookups{};   ///< lookup_table.h
+    std::shared_ptr<const ViewStack> viewStack{}; ///< view_stack.h
     MapLevels diffuse{};
     MapLevels clearCoat{};
     MapLevels background{};
@@ -92,6 +94,11 @@ SphereMapTexels buildSphereMap(const Scene& scene, const SphereMapPlan& plan, co
 
 /// The table of the lookups of the scene's BRDF. @throws InvalidArgument, FileError, Cancelled
 std::shared_ptr<const Image> buildBrdfLookups(const Scene& scene, const BrdfPlan& plan, const JobControl& job);
+
+/// What the scene's BRDF reflects, exactly; radiance times 2^exposure. The record says where it misses its tolerance.
+/// @throws InvalidArgument, FileError, Cancelled
+std::shared_ptr<const ViewStack> buildViewStack(const Scene& scene, const BrdfPlan& plan, SceneProbe& probe, WorkRecord& record,
+                                                const JobControl& job);
 
 /// All of them; the record tells of opening the probe, too.
 SceneMaps buildMaps(const Scene& scene, const Plan& plan, SceneProbe& probe, const JobControl& job = {});

@@ -75,4 +75,12 @@ StageCost drawingCost(int width, int height)
     return {0.2 + 5e-8 * pixels, static_cast<std::int64_t>(64.0 * pixels)};
 }
 
+// Narrow lobes have more texels, and more orders; sizes end where those of view_stack.cpp do.
+StageCost viewStackCost(double alpha)
+{
+    const double layers = std::clamp(60.0 / std::sqrt(alpha), 100.0, 800.0), width = std::clamp(60.0 / alpha, 128.0, 1024.0);
+    const double count = layers * width * width / 2.0;
+    return {0.3 + 6e-8 * count, static_cast<std::int64_t>(bytesATexel * count)};
+}
+
 } // namespace mirrorball

@@ -25,4 +25,7 @@ StageCost savingCost(const std::filesystem::path& file, std::span<const MapLayou
 double loadingSeconds(const std::filesystem::path& file);
 StageCost drawingCost(int width, int height);
 
+/// The exact maps of a BRDF. @param alpha  of the ggx lobe that is as wide
+StageCost viewStackCost(double alpha);
+
 } // namespace mirrorball

@@ -2774,6 +2774,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>exact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>filament</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2786,7 +2790,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>fitted: lookups that are fitted to the lobe; split-sum, three, filament: what those show, to compare</source>
+        <source>fitted: lookups that are fitted to the lobe; split-sum, three, filament: what those show, to compare; exact: the integral over the probe, the truth for all of them</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

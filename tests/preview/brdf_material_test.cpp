@@ -38,6 +38,13 @@ Scene ballOf(const std::string& model, int lookups)
     return scene;
 }
 
+Scene exactBallOf(const std::string& model)
+{
+    Scene scene = ballOf(model, 5);
+    scene.material.brdf.kind = LookupKind::Exact;
+    return scene;
+}
+
 // A lamp and a strip of light over a dim sky, small enough to be summed over at every pixel.
 EnvironmentMap smallProbe()
 {
@@ -109,6 +116,49 @@ TEST_F(BrdfMaterial, UnderAWhiteSkyShowsItsDirectionalAlbedo)
     }
 }
 
+TEST_F(BrdfMaterial, DrawnExactlyIsTheIntegralAtEveryPixel)
+{
+    const EnvironmentMap probe = smallProbe();
+    for (const char* model : {"ggx:roughness=0.5,metal=gold", "ggx:roughness=0.7"}) {
+        const Brdf brdf = brdfFromText(model);
+        Scene scene = exactBallOf(model);
+        scene.probe.yawDeg = 0.0;
+        const ScenePicture picture = drawScene(scene, probe);
+        EXPECT_LT(errorOf(picture, brdf, probe, 0.0, 45.0), 0.01) << model;
+        EXPECT_LT(errorOf(picture, brdf, probe, 45.0, 75.0), 0.01) << model;
+        EXPECT_LT(errorOf(picture, brdf, probe, 75.0, 87.0), 0.03) << model;
+    }
+}
+
+// The same light comes to the same surface, whether the environment turns with the camera or stands.
+TEST_F(BrdfMaterial, DrawnExactlyInEyeSpaceHasTheTurnOfTheProbeInItsMaps)
+{
+    const EnvironmentMap probe = smallProbe();
+    Scene scene = exactBallOf("ggx:roughness=0.5");
+    scene.view.camera = {.yawDeg = 0.0, .pitchDeg = 0.0, .distance = scene.view.camera.distance, .projection = Projection::Orthographic};
+    scene.probe.yawDeg = 50.0;
+    const Image world = drawScene(scene, probe).radiance;
+    scene.map.space = MapSpace::Eye;
+    const Image eye = drawScene(scene, probe).radiance;
+    for (size_t i = 0; i < world.texels.size(); ++i)
+        EXPECT_NEAR(eye.texels[i], world.texels[i], 0.01f * world.texels[i] + 1e-3f);
+}
+
+// White under a white sky, below a coat of the same light: whatever is reflected, all of it comes back.
+TEST_F(BrdfMaterial, DrawnExactlyIsACoatAndLiesBelowOne)
+{
+    Scene scene = exactBallOf("ggx:roughness=0.45,ior=1.5");
+    scene.material.combine = Combine::Coat;
+    scene.material.diffuse = {.weight = 1.0, .color = glm::dvec3(1.0)};
+    scene.material.clearCoat.weight = 1.0;
+    const ScenePicture picture = drawScene(scene, whiteSky());
+    for (int y = 0; y < edge; y += 3)
+        for (int x = 0; x < edge; x += 3)
+            if (picture.buffers.normal.texel(x, y)[3] == 1.0f) {
+                EXPECT_NEAR(picture.radiance.texel(x, y)[0], 1.0, 2e-3);
+            }
+}
+
 // A white metal under a white sky: three and Filament add what bounces more than once, all of it.
 TEST_F(BrdfMaterial, OfAnEngineInAFurnaceVanishesInTheSky)
 {
@@ -164,6 +214,30 @@ TEST_F(BrdfMaterial, APlanWithoutOneIsAsBefore)
     ASSERT_TRUE(with.brdf);
     EXPECT_GT(with.specular->filters.size(), 4u);
     EXPECT_EQ(with.material.fresnel.kind, FresnelKind::None);
+}
+
+TEST_F(BrdfMaterial, APlanOfAnExactOneMakesItsMapsAndNoChain)
+{
+    const MapLayout probe{Parameterization::Latlong, 64, 0};
+    Scene scene = exactBallOf("ggx:roughness=0.5");
+    const Plan plan = makePlan(scene, probe);
+    EXPECT_TRUE(plan.isExact() && plan.needsProbe() && plan.filtersAny());
+    EXPECT_FALSE(plan.specular);
+    EXPECT_EQ(plan.brdf->tolerance, 1e-2);
+    const NeededMaps needed = neededMaps(renderSettings(scene, plan));
+    EXPECT_TRUE(needed.viewStack);
+    EXPECT_FALSE(needed.specular);
+    // Where the material shows no reflection there is nothing to be exact about.
+    scene.material.specular.weight = 0.0;
+    EXPECT_FALSE(makePlan(scene, probe).brdf);
+    scene.material.specular.weight = 1.0;
+    scene.view.shading = Shading::Normals;
+    EXPECT_FALSE(makePlan(scene, probe).brdf);
+    scene.view.shading = Shading::Mips; // levels are those of lookups
+    EXPECT_FALSE(makePlan(scene, probe).isExact());
+    EXPECT_TRUE(makePlan(scene, probe).specular);
+    scene.view.shading = Shading::Material;
+    EXPECT_THROW(makePlan(scene, {Parameterization::Latlong, 8192, 0}), InvalidArgument);
 }
 
 TEST_F(BrdfMaterial, AModelThatIsNoneIsRefusedByItsField)

@@ -1,6 +1,7 @@
 // The material: a map looked up by reflection, a map looked up by normal, the Fresnel term between them. What a material lacks is
 // not compiled: HAS_SPECULAR, HAS_DIFFUSE (0 or 1), FRESNEL (0 none, 1 dielectric, 2 conductor), COAT (0 add, 1 coat), CLEAR_COAT (0 none, 1 coat, 2 add), LAMBDA_BY_ANGLE,
-// MARKER (0 or 1), BRDF_LOOKUPS (how many stand for specular map and Fresnel term; 0: none), SPHERE_USE (a painted sphere map: 0 none, 1 replace, 2 multiply, 3 over, 4 tint, 5 add), FLECKS (0 or 1),
+// MARKER (0 or 1), BRDF_LOOKUPS (how many stand for specular map and Fresnel term; 0: none), VIEW_STACK_NODES (angles of view of the exact
+// maps that stand for both; 0: none), SPHERE_USE (a painted sphere map: 0 none, 1 replace, 2 multiply, 3 over, 4 tint, 5 add), FLECKS (0 or 1),
 // DIFFUSE_PICTURE, FLECK_PATTERN and NORMAL_MAP (0 or 1: a picture on the mesh).
 #include "lib/fresnel.glsl"
 #include "lib/output.glsl"
@@ -26,6 +27,11 @@ uniform sampler2D brdfTable;
 #include "lib/lambda.glsl"
 uniform float lambda;
 uniform float lambdaGrazing;
+#endif
+#if VIEW_STACK_NODES
+#include "lib/view_stack.glsl"
+uniform mat3 specularRotation; // world to map
+uniform vec3 specularColor;
 #endif
 #if HAS_DIFFUSE
 #define MAP_RADIANCE diffuseRadiance
@@ -169,6 +175,9 @@ void main()
 #else
     mirrored = specularColor * specularRadiance(specularRotation * p.r, least);
 #endif
+#elif VIEW_STACK_NODES
+    vec3 f = viewStackAlbedoAt(p.c);
+    mirrored = specularColor * f * viewStackRadiance(specularRotation * p.n, specularRotation * p.r);
 #endif
 #if HAS_DIFFUSE
     diffuse = diffuseColor * diffuseRadiance(diffuseRotation * p.n, 0.0);
@@ -176,7 +185,7 @@ void main()
     diffuse *= onSurface(diffusePicture, texCoord).rgb;
 #endif
 #endif
-#if HAS_SPECULAR && BRDF_LOOKUPS
+#if BRDF_LOOKUPS || VIEW_STACK_NODES
 #elif FRESNEL == 1
     vec3 f = vec3(fresnelDielectric(p.c, n2m1));
 #elif FRESNEL == 2
@@ -184,9 +193,9 @@ void main()
 #else
     vec3 f = vec3(1.0);
 #endif
-#if HAS_SPECULAR && BRDF_LOOKUPS && COAT
+#if (BRDF_LOOKUPS || VIEW_STACK_NODES) && COAT
     vec3 radiance = mirrored + max(1.0 - f, 0.0) * diffuse;
-#elif HAS_SPECULAR && BRDF_LOOKUPS
+#elif BRDF_LOOKUPS || VIEW_STACK_NODES
     vec3 radiance = mirrored + diffuse;
 #elif COAT
     vec3 radiance = diffuse + f * (mirrored - diffuse);

@@ -291,6 +291,32 @@ TEST(LiveMaps, FitNoLookupsAnewWhileAnotherControlIsDragged)
     EXPECT_NE(live.update(scene, {}).maps.brdfLookups, rough) << "at rest as the command line has it";
 }
 
+TEST(LiveMaps, KeepTheExactMapsOfABrdf)
+{
+    Scene scene;
+    scene.material.brdf = {.model = "ggx:roughness=0.6", .kind = LookupKind::Exact};
+    LiveMaps live;
+    const MadeScene made = live.update(scene, {});
+    ASSERT_TRUE(made.maps.viewStack);
+    EXPECT_FALSE(made.maps.specular || made.maps.brdfLookups);
+    const auto full = made.maps.viewStack;
+    scene.material.diffuse.weight = 0.5;
+    EXPECT_EQ(live.update(scene, coarseDetail).maps.viewStack, full) << "finer than is asked for";
+    scene.material.brdf.kind = LookupKind::Fitted;
+    EXPECT_FALSE(live.update(scene, {}).maps.viewStack);
+    scene.material.brdf.kind = LookupKind::Exact;
+    EXPECT_EQ(live.update(scene, {}).maps.viewStack, full) << "for who compares the two";
+    scene.probe.exposure = 1.0;
+    const auto brighter = live.update(scene, coarseDetail).maps.viewStack;
+    ASSERT_NE(brighter, full);
+    EXPECT_NEAR(brighter->layers[0].texels[0], 2.0f * full->layers[0].texels[0], 0.2f * full->layers[0].texels[0]);
+    EXPECT_NE(live.update(scene, {}).maps.viewStack, brighter) << "at rest as the command line has it";
+    scene.material.brdf.model = "/nowhere/lost.binary";
+    const MadeScene lost = live.update(scene, {});
+    EXPECT_THAT(lost.problem, HasSubstr("lost.binary"));
+    EXPECT_TRUE(lost.maps.viewStack);
+}
+
 TEST(LiveMaps, NameAMeasurementThatIsNotThere)
 {
     Scene scene;
