@@ -39,6 +39,7 @@ void run(const Options& o)
         throw InvalidArgument(o.probe.empty() ? "PROBE: is missing; name a probe, or parts to add with --add"
                                               : "--add: given beside a probe; add parts in a call of its own");
     checkTarget(o.out);
+    checkSpectrumName(o.out);
     const JobControl job = jobWithProgress("spectrum", o.threads);
     SpectrumPart part;
     if (!o.add.empty()) {

@@ -4,7 +4,6 @@
 #include "core/image/container/container_file.h"
 #include "core/image/container/play_canvas_atlas.h"
 #include "core/image/container/png_codec.h"
-#include "core/image/file_bytes.h"
 #include "core/image/image_io.h"
 #include "core/image/layout_detection.h"
 #include "core/image/lookup.h"
@@ -20,15 +19,6 @@ namespace {
 
 constexpr std::array<std::string_view, 6> faceWords{"px", "nx", "py", "ny", "pz", "nz"};
 constexpr int mostLevels = 32;
-
-std::string firstBytes(const std::filesystem::path& path)
-{
-    std::ifstream stream(path, std::ios::binary);
-    std::string bytes(16, '\0');
-    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    bytes.resize(static_cast<size_t>(stream.gcount()));
-    return bytes;
-}
 
 StoredLevel repaired(Image image)
 {
@@ -60,8 +50,8 @@ std::string_view wordOf(PackedColor form) { return words(form)[static_cast<size_
 /// A .png picture whose alpha multiplies its colors, as radiance.
 Picture packedPicture(const std::filesystem::path& path, PackedColor form)
 {
-    constexpr std::uintmax_t largestFile = std::uintmax_t{1} << 28; // the texels that are read below, and then some
-    const std::string bytes = fileBytes(path, largestFile);
+    constexpr std::uint64_t largestFile = std::uint64_t{1} << 28; // the texels that are read below, and then some
+    const std::string bytes = OpenedFile(path).readAll(largestFile);
     if (!bytes.starts_with("\x89PNG"))
         throw FileError(path.string(),
                         "is no .png picture, in which alone texels are packed as " + std::string(wordOf(form)) + "; leave out --encode");
@@ -258,7 +248,7 @@ StoredMap readStoredMap(const std::string& path, const StoredMapReading& reading
     if (!std::filesystem::exists(path)) {
         const std::vector<std::string> names = levelNames(path);
         map = path.find("%s") != std::string::npos ? ofFaces(names, reading, job) : ofImages({names.begin(), names.end()}, reading, job);
-    } else if (isContainer(firstBytes(path))) {
+    } else if (isContainer(OpenedFile(path).firstBytes())) {
         if (reading.packed)
             throw FileError(path, "is a container, which says itself how its texels are packed; leave out --encode");
         map = ofContainer(path);

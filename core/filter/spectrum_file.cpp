@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/field_json.h"
 #include "core/base/file_log.h"
+#include "core/image/image_format.h"
 
 #include <algorithm>
 #include <bit>
@@ -256,10 +257,17 @@ void writeSpectrum(const std::filesystem::path& path, const SpectrumPart& part)
     file.commit();
 }
 
+void checkSpectrumName(const std::filesystem::path& path)
+{
+    if (const ImageFormat* const format = findFormat(path))
+        throw InvalidArgument(path.string() + ": is named as a picture (" + std::string(format->label) +
+                              "), and a spectrum is none; end it with .spectrum");
+}
+
 bool isSpectrumFile(const std::filesystem::path& path)
 {
     std::error_code ignored;
-    if (!std::filesystem::is_regular_file(path, ignored))
+    if (findFormat(path) || !std::filesystem::is_regular_file(path, ignored))
         return false;
     std::ifstream stream(path, std::ios::binary);
     std::string line(firstLine.size(), '\0');

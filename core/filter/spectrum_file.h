@@ -48,7 +48,9 @@ SpectrumPart addSpectra(std::vector<SpectrumPart> parts);
 
 /// One file: a line that names the format, a line of JSON, and the numbers as little-endian doubles. It appears whole or not at all.
 void writeSpectrum(const std::filesystem::path& path, const SpectrumPart& part);
-/// Whether a file begins as such a file does. False where it cannot be read.
+/// @throws InvalidArgument for the name of a picture, by which isSpectrumFile() would not know it
+void checkSpectrumName(const std::filesystem::path& path);
+/// Whether a file begins as such a file does. False where it cannot be read, and for the name of a picture, which is not opened for it.
 bool isSpectrumFile(const std::filesystem::path& path);
 /// @throws FileError for a file that is damaged or longer or shorter than it says
 SpectrumPart readSpectrum(const std::filesystem::path& path);

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <fstream>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -17,25 +16,36 @@ namespace {
 
 constexpr std::uint32_t manyParts = 0x1000; ///< in the version field: headers until an empty one
 
-std::uint32_t number(std::istream& file)
-{
-    std::array<unsigned char, 4> bytes{};
-    file.read(reinterpret_cast<char*>(bytes.data()), bytes.size());
-    return bytes[0] | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[2]} << 16 | std::uint32_t{bytes[3]} << 24;
-}
-
-/// A name up to its zero byte; longer ones than OpenEXR takes end the reading.
-std::string name(std::istream& file)
-{
-    constexpr size_t longest = 255;
-    std::string text;
-    for (int c = file.get(); c > 0; c = file.get()) {
-        text += static_cast<char>(c);
-        if (text.size() > longest)
-            file.setstate(std::ios::failbit);
+/// What stands in a header, up to its end or to what makes no sense: then it is no longer good.
+class HeaderBytes {
+public:
+    explicit HeaderBytes(OpenedFile& file) : m_file(file) { m_file.seek(0); }
+    bool isGood() const { return m_isGood; }
+    std::int64_t left() const { return static_cast<std::int64_t>(m_file.size()) - static_cast<std::int64_t>(m_file.position()); }
+    void skip(std::int64_t bytes) { m_file.seek(m_file.position() + static_cast<std::uint64_t>(bytes)); }
+    std::uint32_t number()
+    {
+        std::array<unsigned char, 4> bytes{};
+        m_isGood = m_isGood && m_file.read(bytes.data(), bytes.size()) == bytes.size();
+        return bytes[0] | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[2]} << 16 | std::uint32_t{bytes[3]} << 24;
     }
-    return text;
-}
+    /// Up to its zero byte; longer ones than OpenEXR takes end the reading.
+    std::string name()
+    {
+        constexpr size_t longest = 255;
+        std::string text;
+        for (char c = 0; m_isGood; text += c) {
+            m_isGood = m_file.read(&c, 1) == 1 && text.size() <= longest;
+            if (c == 0)
+                break;
+        }
+        return text;
+    }
+
+private:
+    OpenedFile& m_file;
+    bool m_isGood = true;
+};
 
 constexpr std::array sizes{FixedSize{"box2f", 16},
                            FixedSize{"box2i", 16},
@@ -62,30 +72,28 @@ constexpr std::array sizes{FixedSize{"box2f", 16},
                            FixedSize{"v3f", 12},
                            FixedSize{"v3i", 12}};
 
-std::int64_t left(std::istream& file, std::int64_t fileSize) { return fileSize - static_cast<std::int64_t>(file.tellg()); }
-
 /// Bytes that OpenEXR will still read of a value that the file stands before. What tells its own size is passed over, as OpenEXR does, up
 /// to where it claims more than is left.
-std::int64_t valueBytes(std::istream& file, std::int64_t fileSize, std::string_view type, std::uint32_t claimed)
+std::int64_t valueBytes(HeaderBytes& header, std::string_view type, std::uint32_t claimed)
 {
     if (type == "chlist") { // up to a channel without a name
         constexpr int channelBytes = 16;
-        while (file && !name(file).empty())
-            file.seekg(channelBytes, std::ios::cur);
+        while (header.isGood() && !header.name().empty())
+            header.skip(channelBytes);
         return 0;
     }
     if (type == "stringvector") { // each text with a size of its own
-        for (std::int64_t passed = 0; file && passed < std::int64_t{claimed};) {
-            const std::int64_t text = number(file);
-            if (text > left(file, fileSize))
+        for (std::int64_t passed = 0; header.isGood() && passed < std::int64_t{claimed};) {
+            const std::int64_t text = header.number();
+            if (text > header.left())
                 return text;
-            file.seekg(text, std::ios::cur);
+            header.skip(text);
             passed += 4 + text;
         }
         return 0;
     }
     if (type == "preview") {
-        const std::int64_t width = number(file), height = number(file);
+        const std::int64_t width = header.number(), height = header.number();
         return height > 0 && width > std::numeric_limits<std::int64_t>::max() / 4 / height ? std::numeric_limits<std::int64_t>::max()
                                                                                            : 4 * width * height;
     }
@@ -97,32 +105,29 @@ std::int64_t valueBytes(std::istream& file, std::int64_t fileSize, std::string_v
 
 std::span<const FixedSize> fixedSizes() { return sizes; }
 
-const std::filesystem::path& withPlausibleAttributes(const std::filesystem::path& path)
+void checkAttributes(OpenedFile& file)
 {
-    std::error_code unknown;
-    const auto fileSize = static_cast<std::int64_t>(std::filesystem::file_size(path, unknown));
-    std::ifstream file(path, std::ios::binary);
-    number(file); // the signature
-    const bool hasManyParts = (number(file) & manyParts) != 0;
-    for (bool isEmpty = true; !unknown && file;) {
-        const std::string attribute = name(file);
+    HeaderBytes header(file);
+    header.number(); // the signature
+    const bool hasManyParts = (header.number() & manyParts) != 0;
+    for (bool isEmpty = true; header.isGood();) {
+        const std::string attribute = header.name();
         if (!attribute.empty()) {
             isEmpty = false;
-            const std::string type = name(file);
-            const std::uint32_t size = number(file);
-            const std::int64_t claimed = valueBytes(file, fileSize, type, size), rest = left(file, fileSize);
-            if (file && claimed > rest)
-                throw FileError(path.string(), "the OpenEXR file is damaged (its attribute " + oneLine(attribute) + " claims " +
-                                                   std::to_string(claimed) + " bytes, and " + std::to_string(rest) +
-                                                   " are left); export or download it again");
-            file.seekg(claimed, std::ios::cur);
+            const std::string type = header.name();
+            const std::uint32_t size = header.number();
+            const std::int64_t claimed = valueBytes(header, type, size), rest = header.left();
+            if (header.isGood() && claimed > rest)
+                throw FileError(file.path().string(), "the OpenEXR file is damaged (its attribute " + oneLine(attribute) + " claims " +
+                                                          std::to_string(claimed) + " bytes, and " + std::to_string(rest) +
+                                                          " are left); export or download it again");
+            header.skip(std::max(std::int64_t{0}, claimed));
         } else if (hasManyParts && !isEmpty) {
             isEmpty = true; // of the next header
         } else {
             break;
         }
     }
-    return path;
 }
 
 } // namespace mirrorball::exr

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <filesystem>
+#include "core/base/opened_file.h"
+
 #include <span>
 #include <string_view>
 
@@ -15,8 +16,7 @@ std::span<const FixedSize> fixedSizes();
 
 /// Looks at the sizes of a header's attributes before OpenEXR does, which takes memory for a text and fills it with zeros, gigabytes of
 /// them, before it finds that the file ends there.
-/// @return the path, for where it is handed on. What else is wrong with a header OpenEXR says.
-/// @throws FileError for an attribute that is larger than the rest of its file
-const std::filesystem::path& withPlausibleAttributes(const std::filesystem::path& path);
+/// What else is wrong with a header OpenEXR says. @throws FileError for an attribute that is larger than the rest of its file
+void checkAttributes(OpenedFile& file);
 
 } // namespace mirrorball::exr

@@ -1,8 +1,8 @@
 #include "exr_format.h"
 
-#include "exr_attributes.h"
 #include "exr_channels.h"
 #include "exr_rows.h"
+#include "exr_stream.h"
 #include "exr_threads.h"
 #include "input_checks.h"
 
@@ -63,14 +63,14 @@ long long bytesPerTexel(const Imf::ChannelList& channels)
 }
 
 /// Refuses, before anything is allocated for them, sizes that no file of this length can hold.
-void checkPlausible(const std::filesystem::path& file, const Imf::Header& header)
+void checkPlausible(const OpenedFile& file, const Imf::Header& header)
 {
-    const std::string path = file.string();
+    const std::string path = file.path().string();
     const Box2i window = header.dataWindow();
     const long long width = static_cast<long long>(window.max.x) - window.min.x + 1;
     const long long height = static_cast<long long>(window.max.y) - window.min.y + 1;
     checkImageSize(path, width, height, maxStreamedTexels);
-    const std::uint64_t fileBytes = std::filesystem::file_size(file);
+    const std::uint64_t fileBytes = file.size();
     const CompressionKind& compression = compressionKinds[header.compression()];
     const auto texelBytes = static_cast<std::uint64_t>(bytesPerTexel(header.channels()));
     // Subsampled channels count in full below; a factor of 4 pays for them.
@@ -130,7 +130,7 @@ struct Placement {
 std::string sizeText(long long width, long long height) { return std::to_string(width) + " x " + std::to_string(height); }
 
 /// @param data  window of the level. @throws FileError where the display window is absurd, or shows nothing of the data
-Placement placement(const std::filesystem::path& path, const Imf::Header& header, const Box2i& data, int level, PictureWindow window)
+Placement placement(const OpenedFile& file, const Imf::Header& header, const Box2i& data, int level, PictureWindow window)
 {
     Placement place{.dataWidth = data.max.x - data.min.x + 1, .dataHeight = data.max.y - data.min.y + 1};
     place.width = place.dataWidth;
@@ -140,16 +140,16 @@ Placement placement(const std::filesystem::path& path, const Imf::Header& header
         return place;
     const long long width = (static_cast<long long>(display.max.x) - display.min.x + 1) >> level;
     const long long height = (static_cast<long long>(display.max.y) - display.min.y + 1) >> level;
-    checkImageSize(path.string(), std::max(width, 1LL), std::max(height, 1LL));
+    checkImageSize(file.path().string(), std::max(width, 1LL), std::max(height, 1LL));
     // Black texels cost memory, too: a file of this length cannot ask for much more than it holds.
-    const auto most = std::max<std::uint64_t>(std::uint64_t{1} << 24, 256 * std::filesystem::file_size(path));
+    const auto most = std::max<std::uint64_t>(std::uint64_t{1} << 24, 256 * file.size());
     const Box2i all = header.dataWindow();
     const long long dx = static_cast<long long>(all.min.x) - display.min.x, dy = static_cast<long long>(all.min.y) - display.min.y;
     const bool apart = dx + place.dataWidth <= 0 || dy + place.dataHeight <= 0 || dx >> level >= width || dy >> level >= height;
     if (apart || static_cast<std::uint64_t>(width * height) > most)
-        throw FileError(path.string(), "its display window of " + sizeText(width, height) + " texels " +
-                                           (apart ? "shows nothing of its data" : "is far larger than its data") + " of " +
-                                           sizeText(place.dataWidth, place.dataHeight) + "; read it with --window data");
+        throw FileError(file.path().string(), "its display window of " + sizeText(width, height) + " texels " +
+                                                  (apart ? "shows nothing of its data" : "is far larger than its data") + " of " +
+                                                  sizeText(place.dataWidth, place.dataHeight) + "; read it with --window data");
     place.width = static_cast<int>(width);
     place.height = static_cast<int>(height);
     place.left = static_cast<int>(dx >> level);
@@ -159,30 +159,33 @@ Placement placement(const std::filesystem::path& path, const Imf::Header& header
 
 class ExrReader final : public ImageReader {
 public:
-    /// @param pass  where it is known; empty: chosen
-    ExrReader(const std::filesystem::path& path, int level, const ProbeReading& reading, Channels channels,
-              const std::optional<Picture>& pass = {})
-    try : m_file(withPlausibleAttributes(path).c_str(), Imf::globalThreadCount(), false), m_floats(texelFloats(channels)) {
-        ChosenPicture chosen = pass ? ChosenPicture{*pass} : choosePicture(path.string(), m_file, reading);
+    ExrReader(OpenedFile file, Channels channels)
+        : m_stream(std::move(file)), m_file(m_stream, Imf::globalThreadCount(), false), m_channels(channels),
+          m_floats(texelFloats(channels))
+    {
+    }
+
+    const Imf::MultiPartInputFile& file() const { return m_file; }
+
+    /// Makes one level of a picture what is read.
+    void show(ChosenPicture chosen, int level, const ProbeReading& reading)
+    {
+        const std::filesystem::path& path = m_stream.file().path();
         const Imf::Header& header = m_file.header(chosen.picture.part);
-        checkPlausible(path, header);
+        checkPlausible(m_stream.file(), header);
         checkSampling(path.string(), header, chosen.picture.channels);
         if (reading.colorSpace.empty())
             m_toRec709 = conversion(path.string(), header);
-        OpenedRows opened = openRows(path, m_file, chosen.picture, channels, level);
+        OpenedRows opened = openRows(m_stream, m_file, chosen.picture, m_channels, level);
         if (!opened.rows)
             throw FileError(path.string(), "there is no mip level " + std::to_string(level) + " among its " +
                                                std::to_string(opened.levels) + "; ask for one it has");
         m_rows = std::move(opened.rows);
-        m_place = placement(path, header, m_rows->window(), level, reading.window);
+        m_place = placement(m_stream.file(), header, m_rows->window(), level, reading.window);
         m_info.levels = opened.levels;
         m_info.assumed = std::move(chosen.assumed);
         describe(path, header, chosen.picture.channels);
         describeWindows(header, reading.window);
-    } catch (const FileError&) {
-        throw;
-    } catch (const std::exception& error) {
-        throw damaged(path, error);
     }
 
     const ImageFileInfo& info() const override { return m_info; }
@@ -282,7 +285,9 @@ private:
         }
     }
 
-    Imf::MultiPartInputFile m_file;
+    FileStream m_stream;
+    Imf::MultiPartInputFile m_file; ///< reads the stream
+    Channels m_channels;
     int m_floats;
     Placement m_place{};
     ImageFileInfo m_info{};
@@ -290,6 +295,20 @@ private:
     std::unique_ptr<RowSource> m_rows{};
     std::vector<float> m_placed{};
 };
+
+/// What OpenEXR says of a file in words that name it.
+template <typename Open>
+std::unique_ptr<ExrReader> readOf(const std::filesystem::path& path, const Open& open)
+{
+    startThreads();
+    try {
+        return open();
+    } catch (const FileError&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw damaged(path, error);
+    }
+}
 
 } // namespace
 
@@ -305,24 +324,27 @@ void startThreads()
 
 bool hasSignature(std::string_view firstBytes) { return firstBytes.starts_with("\x76\x2f\x31\x01"); }
 
-std::unique_ptr<ImageReader> open(const std::filesystem::path& path, int level, const ProbeReading& reading, Channels channels)
+std::unique_ptr<ImageReader> open(OpenedFile file, int level, const ProbeReading& reading, Channels channels)
 {
-    startThreads();
-    return std::make_unique<ExrReader>(path, level, reading, channels);
+    const std::filesystem::path path = file.path();
+    return readOf(path, [&] {
+        auto reader = std::make_unique<ExrReader>(std::move(file), channels);
+        reader->show(choosePicture(path.string(), reader->file(), reading), level, reading);
+        return reader;
+    });
 }
 
-std::unique_ptr<ImageReader> openPass(const std::filesystem::path& path, const std::string& pass, Channels channels)
+std::unique_ptr<ImageReader> openPass(OpenedFile file, const std::string& pass, Channels channels)
 {
-    startThreads();
-    std::optional<Picture> found;
-    try {
-        found = findPass(Imf::MultiPartInputFile(withPlausibleAttributes(path).c_str(), Imf::globalThreadCount(), false), pass);
-    } catch (const FileError&) {
-        throw;
-    } catch (const std::exception& error) {
-        throw damaged(path, error);
-    }
-    return found ? std::make_unique<ExrReader>(path, 0, ProbeReading{}, channels, found) : nullptr;
+    const std::filesystem::path path = file.path();
+    return readOf(path, [&]() -> std::unique_ptr<ExrReader> {
+        auto reader = std::make_unique<ExrReader>(std::move(file), channels);
+        const std::optional<Picture> found = findPass(reader->file(), pass);
+        if (!found)
+            return nullptr;
+        reader->show({*found}, 0, {});
+        return reader;
+    });
 }
 
 } // namespace mirrorball::exr

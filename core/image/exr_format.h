@@ -3,6 +3,7 @@
 #include "image_io.h"
 
 #include "core/base/atomic_file.h"
+#include "core/base/opened_file.h"
 
 #include <string_view>
 
@@ -20,12 +21,11 @@ bool hasSignature(std::string_view firstBytes);
 /// Opens one mip level of the picture that choosePicture() (exr_channels.h) finds. The display window is what is read: black where there
 /// is no data, without what lies beyond it. Other primaries than Rec.709 are converted, so wide-gamut colors come out negative; not
 /// where `reading` names a color space. @throws FileError
-std::unique_ptr<ImageReader> open(const std::filesystem::path& path, int level, const ProbeReading& reading = {},
-                                  Channels channels = Channels::Color);
+std::unique_ptr<ImageReader> open(OpenedFile file, int level, const ProbeReading& reading = {}, Channels channels = Channels::Color);
 
 /// Opens a pass by name: of the channels `LAYER.PASS.R` and so on (or `PASS.R`), or of the part named so. Null when there is none.
 /// @throws FileError
-std::unique_ptr<ImageReader> openPass(const std::filesystem::path& path, const std::string& pass, Channels channels = Channels::Color);
+std::unique_ptr<ImageReader> openPass(OpenedFile file, const std::string& pass, Channels channels = Channels::Color);
 
 /// Scanlines, ZIP-compressed unless that saves nothing. One channel is written as Y, four as R, G, B, A. The attribute "envmap" (latlong or
 /// cube) becomes OpenEXR's own; others are stored as strings. @throws WorkError

@@ -116,7 +116,7 @@ private:
 /// Luminance with subsampled chroma, which OpenEXR's Rgba interface filters back to RGB in half precision.
 class LuminanceChromaRows final : public RowSource {
 public:
-    LuminanceChromaRows(const std::string& path, int floats) : m_file(path.c_str()), m_floats(floats) {}
+    LuminanceChromaRows(FileStream& stream, int floats) : m_file(stream), m_floats(floats) {}
 
     Box2i window() const override { return m_file.dataWindow(); }
 
@@ -146,12 +146,12 @@ private:
 
 } // namespace
 
-OpenedRows openRows(const std::filesystem::path& path, Imf::MultiPartInputFile& file, const Picture& picture, Channels channels, int level)
+OpenedRows openRows(FileStream& stream, Imf::MultiPartInputFile& file, const Picture& picture, Channels channels, int level)
 {
     const int floats = texelFloats(channels);
     const bool tiled = file.header(picture.part).hasTileDescription();
     if (picture.channels.luminanceChroma && (picture.part != 0 || tiled))
-        throw FileError(path.string(), "luminance/chroma is read from scanlines of the first part only; export it as RGB");
+        throw FileError(stream.file().path().string(), "luminance/chroma is read from scanlines of the first part only; export it as RGB");
     OpenedRows opened;
     if (tiled) {
         const Imf::TiledInputPart tiles(file, picture.part);
@@ -159,12 +159,14 @@ OpenedRows openRows(const std::filesystem::path& path, Imf::MultiPartInputFile& 
     }
     if (level < 0 || level >= opened.levels)
         return opened;
-    if (picture.channels.luminanceChroma)
-        opened.rows = std::make_unique<LuminanceChromaRows>(path.string(), floats);
-    else if (tiled)
+    if (picture.channels.luminanceChroma) {
+        stream.seekg(0); // a file of its own in the same bytes
+        opened.rows = std::make_unique<LuminanceChromaRows>(stream, floats);
+    } else if (tiled) {
         opened.rows = std::make_unique<TiledRows>(file, picture, floats, level);
-    else
+    } else {
         opened.rows = std::make_unique<ScanlineRows>(file, picture, floats);
+    }
     return opened;
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "exr_channels.h"
+#include "exr_stream.h"
 #include "image_io.h"
 
 #include <ImathBox.h>
 #include <ImfMultiPartInputFile.h>
 
-#include <filesystem>
 #include <memory>
 
 namespace mirrorball::exr {
@@ -27,6 +27,6 @@ struct OpenedRows {
     std::unique_ptr<RowSource> rows{}; ///< null where there is no such level
     int levels = 1;
 };
-OpenedRows openRows(const std::filesystem::path& path, Imf::MultiPartInputFile& file, const Picture& picture, Channels channels, int level);
+OpenedRows openRows(FileStream& stream, Imf::MultiPartInputFile& file, const Picture& picture, Channels channels, int level);
 
 } // namespace mirrorball::exr

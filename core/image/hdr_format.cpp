@@ -107,12 +107,13 @@ std::array<float, 256> exponentScales()
 
 class HdrReader final : public ImageReader {
 public:
-    HdrReader(const std::filesystem::path& path, const ProbeReading& reading, Channels channels)
-        : m_bytes(path), m_header(readHeader(path, m_bytes)), m_decoder(path, m_bytes, m_header.scanlineTexels()),
+    HdrReader(OpenedFile file, const ProbeReading& reading, Channels channels)
+        : m_bytes(std::move(file)), m_header(readHeader(m_bytes)), m_decoder(m_bytes.file().path(), m_bytes, m_header.scanlineTexels()),
           m_scanline(static_cast<size_t>(m_header.scanlineTexels())), m_floats(static_cast<size_t>(texelFloats(channels)))
     {
         const std::uint64_t needed = static_cast<std::uint64_t>(m_header.scanlines()) * smallestScanline(m_header.scanlineTexels());
-        if (std::filesystem::file_size(path) < needed)
+        const std::filesystem::path& path = m_bytes.file().path();
+        if (m_bytes.file().size() < needed)
             throw FileError(path.string(), "the file is too short for " + std::to_string(m_header.width) + " x " +
                                                std::to_string(m_header.height) + " texels; copy or download it again");
         m_info.path = path;
@@ -146,8 +147,8 @@ private:
     const Rgbe* decodeRow(int y)
     {
         if (y < m_nextScanline) { // asked for again: decode from the start
-            m_bytes = ByteSource(m_info.path);
-            readHeader(m_info.path, m_bytes);
+            m_bytes.restart();
+            readHeader(m_bytes);
             m_nextScanline = 0;
         }
         for (; m_nextScanline <= y; ++m_nextScanline)
@@ -211,9 +212,9 @@ private:
 
 bool hasSignature(std::string_view firstBytes) { return firstBytes.starts_with("#?"); }
 
-std::unique_ptr<ImageReader> open(const std::filesystem::path& path, const ProbeReading& reading, Channels channels)
+std::unique_ptr<ImageReader> open(OpenedFile file, const ProbeReading& reading, Channels channels)
 {
-    return std::make_unique<HdrReader>(path, reading, channels);
+    return std::make_unique<HdrReader>(std::move(file), reading, channels);
 }
 
 } // namespace mirrorball::hdr

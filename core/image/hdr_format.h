@@ -3,6 +3,7 @@
 #include "image_io.h"
 
 #include "core/base/atomic_file.h"
+#include "core/base/opened_file.h"
 
 #include <string_view>
 
@@ -18,7 +19,7 @@ bool hasSignature(std::string_view firstBytes);
 /// EXPOSURE and COLORCORR lines that are no positive numbers, as careless writers leave them, count as if they were absent: a note says so.
 /// Other PRIMARIES than Rec.709 are converted, but where `reading` names a color space.
 /// @throws FileError
-std::unique_ptr<ImageReader> open(const std::filesystem::path& path, const ProbeReading& reading = {}, Channels channels = Channels::Color);
+std::unique_ptr<ImageReader> open(OpenedFile file, const ProbeReading& reading = {}, Channels channels = Channels::Color);
 
 /// Mantissas are rounded to nearest; negative values and NaN become 0, values out of range the largest one.
 /// One channel is copied to three, a fourth is dropped. @throws WorkError

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -16,11 +15,10 @@
 
 namespace mirrorball::hdr {
 
-ByteSource::ByteSource(const std::filesystem::path& path)
-    : m_path(path), m_file(std::fopen(path.c_str(), "rb"), &std::fclose), m_buffer(size_t{1} << 18)
+void ByteSource::restart()
 {
-    if (!m_file)
-        throw FileError(path.string(), std::string("cannot be read: ") + std::strerror(errno) + "; check its permissions");
+    m_file.seek(0);
+    m_next = m_end = m_headerBytes = 0;
 }
 
 std::string ByteSource::line()
@@ -30,7 +28,7 @@ std::string ByteSource::line()
     for (char c = static_cast<char>(*take(1)); c != '\n'; c = static_cast<char>(*take(1))) {
         text += c;
         if (++m_headerBytes > longestHeader)
-            throw FileError(m_path.string(), "the header does not end; this is not a Radiance picture");
+            throw FileError(m_file.path().string(), "the header does not end; this is not a Radiance picture");
     }
     if (!text.empty() && text.back() == '\r')
         text.pop_back();
@@ -42,9 +40,9 @@ void ByteSource::refill(size_t count)
     const size_t kept = m_end - m_next;
     std::memmove(m_buffer.data(), m_buffer.data() + m_next, kept);
     m_next = 0;
-    m_end = kept + std::fread(m_buffer.data() + kept, 1, m_buffer.size() - kept, m_file.get());
+    m_end = kept + m_file.read(m_buffer.data() + kept, m_buffer.size() - kept);
     if (m_end < count)
-        throw FileError(m_path.string(), "the file ends early; copy or download it again");
+        throw FileError(m_file.path().string(), "the file ends early; copy or download it again");
 }
 
 namespace {
@@ -91,17 +89,17 @@ void parsePrimaries(Header& header, const std::string& text, Chromaticities& pri
 }
 
 /// A row of 16384 texels of one color takes 1 kB. A header of 60 bytes that claims 2^28 texels costs memory before the rows are missed.
-void checkLength(const std::string& path, long long texels)
+void checkLength(const OpenedFile& file, long long texels)
 {
-    std::error_code unknown;
-    const auto bytes = static_cast<long long>(std::filesystem::file_size(path, unknown));
-    if (!unknown && texels > std::max(1LL << 24, 128 * bytes))
-        throw FileError(path, "the file is too short: its header claims " + std::to_string(texels) + " texels in " + std::to_string(bytes) +
-                                  " bytes; export or download it again");
+    const auto bytes = static_cast<long long>(file.size());
+    if (texels > std::max(1LL << 24, 128 * bytes))
+        throw FileError(file.path().string(), "the file is too short: its header claims " + std::to_string(texels) + " texels in " +
+                                                  std::to_string(bytes) + " bytes; export or download it again");
 }
 
-void parseResolution(const std::string& path, const std::string& line, Header& header)
+void parseResolution(const OpenedFile& file, const std::string& line, Header& header)
 {
+    const std::string path = file.path().string();
     std::array<char, 2> signs{};
     std::array<char, 2> axes{};
     std::array<long long, 2> sizes{};
@@ -116,16 +114,16 @@ void parseResolution(const std::string& path, const std::string& line, Header& h
     header.order.upward = signs[1 - x] == '+';
     const bool streams = !header.order.transposed && !header.order.upward;
     checkImageSize(path, sizes[x], sizes[1 - x], streams ? maxStreamedTexels : maxTexels);
-    checkLength(path, sizes[x] * sizes[1 - x]);
+    checkLength(file, sizes[x] * sizes[1 - x]);
     header.width = static_cast<int>(sizes[x]);
     header.height = static_cast<int>(sizes[1 - x]);
 }
 
 } // namespace
 
-Header readHeader(const std::filesystem::path& file, ByteSource& bytes)
+Header readHeader(ByteSource& bytes)
 {
-    const std::string path = file.string();
+    const std::string path = bytes.file().path().string();
     Header header;
     Chromaticities primaries;
     bool xyz = false;
@@ -154,7 +152,7 @@ Header readHeader(const std::filesystem::path& file, ByteSource& bytes)
         header.notes.push_back("its header's EXPOSURE and COLORCORR lines multiply up beyond range and are not applied");
         header.gain = glm::dvec3(1.0);
     }
-    parseResolution(path, bytes.line(), header);
+    parseResolution(bytes.file(), bytes.line(), header);
     try {
         header.toRec709 = conversionFrom(path, xyz ? cieXyz : primaries);
     } catch (const FileError&) {

@@ -2,13 +2,14 @@
 
 #include "color.h"
 
+#include "core/base/opened_file.h"
+
 #include <array>
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// The header of a Radiance picture, and the bytes that follow it.
@@ -22,7 +23,8 @@ inline constexpr int largestRleWidth = 32767;
 /// The bytes of a file, buffered, with an error that says the file ends early instead of a short count.
 class ByteSource {
 public:
-    explicit ByteSource(const std::filesystem::path& path);
+    explicit ByteSource(OpenedFile file) : m_file(std::move(file)), m_buffer(size_t{1} << 18) {}
+    const OpenedFile& file() const { return m_file; }
     /// The next `count` bytes, at most the buffer's size, in one piece.
     const std::uint8_t* take(size_t count)
     {
@@ -36,12 +38,13 @@ public:
     std::string line();
     /// Steps back over bytes just taken.
     void putBack(size_t count) { m_next -= count; }
+    /// Back to the file's first byte.
+    void restart();
 
 private:
     void refill(size_t count);
 
-    std::filesystem::path m_path;
-    std::unique_ptr<std::FILE, int (*)(std::FILE*)> m_file;
+    OpenedFile m_file;
     std::vector<std::uint8_t> m_buffer;
     size_t m_next = 0;
     size_t m_end = 0;
@@ -69,6 +72,6 @@ struct Header {
 };
 
 /// @throws FileError for an unknown format and a missing or absurd resolution
-Header readHeader(const std::filesystem::path& file, ByteSource& bytes);
+Header readHeader(ByteSource& bytes);
 
 } // namespace mirrorball::hdr

@@ -29,20 +29,21 @@ std::string lowerExtension(const std::filesystem::path& path)
     return extension;
 }
 
-std::unique_ptr<ImageReader> openHdr(const std::filesystem::path& path, int level, const ProbeReading& reading, Channels channels)
+std::unique_ptr<ImageReader> openHdr(OpenedFile file, int level, const ProbeReading& reading, Channels channels)
 {
+    const std::filesystem::path& path = file.path();
     checkNoLayer(path, reading);
     if (level != 0)
         throw FileError(path.string(), "a Radiance picture has no mip levels; ask for level 0");
     if (partNumber(path, reading) != 0)
         throw FileError(path.string(), "a Radiance picture has one part; ask for part 0");
-    return hdr::open(path, reading, channels);
+    return hdr::open(std::move(file), reading, channels);
 }
 
-std::unique_ptr<ImageReader> openTexture(const std::filesystem::path& path, int level, const ProbeReading& reading, Channels channels)
+std::unique_ptr<ImageReader> openTexture(OpenedFile file, int level, const ProbeReading& reading, Channels channels)
 {
-    checkNoLayer(path, reading);
-    return withOpacity(openContainer(path, level), channels);
+    checkNoLayer(file.path(), reading);
+    return withOpacity(openContainer(std::move(file), level), channels);
 }
 
 void writeExr(AtomicFile& file, const std::filesystem::path&, const std::vector<Image>& levels, const WriteOptions& options)

@@ -3,6 +3,7 @@
 #include "image_io.h"
 
 #include "core/base/atomic_file.h"
+#include "core/base/opened_file.h"
 
 #include <memory>
 #include <string>
@@ -46,8 +47,7 @@ struct ImageFormat {
     /// Whether a file that begins with these bytes is of this format. Null: left to OpenImageIO, which knows the signatures of its formats.
     bool (*recognizes)(std::string_view firstBytes) = nullptr;
     /// Null as recognizes is.
-    std::unique_ptr<ImageReader> (*open)(const std::filesystem::path& path, int level, const ProbeReading& reading,
-                                         Channels channels) = nullptr;
+    std::unique_ptr<ImageReader> (*open)(OpenedFile file, int level, const ProbeReading& reading, Channels channels) = nullptr;
     /// Writes a picture, or all levels of one, largest first: more than one where `levels`, and then the whole chain. `named` is the
     /// target, for messages. Null: the format is only read.
     void (*write)(AtomicFile& file, const std::filesystem::path& named, const std::vector<Image>& levels,

@@ -10,56 +10,28 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
-#include "core/base/file_log.h"
+#include "core/base/opened_file.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 
 namespace mirrorball {
 namespace {
 
 constexpr int blockTexels = 1 << 20; ///< read at a time: small enough to stop soon, large enough for all threads
 
-/// The first bytes of a regular file. @throws FileError for anything else, before a reader could block on a pipe
-std::string firstBytes(const std::filesystem::path& path)
-{
-    noteRead(path);
-    std::error_code error;
-    const std::filesystem::file_status status = std::filesystem::status(path, error);
-    if (status.type() == std::filesystem::file_type::not_found)
-        throw FileError(path.string(), "there is no such file; check the name");
-    if (status.type() == std::filesystem::file_type::directory)
-        throw FileError(path.string(), "this is a folder; name an image file");
-    if (status.type() != std::filesystem::file_type::regular)
-        throw FileError(path.string(), error ? "cannot be read: " + error.message() + "; check its permissions"
-                                             : std::string("this is not a regular file; save the image to one first"));
-    errno = 0;
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream)
-        throw FileError(path.string(), std::string("cannot be read: ") + std::strerror(errno) + "; check its permissions");
-    std::string bytes(16, '\0');
-    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    bytes.resize(static_cast<size_t>(stream.gcount()));
-    if (bytes.empty())
-        throw FileError(path.string(), "the file is empty; export or download it again");
-    return bytes;
-}
-
 /// What a file is, is told by its first bytes; its name is asked only where a format has no signature.
 std::unique_ptr<ImageReader> openStored(const std::filesystem::path& path, int level, const ProbeReading& reading, Channels channels)
 {
-    const std::string signature = firstBytes(path);
+    OpenedFile file(path);
     for (const ImageFormat& format : imageFormats())
-        if (format.recognizes && format.recognizes(signature))
-            return format.open(path, level, reading, channels);
+        if (format.recognizes && format.recognizes(file.firstBytes()))
+            return format.open(std::move(file), level, reading, channels);
     checkNoLayer(path, reading);
     return openimageio::open(
-        path, signature,
+        path, file.firstBytes(),
         {.part = partNumber(path, reading), .level = level, .keepsEncoding = !reading.colorSpace.empty(), .channels = channels});
 }
 
@@ -156,9 +128,10 @@ std::string encodePng(const Image& display) { return openimageio::encodePng(disp
 
 std::optional<Image> readImagePass(const std::filesystem::path& path, const std::string& pass, Channels channels, const JobControl& job)
 {
-    if (!exr::hasSignature(firstBytes(path)))
+    OpenedFile file(path);
+    if (!exr::hasSignature(file.firstBytes()))
         return std::nullopt;
-    const std::unique_ptr<ImageReader> reader = exr::openPass(path, pass, channels);
+    const std::unique_ptr<ImageReader> reader = exr::openPass(std::move(file), pass, channels);
     if (!reader)
         return std::nullopt;
     return readAll(*reader, job, channels);

@@ -47,6 +47,7 @@ TEST(SpectrumCommand, SaysInOneLineWhatIsWrong)
     EXPECT_FAILS(mirrorballRuns("spectrum " + probe + " --degree 20 --rows 0:33" + out), 2, "--rows: must be A:B");
     EXPECT_FAILS(mirrorballRuns("spectrum " + probe + " --degree 20 --rows 5" + out), 2, "--rows: must be A:B");
     EXPECT_FAILS(mirrorballRuns("spectrum --add " + probe + out), 2, "is no spectrum");
+    EXPECT_FAILS(mirrorballRuns("spectrum " + probe + " --degree 20 -o " + (folder / "x.exr").string()), 2, "end it with .spectrum");
     EXPECT_FALSE(std::filesystem::exists(folder / "x.spectrum"));
     const std::string coarse = (folder / "coarse.spectrum").string();
     ASSERT_EQ(mirrorballRuns("spectrum " + probe + " --degree 12 -o " + coarse).status, 0);

@@ -7,8 +7,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     using namespace mirrorball;
     const auto path = fuzz::fileOf(bytes, size, ".exr");
     fuzz::refusingPolitely([&] {
-        if (const auto pass = exr::openPass(path, "diffuse"))
+        if (const auto pass = exr::openPass(OpenedFile(path), "diffuse"))
             fuzz::readRows(*pass);
     });
-    return fuzz::refusingPolitely([&] { fuzz::readRows(*exr::open(path, 0)); });
+    return fuzz::refusingPolitely([&] { fuzz::readRows(*exr::open(OpenedFile(path), 0)); });
 }

@@ -5,5 +5,5 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {
     using namespace mirrorball;
-    return fuzz::refusingPolitely([&] { fuzz::readRows(*hdr::open(fuzz::fileOf(bytes, size, ".hdr"))); });
+    return fuzz::refusingPolitely([&] { fuzz::readRows(*hdr::open(OpenedFile(fuzz::fileOf(bytes, size, ".hdr")))); });
 }

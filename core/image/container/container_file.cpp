@@ -7,7 +7,6 @@
 #include "ktx2.h"
 
 #include "core/base/error.h"
-#include "core/image/file_bytes.h"
 #include "core/image/input_checks.h"
 #include "core/image/openimageio_loader.h"
 
@@ -175,17 +174,20 @@ ContainedTexture readContainer(std::string_view bytes, const std::string& name)
     throw FileError(name, "is no .ktx, .ktx2, .dds or .env file; export or download it again");
 }
 
-ContainedTexture readContainer(const std::filesystem::path& path)
+ContainedTexture readContainer(OpenedFile file)
 {
-    const std::string bytes = fileBytes(path, largestFile);
-    if (dds::hasSignature(bytes) && dds::isForeign(bytes, path.string()))
-        return decodedByOpenImageIo(path);
-    return readContainer(bytes, path.string());
+    const std::string bytes = file.readAll(largestFile);
+    if (dds::hasSignature(bytes) && dds::isForeign(bytes, file.path().string()))
+        return decodedByOpenImageIo(file.path());
+    return readContainer(bytes, file.path().string());
 }
 
-std::unique_ptr<ImageReader> openContainer(const std::filesystem::path& path, int level)
+ContainedTexture readContainer(const std::filesystem::path& path) { return readContainer(OpenedFile(path)); }
+
+std::unique_ptr<ImageReader> openContainer(OpenedFile file, int level)
 {
-    const ContainedTexture contained = readContainer(path);
+    const std::filesystem::path path = file.path();
+    const ContainedTexture contained = readContainer(std::move(file));
     const std::vector<Image>& levels = contained.texture.levels;
     if (level < 0 || level >= static_cast<int>(levels.size()))
         throw FileError(path.string(), "has " + std::to_string(levels.size()) + " levels, counted from 0; ask for one of them");

@@ -3,6 +3,7 @@
 #include "texture.h"
 
 #include "core/base/atomic_file.h"
+#include "core/base/opened_file.h"
 #include "core/image/image_io.h"
 
 #include <filesystem>
@@ -28,6 +29,7 @@ bool isContainer(std::string_view firstBytes);
 ContainedTexture readContainer(std::string_view bytes, const std::string& name);
 
 /// The same of a file; block-compressed .dds cubes are decoded by OpenImageIO. @throws FileError
+ContainedTexture readContainer(OpenedFile file);
 ContainedTexture readContainer(const std::filesystem::path& path);
 
 /// Writers of the table of formats (image_format.h): levels of a cube (options.faces), of a plain picture, or in a .dds of a paraboloid
@@ -39,6 +41,6 @@ void writeDds(AtomicFile& file, const std::filesystem::path& named, const std::v
 
 /// One level of a container as an image: a cube's faces one below the other, two square slices side by side as a paraboloid map. @throws
 /// FileError
-std::unique_ptr<ImageReader> openContainer(const std::filesystem::path& path, int level);
+std::unique_ptr<ImageReader> openContainer(OpenedFile file, int level);
 
 } // namespace mirrorball
