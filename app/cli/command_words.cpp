@@ -71,7 +71,7 @@ std::vector<CommandWords> commandWords(const CLI::App& program)
 {
     std::vector<CommandWords> commands;
     for (const CLI::App* command : program.get_subcommands([](const CLI::App* c) { return !c->get_group().empty(); }))
-        commands.push_back({command->get_name(), command->get_description(), optionWords(*command)});
+        commands.push_back({command->get_name(), command->get_description(), optionWords(*command), command->get_footer()});
     return commands;
 }
 

@@ -19,6 +19,7 @@ struct OptionWords {
 struct CommandWords {
     std::string name{}, help{};
     std::vector<OptionWords> options{}; ///< in the order of --help
+    std::string notes{};                ///< below them
 };
 
 /// The commands that `mirrorball --help` lists.

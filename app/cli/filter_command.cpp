@@ -128,15 +128,10 @@ struct KnobParser {
         if (given == typed.end() || given->second.empty())
             return;
         if constexpr (std::is_enum_v<Value>) {
-            std::string known;
-            for (size_t i = 0; i < words(Value{}).size(); ++i) {
-                if (words(Value{})[i] == given->second) {
-                    value = static_cast<Value>(i);
-                    return;
-                }
-                known += (known.empty() ? "" : " or ") + std::string(words(Value{})[i]);
-            }
-            throw InvalidArgument(given->first + ": '" + given->second + "' is none; choose " + known);
+            const std::optional<Value> known = fromWord<Value>(given->second);
+            if (!known)
+                throw InvalidArgument(given->first + ": '" + given->second + "' is none; choose " + field_json::listed(words(Value{})));
+            value = *known;
         } else {
             std::istringstream text(given->second);
             double number = 0.0;
@@ -192,10 +187,7 @@ std::vector<PrefilterOptions> parseJobs(const Options& o, double yaw)
 {
     const auto method = methodFromName(o.method);
     if (!method) {
-        std::string known;
-        for (const Method m : allMethods)
-            known += (known.empty() ? "" : ", ") + std::string(name(m));
-        throw InvalidArgument("--method: '" + o.method + "' is no method; choose one of " + known);
+        throw InvalidArgument("--method: '" + o.method + "' is no method; choose one of " + field_json::listed(words(Method{})));
     }
     checkKnobs(o, *method);
     MethodKnobs knobs{.lambda = o.lambda};
@@ -306,6 +298,17 @@ void run(const Options& o)
     });
 }
 
+/// A line for each method, below the options.
+std::string methodHelp()
+{
+    std::string text = "Methods:";
+    for (const Method method : allMethods) {
+        const std::string word(name(method));
+        text += "\n  " + word + std::string(14 - word.size(), ' ') + std::string(helpOf(method));
+    }
+    return text;
+}
+
 } // namespace
 
 void addFilterCommand(CLI::App& program)
@@ -359,6 +362,7 @@ void addFilterCommand(CLI::App& program)
     command->add_flag("--half", o->half, "16-bit floats, where the format has them");
     command->add_flag("--explain", o->explain, "print what is done, what is left out, and why; then do it");
     command->add_option("--stats", o->stats, "write times, method and predicted error to this JSON file");
+    command->footer(methodHelp());
     command->callback([o] { run(*o); });
 }
 

@@ -51,6 +51,17 @@ std::string optionText(const OptionWords& option)
     return ".TP\n" + names + (option.value.empty() ? "" : " \\fI" + roff(option.value) + "\\fR") + "\n" + help + "\n";
 }
 
+std::string notesText(const std::string& notes)
+{
+    if (notes.empty())
+        return "";
+    std::string text = ".SH NOTES\n";
+    std::istringstream lines(notes);
+    for (std::string line; std::getline(lines, line);)
+        text += roff(line) + "\n.br\n";
+    return text;
+}
+
 std::string commandPage(const CommandWords& command, const std::string& version)
 {
     std::string page = head("mirrorball-" + command.name, version, command.help);
@@ -62,6 +73,7 @@ std::string commandPage(const CommandWords& command, const std::string& version)
     page += " [\\fIOPTION\\fR]...\n.SH OPTIONS\n";
     for (const OptionWords& option : command.options)
         page += optionText(option);
+    page += notesText(command.notes);
     return page + ".SH SEE ALSO\n.BR mirrorball (1)\n";
 }
 
@@ -77,10 +89,7 @@ std::vector<ManPage> manPages(const CLI::App& program, const std::string& versio
     own += ".SH OPTIONS\n";
     for (const OptionWords& option : optionWords(program))
         own += optionText(option);
-    own += ".SH NOTES\n";
-    std::istringstream notes(program.get_footer());
-    for (std::string line; std::getline(notes, line);)
-        own += roff(line) + "\n.br\n";
+    own += notesText(program.get_footer());
     std::vector<ManPage> pages{{"mirrorball.1", own}};
     for (const CommandWords& command : commands)
         pages.push_back({"mirrorball-" + command.name + ".1", commandPage(command, version)});

@@ -3,6 +3,7 @@
 #include "command.h"
 
 #include "core/base/error.h"
+#include "core/base/field_json.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -43,13 +44,9 @@ struct Parser {
     template <typename Enum>
     static Enum word(const std::string& option, const std::string& text, Enum)
     {
-        std::string known;
-        for (size_t i = 0; i < words(Enum{}).size(); ++i) {
-            if (words(Enum{})[i] == text)
-                return static_cast<Enum>(i);
-            known += (known.empty() ? "" : ", ") + std::string(words(Enum{})[i]);
-        }
-        throw InvalidArgument(option + ": '" + text + "' is none; choose one of " + known);
+        if (const std::optional<Enum> known = fromWord<Enum>(text))
+            return *known;
+        throw InvalidArgument(option + ": '" + text + "' is none; choose one of " + field_json::listed(words(Enum{})));
     }
 
     static double number(const std::string& option, const std::string& text, const Field& field)

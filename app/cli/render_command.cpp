@@ -156,7 +156,7 @@ Scene makeScene(const Options& o)
                 scene.probe.reading.rotateDeg = parseRotation(option.flag, given->second);
                 continue;
             }
-            if (flag == "--lookups" && given->second == words(LookupKind::Exact)[static_cast<size_t>(LookupKind::Exact)]) {
+            if (flag == "--lookups" && given->second == wordOf(LookupKind::Exact)) {
                 scene.material.brdf.kind = LookupKind::Exact;
                 continue;
             }

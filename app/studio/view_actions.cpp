@@ -97,7 +97,7 @@ QAction* ViewActions::addChoice(QActionGroup& group, const char* id, const char*
 void ViewActions::makeGeometry()
 {
     const auto body = [this](GeometryKind kind, const QString& text) {
-        const std::string word(words(kind)[static_cast<size_t>(kind)]);
+        const std::string word(wordOf(kind));
         addChoice(
             m_geometry, word.c_str(), word.c_str(), text, {}, tr("Change geometry"), [word](Scene& scene) { useGeometry(scene, word); },
             [kind](const Scene& scene) { return builtinGeometry(scene.view.geometry) == kind; });

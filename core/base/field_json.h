@@ -136,7 +136,7 @@ public:
             writer.writeUnknown(value.unknown);
             return object;
         } else if constexpr (std::is_enum_v<T>) {
-            return words(value)[static_cast<size_t>(value)];
+            return wordOf(value);
         } else if constexpr (std::is_same_v<T, glm::dvec3>) {
             return {value.x, value.y, value.z};
         } else if constexpr (requires { writeJson(value); }) {

@@ -45,8 +45,6 @@ struct Picture {
     Image image{};
 };
 
-std::string_view wordOf(PackedColor form) { return words(form)[static_cast<size_t>(form)]; }
-
 /// A .png picture whose alpha multiplies its colors, as radiance.
 Picture packedPicture(const std::filesystem::path& path, PackedColor form)
 {

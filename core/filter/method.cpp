@@ -22,6 +22,8 @@ std::optional<Method> methodFromName(std::string_view word)
     return std::nullopt;
 }
 
+std::string_view helpOf(Method method) { return rowOf(method).help; }
+
 std::span<const std::string_view> knobsOf(Method method) { return rowOf(method).knobs; }
 
 bool hasKnob(Method method, std::string_view knob)

@@ -22,6 +22,8 @@ inline constexpr std::array allMethods{Method::Auto,       Method::Reference,  M
 /// "auto", "reference", "spectral", "direct", "hierarchical", "importance", "paraboloid", "mip", "sh9"
 std::string_view name(Method method);
 std::optional<Method> methodFromName(std::string_view word);
+/// What it does, in one line without a full stop.
+std::string_view helpOf(Method method);
 
 /// The knobs that belong to a method: names of fields of MethodKnobs.
 std::span<const std::string_view> knobsOf(Method method);

@@ -77,7 +77,7 @@ void checkBytes(const std::filesystem::path& path, ByteEncoding bytes)
 {
     const ImageFormat& format = writableFormat(path);
     const bool packed = bytes != ByteEncoding::Filmic && bytes != ByteEncoding::Srgb;
-    const std::string word(words(bytes)[static_cast<size_t>(bytes)]);
+    const std::string word(wordOf(bytes));
     if (format.samples != StoredSamples::Byte)
         throw InvalidArgument("--encode: '" + word + "' is for formats of 8 bits a channel; " + path.filename().string() +
                               " holds linear light as it is, so leave it out");

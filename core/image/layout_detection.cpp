@@ -288,8 +288,7 @@ void finish(Detection& found, const ImageFileInfo& info, const ProbeReading& rea
     else if (found.said && info.envmap.empty())
         hand = {"handedness", hand.value, "Mirrorball wrote it"};
     if (reading.mirror != MirrorAxis::None)
-        hand = {"handedness", hand.value + ", mirrored in " + std::string(words(MirrorAxis{})[static_cast<size_t>(reading.mirror)]),
-                "asked for"};
+        hand = {"handedness", hand.value + ", mirrored in " + std::string(wordOf(reading.mirror)), "asked for"};
     found.assumed.push_back(std::move(hand));
     found.orientation = orientation(reading);
 }

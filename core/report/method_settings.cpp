@@ -51,8 +51,7 @@ MethodSetting paraboloidSetting(ParaboloidKernel kernel, double clamp, int large
 {
     return {.method = Method::Paraboloid,
             .knobs = {.paraboloid = {.kernel = kernel, .clamp = clamp, .largestKernel = largest}},
-            .label = std::string(words(kernel)[static_cast<size_t>(kernel)]) + " clamp " + shortNumber(clamp) + " kernel " +
-                     std::to_string(largest)};
+            .label = std::string(wordOf(kernel)) + " clamp " + shortNumber(clamp) + " kernel " + std::to_string(largest)};
 }
 
 /// As published (000 section 3.2.5), wider, and with the exact kernel at three sizes.
@@ -75,7 +74,7 @@ std::vector<std::string> knobWords(const MethodKnobs& knobs)
         std::replace(text.begin(), text.end(), '_', '-');
         using Value = std::remove_cvref_t<decltype(value)>;
         if constexpr (std::is_enum_v<Value>)
-            text += words(value)[static_cast<size_t>(value)];
+            text += wordOf(value);
         else if constexpr (std::is_same_v<Value, std::optional<double>>)
             text += value ? exactNumber(*value) : "none";
         else

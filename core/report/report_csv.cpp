@@ -10,12 +10,6 @@ namespace mirrorball {
 
 namespace {
 
-template <typename E>
-std::string word(E value)
-{
-    return std::string(words(value)[static_cast<size_t>(value)]);
-}
-
 /// Rows of a CSV file.
 class Csv {
 public:
@@ -116,7 +110,7 @@ std::string measurementsCsv(const Report& report)
                 .cell(describe(c.lobe))
                 .cell(name(m.setting.method))
                 .cell(m.setting.label)
-                .cell(word(m.state));
+                .cell(wordOf(m.state));
             if (m.state != MeasurementState::Measured) {
                 csv.empty(21);
             } else {
@@ -143,7 +137,7 @@ std::string growthCsv(const Report& report)
     Csv csv({"axis", "at", "method", "state", "ran", "filtered", "streamed", "median_seconds", "cpu_seconds", "runs", "peak_bytes",
              "probe_bytes", "why"});
     for (const GrowthPoint& p : report.growth) {
-        csv.cell(word(p.axis)).cell(p.at).cell(name(p.method)).cell(word(p.state));
+        csv.cell(wordOf(p.axis)).cell(p.at).cell(name(p.method)).cell(wordOf(p.state));
         if (p.state != MeasurementState::Measured)
             csv.empty(7);
         else

@@ -20,12 +20,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-template <typename E>
-std::string word(E value)
-{
-    return std::string(words(value)[static_cast<size_t>(value)]);
-}
-
 Json optionalNumber(const auto& value) { return value ? Json(*value) : Json(nullptr); }
 
 Json pictureJson(const std::string& png, Pictures pictures)
@@ -74,8 +68,11 @@ Json probeJson(const ReportProbe& p, Pictures pictures)
 
 Json measurementJson(const Measurement& m, Pictures pictures)
 {
-    Json json{
-        {"method", name(m.setting.method)}, {"setting", m.setting.label}, {"state", word(m.state)}, {"why", m.why}, {"command", m.command}};
+    Json json{{"method", name(m.setting.method)},
+              {"setting", m.setting.label},
+              {"state", wordOf(m.state)},
+              {"why", m.why},
+              {"command", m.command}};
     if (m.state != MeasurementState::Measured)
         return json;
     json.update({{"ran", name(m.ran)},
@@ -139,10 +136,10 @@ Json studyJson(const ParameterizationStudy& study)
 
 Json growthJson(const GrowthPoint& p)
 {
-    return {{"axis", word(p.axis)},
+    return {{"axis", wordOf(p.axis)},
             {"at", p.at},
             {"method", name(p.method)},
-            {"state", word(p.state)},
+            {"state", wordOf(p.state)},
             {"why", p.why},
             {"ran", name(p.ran)},
             {"filtered", p.filtered},
@@ -265,7 +262,7 @@ std::string reportJson(const Report& report, Pictures pictures)
                     {"seconds", report.seconds},
                     {"parts", listJson(report.parts,
                                        [](const PartTime& t) {
-                                           return Json{{"part", word(t.part)}, {"foretold_seconds", t.foretold}, {"seconds", t.seconds}};
+                                           return Json{{"part", wordOf(t.part)}, {"foretold_seconds", t.foretold}, {"seconds", t.seconds}};
                                        })},
                     {"machine", machineJson(report.machine)},
                     {"load_at_end", report.loadAtEnd},

@@ -100,7 +100,7 @@ std::string describe(const ReportForecast& forecast)
         return text;
     const char* separator = " (";
     for (const ReportForecast::Part& part : forecast.parts) {
-        text += separator + std::string(words(part.part)[static_cast<size_t>(part.part)]) + " " + durationText(part.seconds);
+        text += separator + std::string(wordOf(part.part)) + " " + durationText(part.seconds);
         separator = ", ";
     }
     return text + ")";

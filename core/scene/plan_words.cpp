@@ -166,10 +166,7 @@ struct Words {
     {
         return d.file + " holds none; .exr and .tif do, and a %d in the name makes one file a level";
     }
-    std::string operator()(const ShowsDebugView& d) const
-    {
-        return text("the view shows ", words(Shading{})[static_cast<size_t>(d.shading)], " and not the material");
-    }
+    std::string operator()(const ShowsDebugView& d) const { return text("the view shows ", wordOf(d.shading), " and not the material"); }
     std::string operator()(const DielectricAtEveryPixel& d) const { return text("index ", d.index, ": evaluated at every pixel"); }
     std::string operator()(const MetalAtEveryPixel& d) const { return text("metal ", d.metal, ": evaluated at every pixel"); }
     std::string operator()(const LambdaAtEveryPixel& d) const { return text("lambda_grazing ", d.grazing, ": evaluated at every pixel"); }

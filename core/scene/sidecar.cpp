@@ -85,7 +85,7 @@ Json opened(const ExportTarget& target, const std::vector<std::filesystem::path>
     json["mirrorball_sidecar"] = 1;
     json["mirrorball_version"] = version();
     json["name"] = target.name;
-    json["kind"] = words(target.kind)[static_cast<size_t>(target.kind)];
+    json["kind"] = wordOf(target.kind);
     json["files"] = Json::array();
     for (const std::filesystem::path& file : files)
         json["files"].push_back(file.filename().string());
@@ -193,7 +193,7 @@ std::string paintedSidecar(const Scene& scene, const ExportPlan& planned, const 
     json["up"] = "+Y";
     json["axes"] = paintedAxesText(map.index, scene.material.sphereMap.space);
     json["value"] = "the painted color of the surface";
-    json["indexed_by"] = words(map.index)[static_cast<size_t>(map.index)];
+    json["indexed_by"] = wordOf(map.index);
     json["color_space"] = stored.isShown() ? "sRGB, clipped to 0..1" : "linear, Rec.709 primaries, D65";
     json["sample_type"] = stored.word;
     json["opacity"] = opacityText(picture, stored);

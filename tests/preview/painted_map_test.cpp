@@ -233,8 +233,7 @@ TEST_F(PaintedMap, MeetsTheSurfaceAsEachUseSays)
         RenderMaps maps{.sphereMaps = {plain(m)}};
         if (readsEnvironment)
             maps.specular = asLevels(environmentFrom({Parameterization::Cube, 8, 0}, [](const glm::dvec3&) { return glm::vec3(2.0f); }));
-        EXPECT_LT(glm::distance(at(renderer.renderRadiance(settings, maps), 80, 60), expected), 1e-3)
-            << (use ? words(*use)[static_cast<size_t>(*use)] : "none");
+        EXPECT_LT(glm::distance(at(renderer.renderRadiance(settings, maps), 80, 60), expected), 1e-3) << (use ? wordOf(*use) : "none");
     }
 }
 

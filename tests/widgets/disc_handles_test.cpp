@@ -305,7 +305,7 @@ void DiscHandlesTest::looksWell()
     }
     for (const GradientShape shape : {GradientShape::Radial, GradientShape::Linear, GradientShape::Angular}) {
         disc.editor().addLayer({.content = GradientLayer{.shape = shape, .radius = 0.6}});
-        keep(std::string("gradient-").append(words(shape)[static_cast<size_t>(shape)]).c_str());
+        keep(std::string("gradient-").append(wordOf(shape)).c_str());
         disc.editor().removeChosen();
     }
     disc.editor().addLayer({.content = GradientLayer{.polarDeg = 130.0}});

@@ -154,7 +154,7 @@ ExportTarget newTarget(const Scene& scene, ExportKind kind)
         target.file = target.mips ? std::string() : target.name + ".png";
         return target;
     }
-    ExportTarget target{.name = freeName(scene.exports, std::string(words(kind)[static_cast<size_t>(kind)])), .kind = kind};
+    ExportTarget target{.name = freeName(scene.exports, std::string(wordOf(kind))), .kind = kind};
     target.parameterization = scene.map.parameterization;
     target.size = kind == ExportKind::Diffuse ? 64 : scene.map.size;
     target.border = std::min(scene.map.border, (target.size - 1) / 2);

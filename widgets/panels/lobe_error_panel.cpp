@@ -43,7 +43,7 @@ QString choiceText(const LookupChoice& choice)
 {
     if (choice.kind == LookupKind::Fitted)
         return LobeErrorPanel::tr("Lookups: %1").arg(choice.count);
-    return labelText(words(choice.kind)[static_cast<size_t>(choice.kind)]);
+    return labelText(wordOf(choice.kind));
 }
 
 /// The hue of a line on dark gray.

@@ -141,7 +141,7 @@ QVariant LayerModel::data(const QModelIndex& at, int role) const
         if (const auto* paint = std::get_if<PaintLayer>(&layer.content))
             parts[0] += paint->strokes.size() == 1 ? tr(", 1 stroke") : tr(", %1 strokes").arg(paint->strokes.size());
         if (layer.blend != BlendMode::Normal)
-            parts << labelText(words(layer.blend)[static_cast<size_t>(layer.blend)]);
+            parts << labelText(wordOf(layer.blend));
         if (layer.opacity < 1.0)
             parts << QStringLiteral("%1 %").arg(std::lround(100.0 * layer.opacity));
         if (layer.mask)

@@ -57,7 +57,7 @@ std::vector<Image> paintedPictures(const SphereMapDocument& document, const Pain
 
 WriteOptions paintedFileOptions(const SphereMapDocument& document, SampleType samples)
 {
-    const std::string index(words(document.index)[static_cast<size_t>(document.index)]);
+    const std::string index(wordOf(document.index));
     return {.sampleType = samples, .attributes = {{"mirrorball:parameterization", "sphere"}, {"mirrorball:index", index}}};
 }
 

@@ -82,12 +82,11 @@ SpanGenerator prepare(const ImageLayer& layer, const Level& level)
     if (layer.source.empty())
         throw InvalidArgument("source: must be an image file; it is empty");
     const std::string path = assetPath(level, layer.source);
-    const auto passes =
-        level.assets->get<Passes>("image|" + std::string(words(layer.fit)[static_cast<size_t>(layer.fit)]) + "|" + assetKey(path), [&] {
-            Passes read = readPasses(path, layer.fit);
-            const size_t bytes = read.diffuse.bytes() + read.specular.bytes();
-            return SphereMapAssets::Made<Passes>{std::move(read), bytes};
-        });
+    const auto passes = level.assets->get<Passes>("image|" + std::string(wordOf(layer.fit)) + "|" + assetKey(path), [&] {
+        Passes read = readPasses(path, layer.fit);
+        const size_t bytes = read.diffuse.bytes() + read.specular.bytes();
+        return SphereMapAssets::Made<Passes>{std::move(read), bytes};
+    });
     const double turn = layer.turnDeg * pi / 180.0;
     const DiscLookup lookup{static_cast<float>(1.0 - layer.inset), static_cast<float>(std::cos(turn)), static_cast<float>(std::sin(turn))};
     const glm::vec3 tint(layer.tint * std::exp2(layer.exposure));
