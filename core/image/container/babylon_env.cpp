@@ -139,6 +139,7 @@ Environment read(std::string_view bytes, const std::string& name)
     if (!(claimed >= 1.0 && claimed <= largestWidth && std::has_single_bit(static_cast<unsigned>(claimed))))
         source.damaged("its description claims faces that are no power of two up to " + std::to_string(largestWidth) + " wide");
     const int width = static_cast<int>(claimed);
+    checkImageSize(name, width, 6LL * width);
     checkTexelsHeld(name, width, 6LL * width, bytes.size(), 256); // its faces may all lie in one place
     const json specular = manifest.value("specular", json::object());
     const json mipmaps = specular.is_object() ? specular.value("mipmaps", json::array()) : json::array();

@@ -307,6 +307,23 @@ TEST(BabylonEnv, RefusesACutOrAlteredFileInOneLine)
     }
 }
 
+// Its pictures may lie beyond what a file of this length can tell of, and still be more than is held of any other.
+TEST(BabylonEnv, RefusesMoreTexelsThanAreHeldOfAnyPicture)
+{
+    std::string bytes = babylon_env::write(smallEnvironment());
+    const size_t at = bytes.find("\"width\":");
+    ASSERT_NE(at, std::string::npos);
+    const size_t number = at + 8, end = bytes.find_first_of(",}", number);
+    bytes.replace(number, end - number, "8192");
+    bytes.append(size_t{2} << 20, '\0');
+    try {
+        babylon_env::read(bytes, "large.env");
+        ADD_FAILURE() << "6 x 8192 x 8192 texels were accepted";
+    } catch (const FileError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("at most 2^28 are read"));
+    }
+}
+
 // 200 of them, a megabyte and a half, are 1.6 GB; unpacking those twice, as libpng does, takes longer than the helper may.
 TEST(PngCodec, TextsBesideAPictureAreNotUnpacked)
 {
