@@ -258,7 +258,7 @@ void MaterialPanelTest::materialFilesRoundTrip()
 void MaterialPanelTest::theCurveFollowsTheMaterial()
 {
     Workspace workspace;
-    FresnelCurve curve(workspace.document);
+    studio::FresnelCurve curve(workspace.document); // not the one of core/shading
     curve.resize(260, 150);
     const QImage none = curve.grab().toImage();
     workspace.document.edit(QStringLiteral("glass"), {}, [](Scene& scene) { scene.material.fresnel.kind = FresnelKind::Dielectric; });
