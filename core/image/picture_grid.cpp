@@ -37,13 +37,13 @@ std::string fitting(const std::string& text, int width, int scale)
     return most < 3 ? text.substr(0, most) : text.substr(0, most - 2) + "..";
 }
 
-/// A label in the middle of a part of the picture.
+/// A label in the middle of a part of the picture. What of it is higher or wider than that is left out.
 void putLabel(Image& picture, const std::string& text, int x, int y, int width, int height, int scale)
 {
     const Image label = textPicture(fitting(text, width, scale), scale);
     const int left = x + (width - label.width) / 2, top = y + (height - label.height) / 2;
-    for (int row = 0; row < label.height; ++row)
-        for (int column = 0; column < label.width; ++column)
+    for (int row = std::max(0, y - top); row < std::min(label.height, y + height - top); ++row)
+        for (int column = std::max(0, x - left); column < std::min(label.width, x + width - left); ++column)
             if (*label.texel(column, row) > 0.0f)
                 std::fill_n(picture.texel(left + column, top + row), 3, ink);
 }
