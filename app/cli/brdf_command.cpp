@@ -2,6 +2,7 @@
 #include "command.h"
 #include "reading_options.h"
 
+#include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/field_checks.h"
 #include "core/filter/lookup_table.h"
@@ -95,6 +96,16 @@ TableChoice parseTable(const std::string& word)
     return choice;
 }
 
+/// Refuses, before any work, what cannot be written.
+void checkTable(const Options& o, const TableChoice& choice)
+{
+    const std::string& path = o.out.front();
+    const ImageFormat& format = writableFormat(path);
+    if (choice.domainDeg && format.samples != StoredSamples::Byte)
+        throw InvalidArgument("--output: " + path + " holds linear light, and --table domain: is a picture; write a .png");
+    checkTarget(path);
+}
+
 void writeTable(const Options& o, const TableChoice& choice, const Brdf& brdf)
 {
     constexpr int usualMap = 256, domainEdge = 512;
@@ -145,6 +156,8 @@ void run(const Options& o)
 {
     check(o);
     const TableChoice table = o.table.empty() ? TableChoice{} : parseTable(o.table);
+    if (!o.table.empty())
+        checkTable(o, table);
     const std::array<double, 4> angles = o.eval.empty() ? std::array<double, 4>{} : parseAngles(o.eval);
     BrdfErrorsRequest errors = o.errors;
     errors.out = o.out;

@@ -300,6 +300,7 @@ void checkReportFolder(const std::filesystem::path& folder)
         throw InvalidArgument(folder.string() + ": " + nearest.string() + " is no folder; choose another for the report");
     if (access(nearest.c_str(), W_OK | X_OK) != 0)
         throw InvalidArgument(folder.string() + ": " + nearest.string() + " is write-protected; choose another folder for the report");
+    checkTarget(nearest / "report.html"); // what permissions do not tell: a full disk, a file system of the kernel's own
 }
 
 std::vector<std::filesystem::path> writeReport(const Report& report, const std::filesystem::path& folder)

@@ -101,6 +101,10 @@ TEST(BrdfCommand, RefusesInOneLineAndWritesNothing)
     EXPECT_FAILS(mirrorballRuns("brdf phong:exponent=3 --table ab" + out), 2, "choose ggx");
     EXPECT_FAILS(mirrorballRuns("brdf phong:exponent=3 --table hemisphere:90" + out), 2, "below 90");
     EXPECT_FAILS(mirrorballRuns("brdf nowhere.brdf --albedo 3"), 2, "is not there");
+    // The file that cannot be written is told first, before the material is so much as opened.
+    EXPECT_FAILS(mirrorballRuns("brdf nowhere.brdf --table albedo -o " + (folder / "t.foo").string()), 2, "no image can be written");
+    EXPECT_FAILS(mirrorballRuns("brdf nowhere.brdf --table domain:30" + out), 2, "write a .png");
+    EXPECT_FAILS(mirrorballRuns("brdf nowhere.brdf --table albedo -o " + (folder / "none/t.exr").string()), 1, "none");
     const std::string errors = "brdf ggx:alpha=0.3 --errors builtin:sky";
     EXPECT_FAILS(mirrorballRuns(errors + out), 2, "must end in .csv");
     EXPECT_FAILS(mirrorballRuns(errors + " --lookups unity"), 2, "'unity' is none");
