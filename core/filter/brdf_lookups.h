@@ -23,9 +23,10 @@ struct BrdfLookup {
 /// A BRDF at one angle of view as a few lookups, the successor of the split sum's one:
 ///   L_o(r) = sum_k w_k E(axis_k; alpha_k),   axis_k in the plane of n and r, or two of them on either side of it.
 /// The weights add up to the directional albedo, so a constant probe is exact. Fitted without any probe: the mean square of the error over
-/// all frames under light whose power is that of nature in the mean, sum_m |a_lm|^2 ~ 1/(l+1) about its mean, which by the power of kernels
-/// in degrees is
-///   sum_l |K_l - sum_k w_k G_kl|^2 / ((2l+1)(l+1)).
+/// all frames under light whose power sum_m |a_lm|^2 ~ p_l about its mean is even up to l = 50 and falls beyond, which by the power of
+/// kernels in degrees is
+///   sum_l p_l/(2l+1) |K_l - sum_k w_k G_kl|^2,   p_l = 1/(1 + (l/50)^2)^2   (lookup_products.h: naturalPower).
+/// Over all frames a probe counts by its power in degrees alone, whatever lies where in it.
 struct LookupFit {
     double view = 0.0;
     std::vector<BrdfLookup> lookups{};

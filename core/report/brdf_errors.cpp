@@ -48,12 +48,11 @@ std::string formatted(const char* format, double value)
 
 } // namespace
 
-MapLayout BrdfFrames::layout() { return {Parameterization::Latlong, 8, 0}; }
-
-BrdfFrames::BrdfFrames(const EnvironmentMap& latlong, const Brdf& brdf, double view, const JobControl& job)
+BrdfFrames::BrdfFrames(const EnvironmentMap& latlong, const Brdf& brdf, double view, const JobControl& job, int rows)
+    : m_layout{Parameterization::Latlong, rows, 0}
 {
     for (const double azimuth : azimuths)
-        m_truth.push_back(filterBrdfSum(latlong, brdf, {view, azimuth}, layout(), 0.0, job));
+        m_truth.push_back(filterBrdfSum(latlong, brdf, {view, azimuth}, m_layout, 0.0, job));
 }
 
 double BrdfFrames::relRms(const std::function<EnvironmentMap(double azimuth)>& map) const
@@ -86,7 +85,7 @@ BrdfErrors measureBrdfErrors(const EnvironmentMap& probe, const Brdf& brdf, cons
             job.checkStop();
             const LookupFit fit = lookupsFor(brdf, view, o.choices[c]);
             errors.relRms[c].push_back(frames.relRms(
-                [&](double azimuth) { return filterBrdfLookups(source, fit, azimuth, BrdfFrames::layout(), 0.0, tolerance, rest); }));
+                [&](double azimuth) { return filterBrdfLookups(source, fit, azimuth, frames.layout(), 0.0, tolerance, rest); }));
         }
     }
     return errors;

@@ -14,18 +14,20 @@
 namespace mirrorball {
 
 /// What a BRDF reflects to one view by brute force (brdf_sum.h) in 256 frames: the directions of a latlong map of 16 x 8 as r, each with
-/// the normal at two azimuths.
+/// the normal at two azimuths. Of fewer rows a quarter of the frames for half of them: 64 for a large probe.
 class BrdfFrames {
 public:
-    /// @param latlong  the probe; every texel is summed in every frame. @throws InvalidArgument for another layout; Cancelled
-    BrdfFrames(const EnvironmentMap& latlong, const Brdf& brdf, double view, const JobControl& job = {});
+    /// @param latlong  the probe; every texel is summed in every frame. @param rows  of that map, at least 1
+    /// @throws InvalidArgument for another layout; Cancelled
+    BrdfFrames(const EnvironmentMap& latlong, const Brdf& brdf, double view, const JobControl& job = {}, int rows = 8);
 
     /// The layout on which a method is asked for the frames of one azimuth.
-    static MapLayout layout();
+    const MapLayout& layout() const { return m_layout; }
     /// rel_rms of a method over all frames, weighted by solid angle. @param map  what it gives at an azimuth of the normal
     double relRms(const std::function<EnvironmentMap(double azimuth)>& map) const;
 
 private:
+    MapLayout m_layout;
     std::vector<EnvironmentMap> m_truth{}; ///< one an azimuth
 };
 

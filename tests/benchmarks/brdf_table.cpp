@@ -15,13 +15,16 @@
 
 /// What a material's map misses by method, roughness and angle of view, against the sum over every texel: one row a cell, as CSV.
 ///
-///   brdf_table FOLDER [--rows N] [--plot OUT.png] [MODEL...]     default: ggx:alpha=%A cook-torrance:m=%A; %A stands for roughness squared
+///   brdf_table FOLDER [--rows N] [--plot OUT.png] [--full NAME]... [MODEL...]
+///   default: ggx:alpha=%A cook-torrance:m=%A; %A stands for roughness squared
 ///
 /// FOLDER holds .hdr latlongs of 1024 x 512; they are averaged to N rows (128) first. Each figure is rel_rms over the 256 frames of
 /// BrdfFrames. "indoor" is the worst of the probes whose bright texels (bright_texels.h) hold less than a tenth of the light, "sunlit" that
 /// of the others; "stack" is asked for 1e-2 and stands beside what it predicts ("kept": in how many probes the prediction held); "best"
 /// counts the indoor probes in which five lookups are at least four times below the split sum, "worse" those in which they are above it by
 /// more than 0.005. The plot is the first model's indoor columns, a panel a roughness.
+///
+/// With --full there is no such table but a row a cell and named probe, which is taken with all the texels of its file, over 64 frames.
 namespace mirrorball {
 namespace {
 
@@ -39,18 +42,23 @@ struct NamedProbe {
     bool isSunlit;
 };
 
-std::vector<NamedProbe> probes(const std::filesystem::path& folder, int rows)
+/// @param rows  0: as many as a file has. @param names  of files; empty: all
+std::vector<NamedProbe> probes(const std::filesystem::path& folder, int rows, const std::vector<std::string>& names)
 {
     std::vector<std::filesystem::path> paths;
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
-        if (entry.path().extension() == ".hdr")
-            paths.push_back(entry.path());
+    for (const std::string& name : names)
+        paths.push_back(folder / (name + ".hdr"));
+    if (names.empty())
+        for (const auto& entry : std::filesystem::directory_iterator(folder))
+            if (entry.path().extension() == ".hdr")
+                paths.push_back(entry.path());
     std::sort(paths.begin(), paths.end());
     std::vector<NamedProbe> all;
     for (const auto& path : paths) {
         const Image image = readImage(path);
-        const MapLayout layout{Parameterization::Latlong, rows, 0};
-        EnvironmentMap map = reproject(EnvironmentMap({Parameterization::Latlong, image.height, 0}, image), {.target = layout});
+        EnvironmentMap map({Parameterization::Latlong, image.height, 0}, image);
+        if (rows > 0)
+            map = reproject(map, {.target = {Parameterization::Latlong, rows, 0}});
         FilterSource source(map);
         const double share = source.brightTexels(1).energy.g / (4.0 * pi * meanRadiance(map).g);
         all.push_back({path.stem().string(), std::move(map), std::move(source), share > 0.1});
@@ -65,39 +73,55 @@ struct Worst {
     std::vector<double> lookups = std::vector<double>(choices.size(), 0.0);
 };
 
+std::vector<LookupFit> fitsOf(const Brdf& brdf, double view)
+{
+    std::vector<LookupFit> fits;
+    for (const LookupChoice& choice : choices)
+        fits.push_back(lookupsFor(brdf, view, choice));
+    return fits;
+}
+
+/// What one probe's maps miss.
+struct Missed {
+    StackPlan plan;
+    double stack;
+    std::vector<double> lookups;
+};
+Missed missed(NamedProbe& probe, const Brdf& brdf, double view, const std::vector<LookupFit>& fits, int frameRows)
+{
+    const BrdfFrames frames(probe.map, brdf, view, oneThread, frameRows);
+    Missed result{.plan = planStack(brdf, view, 1e-2, probe.source, oneThread), .stack = 0.0, .lookups = {}};
+    result.stack =
+        frames.relRms([&](double azimuth) { return filterBrdfStack(probe.source, result.plan, azimuth, frames.layout(), 0.0, oneThread); });
+    for (const LookupFit& fit : fits)
+        result.lookups.push_back(frames.relRms(
+            [&](double azimuth) { return filterBrdfLookups(probe.source, fit, azimuth, frames.layout(), 0.0, 1e-3, oneThread); }));
+    return result;
+}
+
 /// @return of the indoor probes
 Worst row(std::vector<NamedProbe>& all, const std::string& text, double roughness, double viewDeg)
 {
     const Brdf brdf = brdfFromText(text);
     const double view = viewDeg * pi / 180.0;
-    std::vector<LookupFit> fits;
-    for (const LookupChoice& choice : choices)
-        fits.push_back(lookupsFor(brdf, view, choice));
+    const std::vector<LookupFit> fits = fitsOf(brdf, view);
     Worst indoor, sunlit;
     double predicted = 0.0;
     int kept = 0, best = 0, worse = 0, indoors = 0, orders = 0, degrees = 0;
     for (NamedProbe& probe : all) {
-        const BrdfFrames frames(probe.map, brdf, view, oneThread);
-        const StackPlan plan = planStack(brdf, view, 1e-2, probe.source, oneThread);
-        const double stack = frames.relRms(
-            [&](double azimuth) { return filterBrdfStack(probe.source, plan, azimuth, BrdfFrames::layout(), 0.0, oneThread); });
+        const Missed errors = missed(probe, brdf, view, fits, 8);
         Worst& worst = probe.isSunlit ? sunlit : indoor;
-        worst.stack = std::max(worst.stack, stack);
-        std::vector<double> errors;
-        for (size_t i = 0; i < fits.size(); ++i) {
-            errors.push_back(frames.relRms([&](double azimuth) {
-                return filterBrdfLookups(probe.source, fits[i], azimuth, BrdfFrames::layout(), 0.0, 1e-3, oneThread);
-            }));
-            worst.lookups[i] = std::max(worst.lookups[i], errors[i]);
-        }
-        predicted = std::max(predicted, plan.predictedError);
-        kept += stack <= plan.predictedError;
-        orders = std::max(orders, plan.kernel.orders);
-        degrees = std::max(degrees, plan.kernel.bandLimit);
+        worst.stack = std::max(worst.stack, errors.stack);
+        for (size_t i = 0; i < fits.size(); ++i)
+            worst.lookups[i] = std::max(worst.lookups[i], errors.lookups[i]);
+        predicted = std::max(predicted, errors.plan.predictedError);
+        kept += errors.stack <= errors.plan.predictedError;
+        orders = std::max(orders, errors.plan.kernel.orders);
+        degrees = std::max(degrees, errors.plan.kernel.bandLimit);
         if (!probe.isSunlit) {
             ++indoors;
-            best += 4.0 * errors[five] <= errors[engine];
-            worse += errors[five] > errors[engine] + 0.005;
+            best += 4.0 * errors.lookups[five] <= errors.lookups[engine];
+            worse += errors.lookups[five] > errors.lookups[engine] + 0.005;
         }
     }
     std::printf("%s,%.2f,%.0f,%.4f,%.4f,%.4f,%d/%zu,%d,%d", text.c_str(), roughness, viewDeg, indoor.stack, sunlit.stack, predicted, kept,
@@ -108,6 +132,30 @@ Worst row(std::vector<NamedProbe>& all, const std::string& text, double roughnes
     std::printf(",%d/%d,%d\n", best, indoors, worse);
     std::fflush(stdout);
     return indoor;
+}
+
+/// A row a probe.
+void fullRows(std::vector<NamedProbe>& all, const std::string& text, double roughness, double viewDeg)
+{
+    const Brdf brdf = brdfFromText(text);
+    const double view = viewDeg * pi / 180.0;
+    const std::vector<LookupFit> fits = fitsOf(brdf, view);
+    for (NamedProbe& probe : all) {
+        const Missed errors = missed(probe, brdf, view, fits, 4);
+        std::printf("%s,%s,%.2f,%.0f,%.4f,%.4f,%d,%d", probe.name.c_str(), text.c_str(), roughness, viewDeg, errors.stack,
+                    errors.plan.predictedError, errors.plan.kernel.orders, errors.plan.kernel.bandLimit);
+        for (const double error : errors.lookups)
+            std::printf(",%.4f", error);
+        std::puts("");
+        std::fflush(stdout);
+    }
+}
+
+std::string withAlpha(std::string text, double roughness)
+{
+    if (const size_t at = text.find("%A"); at != std::string::npos)
+        text.replace(at, 2, std::to_string(roughness * roughness));
+    return text;
 }
 
 /// A panel a roughness, three in a row.
@@ -143,7 +191,7 @@ void savePlot(const std::string& path, const std::vector<std::vector<Worst>>& ce
 
 int run(const std::vector<std::string>& words)
 {
-    std::vector<std::string> models;
+    std::vector<std::string> models, full;
     std::string plot;
     int rows = 128;
     for (size_t i = 1; i < words.size(); ++i) {
@@ -151,12 +199,25 @@ int run(const std::vector<std::string>& words)
             plot = words[++i];
         else if (i + 1 < words.size() && words[i] == "--rows")
             rows = std::stoi(words[++i]);
+        else if (i + 1 < words.size() && words[i] == "--full")
+            full.push_back(words[++i]);
         else
             models.push_back(words[i]);
     }
     if (models.empty())
         models = {"ggx:alpha=%A", "cook-torrance:m=%A"};
-    std::vector<NamedProbe> all = probes(words[0], rows);
+    std::vector<NamedProbe> all = probes(words[0], full.empty() ? rows : 0, full);
+    if (!full.empty()) {
+        std::printf("probe,model,roughness,view,stack,stack predicted,orders,degrees");
+        for (const LookupChoice& choice : choices)
+            std::printf(",%s", describe(choice).c_str());
+        std::puts("");
+        for (const std::string& model : models)
+            for (const double roughness : roughnesses)
+                for (const double view : viewsDeg)
+                    fullRows(all, withAlpha(model, roughness), roughness, view);
+        return 0;
+    }
     std::printf("model,roughness,view,stack indoor,stack sunlit,stack predicted,kept,orders,degrees");
     for (const char* place : {"indoor", "sunlit"})
         for (const LookupChoice& choice : choices)
@@ -166,12 +227,8 @@ int run(const std::vector<std::string>& words)
         std::vector<std::vector<Worst>> cells;
         for (const double roughness : roughnesses) {
             cells.emplace_back();
-            for (const double view : viewsDeg) {
-                std::string text = models[m];
-                if (const size_t at = text.find("%A"); at != std::string::npos)
-                    text.replace(at, 2, std::to_string(roughness * roughness));
-                cells.back().push_back(row(all, text, roughness, view));
-            }
+            for (const double view : viewsDeg)
+                cells.back().push_back(row(all, withAlpha(models[m], roughness), roughness, view));
         }
         if (m == 0 && !plot.empty())
             savePlot(plot, cells);
@@ -185,7 +242,7 @@ int run(const std::vector<std::string>& words)
 int main(int argc, char** argv)
 {
     if (argc < 2) {
-        std::fputs("brdf_table FOLDER [--rows N] [--plot OUT.png] [MODEL...]\n", stderr);
+        std::fputs("brdf_table FOLDER [--rows N] [--plot OUT.png] [--full NAME]... [MODEL...]\n", stderr);
         return 2;
     }
     try {

@@ -19,10 +19,10 @@ TEST(BrdfErrors, AreNoneWhereTheMethodIsTheTruth)
 {
     const EnvironmentMap probe = test::noiseProbe(32, 3);
     const BrdfFrames frames(probe, rough, 0.8);
-    EXPECT_EQ(frames.relRms([&](double azimuth) { return filterBrdfSum(probe, rough, {0.8, azimuth}, BrdfFrames::layout(), 0.0); }), 0.0);
+    EXPECT_EQ(frames.relRms([&](double azimuth) { return filterBrdfSum(probe, rough, {0.8, azimuth}, frames.layout(), 0.0); }), 0.0);
     // Twice the light is an error of 1, in every frame.
     EXPECT_NEAR(frames.relRms([&](double azimuth) {
-        EnvironmentMap map = filterBrdfSum(probe, rough, {0.8, azimuth}, BrdfFrames::layout(), 0.0);
+        EnvironmentMap map = filterBrdfSum(probe, rough, {0.8, azimuth}, frames.layout(), 0.0);
         for (float& value : map.image.texels)
             value *= 2.0f;
         return map;
