@@ -327,6 +327,103 @@ void RingGrid::read(std::span<const SpherePoint> points, float* rgbn) const
         addLines(m_zonal, m_zonalBeyond, m_mean, static_cast<double>(m_zonal.size()) / pi, points, rgbn);
 }
 
+namespace {
+constexpr std::array<size_t, 4> sideFaces{0, 1, 4, 5}; ///< among a cube's faces
+constexpr size_t sides = sideFaces.size();
+} // namespace
+
+/// What rows of rings give at azimuths, at most `batch` of them; for each azimuth one row after the other.
+MIRRORBALL_CLONES // hot as well
+    void
+    readMeridians(const float* texels, int stride, double perRadian, int rows, std::span<const SpherePoint> points, float* rgbn)
+{
+    std::array<float, batch> fraction{};
+    std::array<int, batch> corner{};
+    Weights w;
+    for (size_t i = 0; i < points.size(); ++i) {
+        const double x = points[i].azimuth * perRadian;
+        const int floorX = static_cast<int>(x); // it is not negative
+        fraction[i] = static_cast<float>(x - floorX);
+        corner[i] = floorX - 2 + haloBefore;
+    }
+    setSplineWeights(fraction, w);
+    for (size_t i = 0; i < points.size(); ++i) {
+        const float a = w[0][i], b = w[1][i], c = w[2][i], d = w[3][i], e = w[4][i], f = w[5][i];
+        const TwoTexels ab{a, a, a, a, b, b, b, b}, cd{c, c, c, c, d, d, d, d}, ef{e, e, e, e, f, f, f, f};
+        const float* row = texels + 4 * static_cast<ptrdiff_t>(corner[i]);
+        for (int j = 0; j < rows; ++j, row += 4 * static_cast<ptrdiff_t>(stride)) {
+            const auto* pair = reinterpret_cast<const TwoTexels*>(row);
+            const TwoTexels sum = ab * pair[0] + cd * pair[1] + ef * pair[2];
+            for (size_t k = 0; k < 4; ++k)
+                *rgbn++ = sum[k] + sum[k + 4];
+        }
+    }
+}
+
+/// Along such meridians, those of a side after those of another, at colatitudes that the sides share.
+/// @param top   row of the rings' coefficients that the meridians begin with
+/// @param more  4 floats a place that are added on every side
+MIRRORBALL_CLONES // hot as well
+    void
+    readAlongMeridians(const float* meridians, int top, int rows, double perRadian, std::span<const SpherePoint> points, const float* more,
+                       const std::array<float*, sides>& rgbn)
+{
+    std::array<float, batch> fraction{};
+    std::array<int, batch> corner{};
+    Weights w;
+    for (size_t i = 0; i < points.size(); ++i) {
+        const double y = points[i].colatitude * perRadian + 0.5;
+        const int floorY = static_cast<int>(y);
+        fraction[i] = static_cast<float>(y - floorY);
+        corner[i] = floorY - 3 + haloBefore - top;
+    }
+    setSplineWeights(fraction, w);
+    const size_t line = 4 * static_cast<size_t>(rows);
+    for (size_t i = 0; i < points.size(); ++i) {
+        const float a = w[0][i], b = w[1][i], c = w[2][i], d = w[3][i], e = w[4][i], f = w[5][i];
+        const TwoTexels ab{a, a, a, a, b, b, b, b}, cd{c, c, c, c, d, d, d, d}, ef{e, e, e, e, f, f, f, f};
+        for (size_t side = 0; side < sides; ++side) {
+            const float* from = meridians + (side * batch + i) * line + 4 * static_cast<ptrdiff_t>(corner[i]);
+            const auto* pair = reinterpret_cast<const TwoTexels*>(from);
+            const TwoTexels sum = ab * pair[0] + cd * pair[1] + ef * pair[2];
+            for (size_t k = 0; k < 4; ++k)
+                rgbn[side][4 * i + k] = sum[k] + sum[k + 4] + more[4 * i + k];
+        }
+    }
+}
+
+void RingGrid::readSides(int size, int first, int last, std::span<const SpherePoint> points, float* rgbn) const
+{
+    const double perRadian = m_rings / pi;
+    const auto width = static_cast<size_t>(size);
+    const auto place = [&](size_t side, int row, size_t column) {
+        return (sideFaces[side] * width + static_cast<size_t>(row)) * width + column;
+    };
+    const auto corner = [&](const SpherePoint& p) { return static_cast<int>(p.colatitude * perRadian + 0.5) - 3 + haloBefore; };
+    const auto of = points.subspan(place(0, first, 0), static_cast<size_t>(last - first) * width);
+    const auto [highest, lowest] =
+        std::minmax_element(of.begin(), of.end(), [](const SpherePoint& a, const SpherePoint& b) { return a.colatitude < b.colatitude; });
+    const int top = corner(*highest), rows = corner(*lowest) + taps - top;
+    std::vector<float> meridians(sides * batch * 4 * static_cast<size_t>(rows)), more(4 * batch);
+    for (size_t left = 0; left < width; left += batch) {
+        const size_t count = std::min(batch, width - left);
+        for (size_t side = 0; side < sides; ++side)
+            readMeridians(m_texels.data() + 4 * static_cast<ptrdiff_t>(top) * m_stride, m_stride, perRadian, rows,
+                          points.subspan(place(side, first, left), count), meridians.data() + side * batch * 4 * static_cast<size_t>(rows));
+        for (int row = first; row < last; ++row) {
+            const auto shared = points.subspan(place(0, row, left), count);
+            if (!m_zonal.empty()) {
+                std::fill(more.begin(), more.end(), 0.0f);
+                addLines(m_zonal, m_zonalBeyond, m_mean, static_cast<double>(m_zonal.size()) / pi, shared, more.data());
+            }
+            std::array<float*, sides> to{};
+            for (size_t side = 0; side < sides; ++side)
+                to[side] = rgbn + 4 * ((side * static_cast<size_t>(last - first) + static_cast<size_t>(row - first)) * width + left);
+            readAlongMeridians(meridians.data(), top, rows, perRadian, shared, more.data(), to);
+        }
+    }
+}
+
 std::vector<SpherePoint> spherePoints(const MapLayout& layout, const JobControl& job)
 {
     const int width = layout.width(), height = layout.height();

@@ -44,6 +44,12 @@ public:
     /// The reference sum's numerators (what was taken out of the probe apart) and its denominator less 1 at many places, 4 floats each.
     void read(std::span<const SpherePoint> points, float* rgbn) const;
 
+    /// The same, but for roundings, at rows [first, last) of the four sides of a cube map of size x size texels, +X, -X, +Z and -Z one
+    /// after the other. A column of a side lies on one meridian: what the rings give there is found once for all its texels, each of which
+    /// then takes 6 samples in place of 36; and the sides share their colatitudes.
+    /// @param points  spherePoints() of the whole cube
+    void readSides(int size, int first, int last, std::span<const SpherePoint> points, float* rgbn) const;
+
 private:
     int m_rings;
     int m_stride; ///< samples a row of m_texels, halo included

@@ -172,22 +172,47 @@ EnvironmentMap filterSpectral(const Spectrum& spectrum, const std::vector<double
 
     assert(points.size() == w * static_cast<size_t>(height));
     const RingGrid grid(spectrum, k, rings, yaw, job, longer);
-    parallelRows(height, job, [&](int first, int last) {
+    const auto finishRow = [&](int y, const float* from) {
+        float* to = map.image.row(y);
+        for (int x = 0; x < width; ++x, from += 4, to += 3) {
+            glm::dvec3 sum(from[0], from[1], from[2]);
+            if (!bright.empty())
+                sum += brightAt(x, y);
+            const double inverse = 1.0 / (1.0 + static_cast<double>(from[3]));
+            for (int c = 0; c < 3; ++c)
+                to[c] = static_cast<float>(sum[c] * inverse);
+        }
+    };
+    const auto readRows = [&](int first, int last) {
         std::vector<float> rgbn(4 * w); // of one row, which stays in the cache
-        float* to = map.image.row(first);
         for (int y = first; y < last; ++y) {
             grid.read(points.subspan(static_cast<size_t>(y) * w, w), rgbn.data());
-            const float* from = rgbn.data();
-            for (int x = 0; x < width; ++x, from += 4, to += 3) {
-                glm::dvec3 sum(from[0], from[1], from[2]);
-                if (!bright.empty())
-                    sum += brightAt(x, y);
-                const double inverse = 1.0 / (1.0 + static_cast<double>(from[3]));
-                for (int c = 0; c < 3; ++c)
-                    to[c] = static_cast<float>(sum[c] * inverse);
-            }
+            finishRow(y, rgbn.data());
         }
-    });
+    };
+    if (target.kind != Parameterization::Cube) {
+        parallelRows(height, job, readRows);
+        return map;
+    }
+    // Rows of all four sides at a time, then those of the faces +Y and -Y, which follow +X and -X.
+    const int edge = target.size;
+    const auto readSides = [&](int first, int last) {
+        std::vector<float> rgbn(4 * 4 * static_cast<size_t>(last - first) * w);
+        grid.readSides(edge, first, last, points, rgbn.data());
+        const float* from = rgbn.data();
+        for (const int face : {0, 1, 4, 5})
+            for (int row = first; row < last; ++row, from += 4 * w)
+                finishRow(face * edge + row, from);
+    };
+    parallelRows(
+        3 * edge, job,
+        [&](int first, int last) {
+            if (first < edge)
+                readSides(first, std::min(last, edge));
+            if (last > edge)
+                readRows(2 * edge + std::max(first - edge, 0), 2 * edge + last - edge);
+        },
+        std::clamp(edge / 8, 8, 64)); // so many that the meridians pay, so few that they stay in the cache
     return map;
 }
 

@@ -124,10 +124,15 @@ glm::mat4 worldToClip(const RenderSettings& settings, const BoundingBox& drawn)
     return settings.camera.worldToClip(float(settings.width) / float(settings.height), 1.01f * glm::length(farthest));
 }
 
-PixelRectangle Renderer::Resources::beginObject(const RenderSettings& settings, const RenderTarget& target)
+PixelRectangle Renderer::Resources::objectPart(const RenderSettings& settings)
 {
     const BoundingBox box = drawnBounds(settings, mesh(settings.geometry).bounds());
-    const PixelRectangle part = screenBounds(box, worldToClip(settings, box), settings.width, settings.height);
+    return screenBounds(box, worldToClip(settings, box), settings.width, settings.height);
+}
+
+PixelRectangle Renderer::Resources::beginObject(const RenderSettings& settings, const RenderTarget& target)
+{
+    const PixelRectangle part = objectPart(settings);
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
     glViewport(0, 0, target.width, target.height);
     glEnable(GL_SCISSOR_TEST);

@@ -25,7 +25,7 @@ void PictureTexture::update(const PictureLevels& levels, const char* role)
     const bool isColor = whole.channels == 3;
     m_texture = makeTexture(GL_TEXTURE_2D);
     glTextureStorage2D(m_texture, static_cast<GLsizei>(levels->size()), isColor ? GL_RGBA16F : GL_R16F, whole.width, whole.height);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, sizeof(half)); // rows of odd widths follow each other without a gap
+    glPixelStorei(GL_UNPACK_ALIGNMENT, sizeof(std::uint16_t)); // rows of odd widths follow each other without a gap
     for (size_t i = 0; i < levels->size(); ++i) {
         const Image& level = (*levels)[i];
         glTextureSubImage2D(m_texture, static_cast<GLint>(i), 0, 0, level.width, level.height, isColor ? GL_RGB : GL_RED, GL_HALF_FLOAT,

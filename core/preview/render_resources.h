@@ -44,6 +44,7 @@ struct Renderer::Resources {
     void drawScene(const RenderSettings& settings, const RenderMaps& maps, Output output, const Destination& destination);
 
     // object_pass.cpp
+    PixelRectangle objectPart(const RenderSettings& settings);
     /// Clears the part of the target that the object can touch and leaves the scissor on it.
     PixelRectangle beginObject(const RenderSettings& settings, const RenderTarget& target);
     void drawMesh(const RenderSettings& settings, const ShaderProgram& shader);

@@ -165,6 +165,12 @@ void Renderer::drawDisplay(const RenderSettings& settings, const RenderMaps& map
     resources().drawScene(settings, maps, Output::Display, destination);
 }
 
+PixelRectangle Renderer::objectPart(const RenderSettings& settings)
+{
+    validate(settings);
+    return resources().objectPart(settings);
+}
+
 Image Renderer::renderDisplay(const RenderSettings& settings, const RenderMaps& maps)
 {
     validate(settings);

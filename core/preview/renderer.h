@@ -65,6 +65,9 @@ public:
     /// Leaves blending, depth and scissor tests off, no program and no vertex array bound, and the viewport on the picture.
     void drawDisplay(const RenderSettings& settings, const RenderMaps& maps, const Destination& destination);
 
+    /// The part of such a picture that the object can touch: beside it is nothing but background.
+    PixelRectangle objectPart(const RenderSettings& settings);
+
     /// One sample per pixel. A normal map tilts normals as it did in the last picture: it has no maps of its own, nor have pick() and
     /// discPlaces().
     GeometryBuffers renderBuffers(const RenderSettings& settings);

@@ -20,15 +20,17 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <functional>
+#include <optional>
 #include <vector>
 
 /// From slider to picture: 200 steps of the exponent over its slider's whole range, 0.1 to 1e6, while it is dragged, in a real window
 /// whose picture has 1280 x 720 pixels. A step lasts from the slider's move until the display has taken a picture with that exponent.
 /// While something is dragged the studio draws one sample a pixel; the same is measured with the four of a picture at rest. Prints the
 /// median and the slowest, the longest that any one event kept the GUI thread, and the time from the start of the process to the first
-/// picture. Then a stroke on a sphere map, from pen to picture.
+/// picture. Then a stroke on a sphere map, from pen to picture, and parameters of its layers, from slider to disc and to model.
 ///
-///   xvfb-run -a -s "-screen 0 1920x1200x24" build/ci/bin/studio_benchmark [PROBE [STEPS]]
+///   xvfb-run -a -s "-screen 0 1920x1200x24" build/ci/bin/studio_benchmark [PROBE [STEPS [exponent|strokes|layers]]]
 namespace mirrorball::studio {
 namespace {
 
@@ -173,32 +175,91 @@ bool paintStroke(MainWindow& window, WatchedApplication& application, QWidget& o
     return true;
 }
 
-/// The opacity of a layer in the middle of that map, dragged. @return false when a picture did not come
-bool dragOpacity(MainWindow& window, WatchedApplication& application, int steps)
+/// Until the display has taken them: the sphere map's disc and the model, each with what was changed last. @return milliseconds of each
+/// since `moved`; nothing when one of them did not come
+struct SeenAfter {
+    double disc = 0.0, model = 0.0;
+};
+template <typename IsOfChange>
+std::optional<SeenAfter> waitForBoth(MainWindow& window, IsOfChange isOfChange, Clock::time_point moved)
+{
+    /// Sees the canvas painted.
+    struct Watch : QObject {
+        std::function<void()> painted;
+        bool eventFilter(QObject*, QEvent* event) override
+        {
+            if (event->type() == QEvent::Paint)
+                QTimer::singleShot(0, this, painted); // once it is through and the window has been flushed
+            return false;
+        }
+    };
+    SeenAfter seen;
+    QEventLoop loop;
+    QTimer::singleShot(60000, &loop, [&] { loop.exit(1); });
+    const auto isSeen = [&](double& at) {
+        QGuiApplication::sync(); // the display has taken the picture
+        if (at == 0.0)
+            at = millisecondsSince(moved);
+        if (seen.disc > 0.0 && seen.model > 0.0)
+            loop.exit(0);
+    };
+    auto* canvas = window.findChild<SphereMapCanvas*>();
+    Watch watch;
+    watch.painted = [&] {
+        if (window.workspace().sphereMap.isUpToDate())
+            isSeen(seen.disc);
+    };
+    canvas->installEventFilter(&watch);
+    QObject::connect(&window.preview(), &PreviewWidget::painted, &loop, [&](const std::shared_ptr<const PreparedScene>& made) {
+        if (isOfChange(*made))
+            QTimer::singleShot(0, &loop, [&] { isSeen(seen.model); });
+    });
+    return loop.exec() == 0 ? std::optional(seen) : std::nullopt;
+}
+
+/// A parameter of a layer of that map, dragged: from a movement until the display has taken the disc, and the model, with it.
+/// @return false when a picture did not come
+bool dragLayer(MainWindow& window, WatchedApplication& application, int steps, size_t index, const char* what,
+               const std::function<void(Layer&, double)>& change)
 {
     SphereMapEditor& editor = window.workspace().sphereMap;
-    editor.choose(5);
-    std::vector<double> latencies;
+    editor.choose(static_cast<int>(index));
+    std::vector<double> disc, model;
     for (int i = 0; i <= steps; ++i) {
         const auto moved = Clock::now();
-        editor.editLayer(QStringLiteral("opacity"), QStringLiteral("opacity"),
-                         [&](Layer& layer) { layer.opacity = 0.3 + 0.6 * i / steps; });
-        const double value = editor.chosenLayer()->opacity;
-        if (!waitUntil(window.preview(), [&](const PreparedScene& made) {
-                return made.scene.material.sphereMap.document.document->layers[5].opacity == value;
-            }))
+        editor.editLayer(QStringLiteral("drag"), QStringLiteral("drag"),
+                         [&](Layer& layer) { change(layer, static_cast<double>(i) / steps); });
+        const Layer wanted = *editor.chosenLayer();
+        const auto seen = waitForBoth(
+            window, [&](const PreparedScene& made) { return made.scene.material.sphereMap.document.document->layers[index] == wanted; },
+            moved);
+        if (!seen)
             return false;
-        if (i == 0)
+        if (i < 2) { // they build what a drag needs
             application.longest = 0.0;
-        else
-            latencies.push_back(millisecondsSince(moved));
+        } else {
+            disc.push_back(seen->disc);
+            model.push_back(seen->model);
+        }
     }
     window.workspace().document.finishEdit();
-    std::printf("opacity of the sixth of ten layers\n");
-    std::printf("  slider to picture, median  %7.1f ms\n", percentile(latencies, 0.5));
-    std::printf("  slider to picture, 95 %%    %7.1f ms\n", percentile(latencies, 0.95));
+    std::printf("%s of layer %zu of ten\n", what, index + 1);
+    std::printf("  slider to disc, median     %7.1f ms\n", percentile(disc, 0.5));
+    std::printf("  slider to disc, 95 %%       %7.1f ms\n", percentile(disc, 0.95));
+    std::printf("  slider to model, median    %7.1f ms\n", percentile(model, 0.5));
+    std::printf("  slider to model, 95 %%      %7.1f ms\n", percentile(model, 0.95));
     std::printf("  GUI thread busy at a time  %7.1f ms at most\n", application.longest);
-    return true;
+    const auto isReady = [&](const PreparedScene&) { return window.workspace().live.isUpToDate() && window.preview().isUpToDate(); };
+    return waitUntil(window.preview(), isReady);
+}
+
+/// The lowest layer, one in the middle and the topmost, of which the first costs what lies above it and the last has strokes.
+bool dragLayers(MainWindow& window, WatchedApplication& application, int steps)
+{
+    const auto opacity = [](Layer& layer, double t) { layer.opacity = 0.3 + 0.6 * t; };
+    const auto radius = [](Layer& layer, double t) { std::get<GradientLayer>(layer.content).radius = 0.7 + 0.4 * t; };
+    return dragLayer(window, application, steps, 0, "opacity", opacity) && dragLayer(window, application, steps, 5, "opacity", opacity) &&
+           dragLayer(window, application, steps, 5, "radius", radius) && dragLayer(window, application, steps, 9, "opacity", opacity);
 }
 
 /// Ten layers, three of them painted, with 200 strokes.
@@ -215,6 +276,13 @@ SphereMapDocument paintedMap()
     return map;
 }
 
+/// All of it, or what the third argument names.
+QString chosenPart()
+{
+    const QStringList arguments = QCoreApplication::arguments();
+    return arguments.size() > 3 ? arguments[3] : QString();
+}
+
 /// @return false when a picture did not come
 bool paint(MainWindow& window, WatchedApplication& application, int steps)
 {
@@ -227,8 +295,10 @@ bool paint(MainWindow& window, WatchedApplication& application, int steps)
     };
     if (!waitUntil(window.preview(), isReady))
         return false;
-    return paintStroke(window, application, *window.findChild<SphereMapCanvas*>(), steps) &&
-           paintStroke(window, application, window.preview(), steps) && dragOpacity(window, application, steps);
+    const QString part = chosenPart();
+    return (part == QStringLiteral("layers") || (paintStroke(window, application, *window.findChild<SphereMapCanvas*>(), steps) &&
+                                                 paintStroke(window, application, window.preview(), steps))) &&
+           (part == QStringLiteral("strokes") || dragLayers(window, application, steps));
 }
 
 int run(WatchedApplication& application, Clock::time_point start)
@@ -253,8 +323,10 @@ int run(WatchedApplication& application, Clock::time_point start)
         return 1;
     std::printf("picture                      %d x %d\n", preview.width(), preview.height());
     const int steps = arguments.size() > 2 ? std::max(1, arguments[2].toInt()) : 200;
-    const bool isDone =
-        dragExponent(window, application, steps, 1) && dragExponent(window, application, steps, 4) && paint(window, application, steps);
+    const QString part = chosenPart();
+    const bool isDone = (part == QStringLiteral("layers") || part == QStringLiteral("strokes") ||
+                         (dragExponent(window, application, steps, 1) && dragExponent(window, application, steps, 4))) &&
+                        (part == QStringLiteral("exponent") || paint(window, application, steps));
     document.reset();
     return isDone ? 0 : 1;
 }

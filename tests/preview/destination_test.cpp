@@ -74,6 +74,27 @@ TEST_F(DestinationTest, TwoClippedHalvesMakeAWipe)
             ASSERT_EQ(image.texel(x, y)[1], (x < 41 ? left : right).texel(x, y)[1]) << x << ' ' << y;
 }
 
+// So the studio draws a dragged material: over the picture before, within that part alone.
+TEST_F(DestinationTest, AMaterialDrawnOverAnotherWithinTheObjectsPartIsItsWholePicture)
+{
+    Renderer renderer;
+    const RenderMaps given = maps();
+    RenderSettings before = view();
+    before.samples = 1;
+    RenderSettings after = before;
+    after.material.diffuse = glm::vec3(0.3f, 0.8f, 0.1f);
+    after.samples = 4;
+    const PixelRectangle part = renderer.objectPart(after);
+    ASSERT_LT(part.width * part.height, after.width * after.height); // otherwise nothing is shown
+    const RenderTarget window(before.width, before.height, 1, GL_RGBA8, 1, GL_NONE);
+    renderer.drawDisplay(before, given, {.framebuffer = window.framebuffer});
+    const Image old = readImage(window);
+    renderer.drawDisplay(after, given, {.framebuffer = window.framebuffer, .clip = part});
+    const Image drawn = readImage(window);
+    EXPECT_EQ(drawn.texels, renderer.renderDisplay(after, given).texels);
+    EXPECT_NE(drawn.texels, old.texels);
+}
+
 TEST_F(DestinationTest, AReleasedRendererLeavesNothingBehindAndDrawsAgainInAnotherContext)
 {
     const RenderSettings settings = view();

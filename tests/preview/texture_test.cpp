@@ -5,6 +5,10 @@
 
 #include "core/image/mip_pyramid.h"
 #include "core/preview/bound_map.h"
+#include "core/preview/half_texels.h"
+
+#include <cmath>
+#include <limits>
 
 using namespace mirrorball;
 using namespace mirrorball::preview;
@@ -104,6 +108,29 @@ TEST_F(Texture, HalvesKeepASunThatIsTooBrightForThem)
     const auto results = lookUp(texture, {glm::vec4(glm::vec3(texelDirection(map.layout, 8, 8)), 0.0f), glm::vec4(0.0f, 1.0f, 0.0f, 0.0f)});
     EXPECT_NEAR(results[0].x / 1e6f, 1.0f, 2e-3f);
     EXPECT_NEAR(results[1].x / 1e-3f, 1.0f, 2e-2f);
+}
+
+// Every half, the middle between it and the next, and the floats beside that: where rounding turns. What would come after the largest is
+// infinity.
+TEST(HalfTexels, AreTheNearestOnesAndTiesGoToEven)
+{
+    const auto valueOf = [](int bits) {
+        const int exponent = bits >> 10, mantissa = bits & 0x3ff;
+        return exponent == 0 ? std::ldexp(static_cast<float>(mantissa), -24)
+                             : std::ldexp(static_cast<float>(mantissa + 1024), exponent - 25);
+    };
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    for (int bits = 0; bits < 0x7c00; ++bits)
+        for (const int sign : {0, 0x8000}) {
+            const float side = sign == 0 ? 1.0f : -1.0f, value = valueOf(bits), middle = 0.5f * (value + valueOf(bits + 1));
+            ASSERT_EQ(halfBits(side * value), sign | bits);
+            ASSERT_EQ(halfBits(side * middle), sign | (bits + bits % 2)) << middle;
+            ASSERT_EQ(halfBits(side * std::nextafter(middle, 0.0f)), sign | bits) << middle;
+            ASSERT_EQ(halfBits(side * std::nextafter(middle, infinity)), sign | (bits + 1)) << middle;
+        }
+    EXPECT_EQ(halfBits(infinity), 0x7c00);
+    EXPECT_EQ(halfBits(std::numeric_limits<float>::max()), 0x7c00);
+    EXPECT_GT(halfBits(std::numeric_limits<float>::quiet_NaN()) & 0x7fff, 0x7c00);
 }
 
 TEST_F(Texture, RefusesLevelsThatDoNotBelongTogether)

@@ -19,6 +19,8 @@ namespace mirrorball::studio {
 
 namespace {
 
+constexpr int longestWaitForDisc = 12; ///< ms
+
 /// What the places of lookups in a painted sphere map depend on.
 preview::RenderSettings placesOnly(const preview::RenderSettings& settings)
 {
@@ -56,6 +58,8 @@ PreviewWidget::PreviewWidget(Workspace& workspace, QWidget* parent)
             m_strokeRect = m_strokeRect.united(touched);
             m_freshRect = m_freshRect.united(touched);
             redraw();
+        } else if (m_workspace.document.isDragging()) {
+            redraw(); // it waited
         }
     });
     connect(&m_workspace.sphereMap, &SphereMapEditor::levelsChanged, this, [this](const std::vector<TexelRect>& touched) {
@@ -75,7 +79,13 @@ PreviewWidget::PreviewWidget(Workspace& workspace, QWidget* parent)
             m_freshLevels.clear();
         }
     });
-    connect(&m_workspace.live, &LiveScene::updated, this, &PreviewWidget::redraw);
+    connect(&m_workspace.live, &LiveScene::updated, this, [this] {
+        // A dragged sphere map is shown on its disc first: that takes two milliseconds, unless a software renderer has all cores meanwhile.
+        if (m_workspace.document.isDragging() && !m_workspace.sphereMap.isUpToDate())
+            QTimer::singleShot(longestWaitForDisc, this, &PreviewWidget::redraw); // should it not come; a second order of the same is none
+        else
+            redraw();
+    });
     connect(&m_workspace.document, &Document::changed, this, [this](Parts parts) {
         if (parts & (Part::View | Part::Probe))
             redraw();

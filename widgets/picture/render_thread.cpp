@@ -47,20 +47,40 @@ Image averaged(const Image& finer)
 /// end of the stroke.
 TexelRect halved(const TexelRect& rect) { return {(rect.x0 + 1) / 2, (rect.y0 + 1) / 2, rect.x1 / 2, rect.y1 / 2}; }
 
-/// Rows of OpenGL run from the bottom.
-QImage readPicture(const preview::RenderTarget& target, bool isOpaque, std::vector<quint32>& rgba)
+/// Reads a part of the target into the picture of all of it. Rows of OpenGL run from the bottom.
+void readPart(const preview::RenderTarget& target, const preview::PixelRectangle& part, QImage& image, std::vector<quint32>& rgba)
 {
-    rgba.resize(static_cast<size_t>(target.width) * static_cast<size_t>(target.height));
+    if (part.width <= 0 || part.height <= 0)
+        return;
+    rgba.resize(static_cast<size_t>(part.width) * static_cast<size_t>(part.height));
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
-    glReadPixels(0, 0, target.width, target.height, GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV, rgba.data());
-    QImage image(target.width, target.height, isOpaque ? QImage::Format_RGB32 : QImage::Format_ARGB32_Premultiplied);
-    const quint32 opacity = isOpaque ? 0xff000000u : 0u;
-    for (int y = 0; y < target.height; ++y) {
-        const quint32* from = rgba.data() + static_cast<size_t>(target.height - 1 - y) * static_cast<size_t>(target.width);
-        std::transform(from, from + target.width, reinterpret_cast<quint32*>(image.scanLine(y)),
+    glReadPixels(part.x, part.y, part.width, part.height, GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV, rgba.data());
+    const quint32 opacity = image.hasAlphaChannel() ? 0u : 0xff000000u;
+    for (int row = 0; row < part.height; ++row) {
+        const quint32* from = rgba.data() + static_cast<size_t>(row) * static_cast<size_t>(part.width);
+        std::transform(from, from + part.width, reinterpret_cast<quint32*>(image.scanLine(target.height - 1 - part.y - row)) + part.x,
                        [opacity](quint32 abgr) { return (abgr & 0xff00ff00u) | (abgr & 0xffu) << 16 | (abgr >> 16 & 0xffu) | opacity; });
     }
+}
+
+QImage readPicture(const preview::RenderTarget& target, bool isOpaque, std::vector<quint32>& rgba)
+{
+    QImage image(target.width, target.height, isOpaque ? QImage::Format_RGB32 : QImage::Format_ARGB32_Premultiplied);
+    readPart(target, {0, 0, target.width, target.height}, image, rgba);
     return image;
+}
+
+/// Whether two pictures are the same beside the rectangle that their object can touch: while a material or its maps are dragged, they are.
+bool differInObjectOnly(const PictureOrder& a, const PictureOrder& b)
+{
+    preview::RenderSettings settings = a.settings; // with what only the object shows of the other
+    settings.material = b.settings.material;
+    settings.marker = b.settings.marker;
+    settings.samples = b.settings.samples;
+    settings.smoothEdges = b.settings.smoothEdges;
+    settings.objectCurve = b.settings.objectCurve;
+    return a.comparison == Comparison::Off && b.comparison == Comparison::Off && a.size == b.size && settings == b.settings &&
+           a.made->maps.background == b.made->maps.background;
 }
 
 } // namespace
@@ -74,6 +94,7 @@ struct RenderThread::Context {
     PictureDifference difference{};
     SphereMapChain shownMap{}; ///< that the last picture read
     std::vector<quint32> pixels{};
+    std::optional<Picture> last{}; ///< that the target holds
 
     explicit Context(QOffscreenSurface& surface)
     {
@@ -94,10 +115,20 @@ struct RenderThread::Context {
             target = preview::RenderTarget(); // the old one goes before the new one comes
             target = preview::RenderTarget(width, height, 1, GL_RGBA8, 1, GL_NONE);
         }
+        const std::optional<Picture> before = std::exchange(last, std::nullopt); // nothing is held of a picture that fails
         patchMap(order, patches);
-        paint(order);
-        picture.image = readPicture(target, order.settings.background.kind != Backdrop::None, pixels);
+        if (before && differInObjectOnly(before->order, order)) {
+            // On a software renderer the background takes as long as the object, and no less to read back.
+            const preview::PixelRectangle part = renderer.objectPart(order.settings);
+            drawNow(order, {.framebuffer = target.framebuffer, .clip = part});
+            picture.image = before->image;
+            readPart(target, part, picture.image, pixels);
+        } else {
+            paint(order);
+            picture.image = readPicture(target, order.settings.background.kind != Backdrop::None, pixels);
+        }
         picture.seconds = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
+        last = picture;
         return picture;
     }
 

@@ -1,6 +1,7 @@
 #include "screen_picture.h"
 
 #include "core/image/color.h"
+#include "core/spheremap/math/vector_clones.h"
 
 #include <algorithm>
 #include <array>
@@ -28,6 +29,31 @@ const std::array<unsigned char, tableSize + 1>& srgbBytes()
     return table;
 }
 
+constexpr int spanLength = 128;
+
+/// Texels of a row on their way to the screen: where their colors, not multiplied by their opacity, stand in srgbBytes(), and their
+/// opacity.
+struct Span {
+    int red[spanLength], green[spanLength], blue[spanLength];
+    float alpha[spanLength];
+};
+
+/// By itself, so that the compiler makes vector code of the square roots.
+MIRRORBALL_VECTOR_CLONES void toSpan(const float* __restrict from, int count, Span& __restrict to)
+{
+    for (int x = 0; x < count; ++x) {
+        const float alpha = std::min(std::max(0.0f, from[4 * x + 3]), 1.0f), inverse = alpha > 0.0f ? 1.0f / alpha : 0.0f;
+        const auto index = [inverse](float channel) {
+            const float value = std::min(std::max(0.0f, channel * inverse), 1.0f); // in this order a NaN becomes 0
+            return static_cast<int>(std::sqrt(value) * tableSize + 0.5f);
+        };
+        to.red[x] = index(from[4 * x]);
+        to.green[x] = index(from[4 * x + 1]);
+        to.blue[x] = index(from[4 * x + 2]);
+        to.alpha[x] = alpha;
+    }
+}
+
 QRgb average(QRgb a, QRgb b, QRgb c, QRgb d)
 {
     const auto channel = [&](int shift) {
@@ -47,15 +73,18 @@ QImage onScreen(const Image& map, const JobControl& job)
         for (int y = first; y < last; ++y) {
             const float* from = map.row(y);
             auto* to = reinterpret_cast<QRgb*>(bits + static_cast<qsizetype>(y) * picture.bytesPerLine());
-            for (int x = 0; x < map.width; ++x, from += 4) {
-                const float alpha = std::clamp(from[3], 0.0f, 1.0f), inverse = alpha > 0.0f ? 1.0f / alpha : 0.0f;
-                QRgb color[3];
-                for (int c = 0; c < 3; ++c) {
-                    const float value = std::clamp(from[c] * inverse, 0.0f, 1.0f); // a NaN becomes 0
-                    const int index = static_cast<int>(std::sqrt(value == value ? value : 0.0f) * tableSize + 0.5f);
-                    color[c] = static_cast<QRgb>(static_cast<float>(bytes[static_cast<size_t>(index)]) * alpha + 0.5f);
+            Span span;
+            for (int left = 0; left < map.width; left += spanLength) {
+                const int count = std::min(spanLength, map.width - left);
+                toSpan(from + 4 * left, count, span);
+                for (int x = 0; x < count; ++x) {
+                    const float alpha = span.alpha[x];
+                    const auto color = [&](int index) {
+                        return static_cast<QRgb>(static_cast<int>(static_cast<float>(bytes[static_cast<size_t>(index)]) * alpha + 0.5f));
+                    };
+                    to[left + x] = static_cast<QRgb>(static_cast<int>(alpha * 255.0f + 0.5f)) << 24 | color(span.red[x]) << 16 |
+                                   color(span.green[x]) << 8 | color(span.blue[x]);
                 }
-                to[x] = static_cast<QRgb>(alpha * 255.0f + 0.5f) << 24 | color[0] << 16 | color[1] << 8 | color[2];
             }
         }
     });

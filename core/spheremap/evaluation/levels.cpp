@@ -1,5 +1,7 @@
 #include "evaluate.h"
 
+#include "core/spheremap/math/resample.h"
+
 #include <algorithm>
 
 namespace mirrorball {
@@ -43,15 +45,14 @@ Image blockAverages(const Image& picture, const TexelRect& rect, int factor, con
     parallelRows(result.height, job, [&](int first, int last) {
         for (int y = first; y < last; ++y)
             for (int x = 0; x < result.width; ++x) {
-                float sum[4] = {};
+                FourChannels sum{};
                 for (int j = 0; j < factor; ++j) {
-                    const float* texel = picture.texel(rect.x0 + x * factor, rect.y0 + y * factor + j);
-                    for (int i = 0; i < factor; ++i, texel += 4)
-                        for (int c = 0; c < 4; ++c)
-                            sum[c] += texel[c];
+                    const auto* texel =
+                        reinterpret_cast<const FourChannels*>(picture.texel(rect.x0 + x * factor, rect.y0 + y * factor + j));
+                    for (int i = 0; i < factor; ++i)
+                        sum += texel[i];
                 }
-                for (int c = 0; c < 4; ++c)
-                    result.texel(x, y)[c] = sum[c] * share;
+                *reinterpret_cast<FourChannels*>(result.texel(x, y)) = sum * share;
             }
     });
     return result;

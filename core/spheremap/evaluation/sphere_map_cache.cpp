@@ -207,18 +207,19 @@ void SphereMapCache::keepBelow(const SphereMapDocument& document, size_t layer, 
     m_belowLayer = layer;
 }
 
-/// From the dragged layer up, what layers give by themselves: bottom to top, as far as there is room. Not what changes with every update,
-/// nor what a canvas holds.
+/// From the dragged layer up, what layers give by themselves: bottom to top, as far as there is room, but for what changes with every
+/// update. What a canvas holds as well: outside the disc its texels are read between four others, which takes longer than all inside.
 void SphereMapCache::keepDrawn(const SphereMapDocument& document, size_t lowest, const std::vector<Painted>& redrawn, const JobControl& job)
 {
     std::erase_if(m_drawn, [&](const auto& entry) { return entry.first.first < lowest; });
     if (m_options.size > largestDrawn)
         return;
+    const EvaluateOptions options = withWhatIsKept();
     for (size_t i = lowest; i < document.layers.size(); ++i) {
         const Layer& layer = document.layers[i];
         for (const PaintTarget target : {PaintTarget::Layer, PaintTarget::Mask}) {
             const Painted which(i, target);
-            if (!layer.visible || (target == PaintTarget::Mask && !layer.mask) || m_drawn.contains(which) || m_canvases.contains(which) ||
+            if (!layer.visible || (target == PaintTarget::Mask && !layer.mask) || m_drawn.contains(which) ||
                 std::find(redrawn.begin(), redrawn.end(), which) != redrawn.end())
                 continue;
             const LayerContent& content = target == PaintTarget::Mask ? layer.mask->content : layer.content;
@@ -226,7 +227,7 @@ void SphereMapCache::keepDrawn(const SphereMapDocument& document, size_t lowest,
                 continue;
             if (m_drawn.size() >= mostDrawn)
                 return;
-            m_drawn.emplace(which, drawnLayer(document, i, target, m_options, job));
+            m_drawn.emplace(which, drawnLayer(document, i, target, options, job));
         }
     }
 }

@@ -189,5 +189,32 @@ TEST(Prediction, RingGridReadsInFloatWhatTheRingsHoldInDouble)
                     1e-6 * peak); // a few roundings of float at the peak's size
 }
 
+TEST(Prediction, RingGridReadsTheSidesOfACubeAsItReadsEachOfTheirPlaces)
+{
+    const Spectrum spectrum = analyze(test::sunProbe(64, 1e5f, 20, 17), 64);
+    const std::vector<double> k = legendreCoefficients(phongLobe(60), 64), longer = legendreCoefficients(phongLobe(60), 90);
+    for (const int size : {1, 7, 70}) // more than are read side by side
+        for (const std::vector<double>& followed : {std::vector<double>(), longer}) {
+            const RingGrid grid(spectrum, k, 90, 0.3, {}, followed);
+            const std::vector<SpherePoint> points = spherePoints({Parameterization::Cube, size, 0});
+            std::vector<float> all(4 * points.size());
+            grid.read(points, all.data());
+            const float peak =
+                std::abs(*std::max_element(all.begin(), all.end(), [](float a, float b) { return std::abs(a) < std::abs(b); }));
+            const int step = (size + 2) / 3;
+            for (int first = 0; first < size; first += step) {
+                const int last = std::min(size, first + step);
+                const auto row = 4 * static_cast<size_t>(size);
+                std::vector<float> sides(4 * static_cast<size_t>(last - first) * row);
+                grid.readSides(size, first, last, points, sides.data());
+                const float* side = sides.data();
+                for (const int face : {0, 1, 4, 5})
+                    for (int y = first; y < last; ++y)
+                        for (size_t i = 0; i < row; ++i)
+                            ASSERT_NEAR(*side++, all[static_cast<size_t>(face * size + y) * row + i], 2e-6f * peak); // in another order
+            }
+        }
+}
+
 } // namespace
 } // namespace mirrorball
