@@ -362,7 +362,7 @@ void addFilterCommand(CLI::App& program)
     command->add_flag("--half", o->half, "16-bit floats, where the format has them");
     command->add_flag("--explain", o->explain, "print what is done, what is left out, and why; then do it");
     command->add_option("--stats", o->stats, "write times, method and predicted error to this JSON file");
-    command->footer(methodHelp());
+    command->footer(methodHelp() + "\n\n" + program.get_footer());
     command->callback([o] { run(*o); });
 }
 

@@ -2774,10 +2774,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>exact</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>filament</source>
         <translation type="unfinished"></translation>
     </message>

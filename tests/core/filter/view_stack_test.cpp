@@ -116,8 +116,8 @@ TEST(ViewStack, InAFurnaceReflectsTheDirectionalAlbedo)
     }
 }
 
-// A sun goes through the kernel and not through harmonics, so that no degree is missed; orders and views are those of the tolerance, which is
-// one of all frames together, dark ones included.
+// A sun goes through the kernel and not through harmonics, so that no degree is missed; orders and views are those of the tolerance, which
+// is one of all frames together, dark ones included.
 TEST(ViewStack, FollowsASun)
 {
     EnvironmentMap probe = smoothProbe();
