@@ -2,6 +2,7 @@
 
 #include "app/studio/main_window.h"
 #include "app/studio/theme.h"
+#include "core/base/sanitized.h"
 #include "support/temporary_folder.h"
 
 #include <QApplication>
@@ -10,6 +11,13 @@
 #include <QTest>
 
 namespace mirrorball::test {
+
+/// The milliseconds that maps, pictures and programs may take before a test gives them up.
+#ifdef MIRRORBALL_SANITIZED
+constexpr int patience = 300'000;
+#else
+constexpr int patience = 60'000;
+#endif
 
 /// A real window with a recovery folder of its own, shown and drawn.
 class StudioWindow {
@@ -35,8 +43,8 @@ public:
     /// Until maps and picture are of the document's scene.
     void waitForPicture()
     {
-        QTRY_VERIFY_WITH_TIMEOUT(m_window->workspace().live.isUpToDate(), 60000);
-        QTRY_VERIFY_WITH_TIMEOUT(m_window->preview().isUpToDate(), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->workspace().live.isUpToDate(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->preview().isUpToDate(), patience);
     }
     QImage picture()
     {

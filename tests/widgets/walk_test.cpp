@@ -299,7 +299,7 @@ public:
         QTRY_VERIFY_WITH_TIMEOUT(dialog->isEstimated(), 20000);
         QSignalSpy exported(dialog, &ExportDialog::exported);
         QTest::mouseClick(dialog->findChild<QWidget*>(QStringLiteral("export.start")), Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(!exported.isEmpty(), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(!exported.isEmpty(), patience);
         QVERIFY(!m_tour.isRunning());
         m_command = dialog->command();
         m_exported = exported.front().front().toStringList();
@@ -321,7 +321,7 @@ public:
         shell.start(QStringLiteral("/bin/sh"),
                     {QStringLiteral("-c"),
                      command + QStringLiteral(" && mirrorball render '%1' -o '%2'").arg(m_scene, fromPath(m_folder / "theirs.png"))});
-        QVERIFY(shell.waitForFinished(60000));
+        QVERIFY(shell.waitForFinished(patience));
         QVERIFY2(shell.exitCode() == 0, shell.readAllStandardError().constData());
         QVERIFY(m_exported.size() >= 2);
         for (const QString& file : m_exported) {
@@ -329,7 +329,7 @@ public:
             const std::string here = readBytes(m_folder / "here" / "light" / name), there = readBytes(m_folder / "there" / "light" / name);
             QVERIFY2(!here.empty() && here == there, name.c_str());
         }
-        QTRY_VERIFY_WITH_TIMEOUT(std::filesystem::exists(ours), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(std::filesystem::exists(ours), patience);
         QVERIFY(readBytes(ours) == readBytes(m_folder / "theirs.png"));
     }
 

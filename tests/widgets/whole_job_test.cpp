@@ -84,14 +84,14 @@ void WholeJobTest::fromADroppedProbeToTheMapsThatTheCommandLineWrites()
     QVERIFY(window->files().saveAs(fromPath(folder / "job.mirrorball")));
     QSignalSpy exported(&dialog, &ExportDialog::exported);
     dialog.startExport();
-    QTRY_VERIFY_WITH_TIMEOUT(!exported.isEmpty(), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(!exported.isEmpty(), patience);
     const QStringList files = exported.front().front().toStringList();
     QVERIFY(files.size() >= 2);
 
     QProcess program;
     program.start(QStringLiteral(MIRRORBALL_PROGRAM),
                   {QStringLiteral("export"), fromPath(folder / "job.mirrorball"), QStringLiteral("-o"), fromPath(folder / "there")});
-    QVERIFY(program.waitForFinished(60000));
+    QVERIFY(program.waitForFinished(patience));
     QVERIFY2(program.exitCode() == 0, program.readAllStandardError().constData());
     int compared = 0;
     for (const auto& entry : std::filesystem::directory_iterator(folder / "there")) {
