@@ -27,8 +27,6 @@ void ComparisonTest::init() { QSettings().clear(); }
 
 namespace {
 
-constexpr int patience = 30000; ///< milliseconds: a picture on a software renderer, on a machine that is busy
-
 void makeGold(StudioWindow& window)
 {
     window.document().edit(QStringLiteral("gold"), {}, [](Scene& scene) { scene.material.fresnel = {.kind = FresnelKind::Conductor}; });

@@ -1,5 +1,6 @@
 #include "export_dialog_test.h"
 
+#include "patience.h"
 #include "widget_driver.h"
 
 #include "support/temporary_folder.h"
@@ -22,8 +23,6 @@ namespace mirrorball::test {
 static const RegisterTests<ExportDialogTest> registered;
 
 namespace {
-
-constexpr int patience = 60000;
 
 Scene exportingScene()
 {

@@ -22,8 +22,6 @@ void InspectorTest::init() { QSettings().clear(); }
 
 namespace {
 
-constexpr int patience = 30000; ///< milliseconds: a picture on a software renderer, on a machine that is busy
-
 void press(StudioWindow& window, Qt::Key key, Qt::KeyboardModifiers modifiers = {})
 {
     window.preview().setFocus();

@@ -1,5 +1,6 @@
 #include "lobe_error_panel_test.h"
 
+#include "patience.h"
 #include "widget_driver.h"
 
 #include "core/image/builtin_probes.h"
@@ -19,8 +20,6 @@ namespace mirrorball::test {
 static const RegisterTests<LobeErrorPanelTest> registered;
 
 namespace {
-
-constexpr int patience = 120000;
 
 struct ShownPanel {
     explicit ShownPanel(const std::string& model)

@@ -1,5 +1,6 @@
 #include "map_panel_test.h"
 
+#include "patience.h"
 #include "widget_driver.h"
 
 #include "core/image/map_picture.h"
@@ -19,8 +20,6 @@ namespace mirrorball::test {
 static const RegisterTests<MapPanelTest> registered;
 
 namespace {
-
-constexpr int patience = 30000;
 
 /// A panel on the screen, over a scene whose maps are made.
 struct ShownPanel {

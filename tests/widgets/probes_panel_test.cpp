@@ -27,8 +27,6 @@ static const RegisterTests<ProbesPanelTest> registered;
 
 namespace {
 
-constexpr int patience = 30000;
-
 struct ShownPanel {
     explicit ShownPanel(const QSize& size = {340, 680})
     {

@@ -1,5 +1,6 @@
 #include "report_panel_test.h"
 
+#include "patience.h"
 #include "widget_driver.h"
 
 #include "core/image/builtin_probes.h"
@@ -17,8 +18,6 @@ namespace mirrorball::test {
 static const RegisterTests<ReportPanelTest> registered;
 
 namespace {
-
-constexpr int patience = 120000;
 
 /// A probe and a map so small that every method is measured in a second or two.
 Scene glossyScene(const TemporaryFolder& folder)

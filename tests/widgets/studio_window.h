@@ -2,7 +2,7 @@
 
 #include "app/studio/main_window.h"
 #include "app/studio/theme.h"
-#include "core/base/sanitized.h"
+#include "patience.h"
 #include "support/temporary_folder.h"
 
 #include <QApplication>
@@ -11,13 +11,6 @@
 #include <QTest>
 
 namespace mirrorball::test {
-
-/// The milliseconds that maps, pictures and programs may take before a test gives them up.
-#ifdef MIRRORBALL_SANITIZED
-constexpr int patience = 300'000;
-#else
-constexpr int patience = 60'000;
-#endif
 
 /// A real window with a recovery folder of its own, shown and drawn.
 class StudioWindow {
